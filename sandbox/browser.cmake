@@ -1,8 +1,8 @@
-# The libraries of the browser's build, under the names that CMakeLists.txt links: Debian's headers where those are all
-# that a library is, its source packages (sandbox/web fetches them) where there is something to compile.
+# The libraries of the browser's build, under the names that CMakeLists.txt links: Debian's headers if a library has
+# nothing else, its source packages (sandbox/web fetches them) if there is something to compile.
 set(VIEWING_WEB_SOURCES ${PROJECT_SOURCE_DIR}/build/web-sources CACHE PATH "Debian's source packages, unpacked")
 
-# source_folder(RESULT NAME): of a source package, whatever its version.
+# source_folder(RESULT NAME): the folder of a source package, whatever its version.
 function(source_folder result name)
     file(GLOB folders LIST_DIRECTORIES TRUE ${VIEWING_WEB_SOURCES}/${name}-*/)
     list(FILTER folders EXCLUDE REGEX "\\.(dsc|xz|gz|bz2)$")
@@ -13,7 +13,7 @@ function(source_folder result name)
     set(${result} ${folders} PARENT_SCOPE)
 endfunction()
 
-# Exceptions are WebAssembly's own in every file, C included: a call must be able to pass through.
+# Use WebAssembly exceptions in every file, C included: they must be able to pass through each call.
 add_compile_options(-fwasm-exceptions)
 
 # Never /usr/include itself: it has the headers of another C library.
@@ -25,7 +25,7 @@ foreach(name glm nlohmann fmt stb)
     endif()
     file(CREATE_LINK /usr/include/${name} ${web_headers}/${name} SYMBOLIC)
 endforeach()
-# What this compiler's library of C++ and its GL headers lack comes first, each beside the original that it includes.
+# Headers that add what this compiler's C++ library and GL headers lack come first; each includes the original.
 include_directories(BEFORE SYSTEM ${PROJECT_SOURCE_DIR}/sandbox/platform/browser/headers)
 include_directories(SYSTEM ${web_headers})
 
@@ -39,12 +39,12 @@ headers_alone(nlohmann_json::nlohmann_json)
 headers_alone(fmt::fmt FMT_HEADER_ONLY=1)
 headers_alone(Threads::Threads)
 headers_alone(PkgConfig::epoxy)
-# What only a room's folder `desktop` asks for.
+# Needed only by a room's folder `desktop`.
 foreach(name PkgConfig::egl PkgConfig::cairo PkgConfig::harfbuzz_subset glfw)
     headers_alone(${name})
 endforeach()
 
-# from_source(NAME LANGUAGE FOLDER SOURCES…): a library of files that are not ours, without our warnings.
+# from_source(NAME FOLDER SOURCES…): a library of third-party files, without our warnings.
 function(from_source name folder)
     list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE sources)
     string(MAKE_C_IDENTIFIER web_${name} target)
@@ -57,7 +57,7 @@ endfunction()
 source_folder(imgui imgui)
 from_source(PkgConfig::imgui ${imgui} imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp
             backends/imgui_impl_opengl3.cpp misc/cpp/imgui_stdlib.cpp)
-# One draw list may have more than 65,536 corners, and OpenGL ES 3.0 has no base vertex.
+# A draw list may have more than 65,536 vertices, and OpenGL ES 3.0 has no base vertex.
 target_compile_definitions(web_PkgConfig__imgui PUBLIC "ImDrawIdx=unsigned int" IMGUI_IMPL_OPENGL_ES3
                            IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_METRICS_WINDOW)
 target_include_directories(web_PkgConfig__imgui SYSTEM PUBLIC ${imgui}/misc/cpp)
@@ -70,7 +70,7 @@ source_folder(lua lua5.4)
 from_source(PkgConfig::lua ${lua}/src lapi.c lauxlib.c lbaselib.c lcode.c lcorolib.c lctype.c ldblib.c ldebug.c ldo.c ldump.c
             lfunc.c lgc.c linit.c liolib.c llex.c lmathlib.c lmem.c loadlib.c lobject.c lopcodes.c loslib.c lparser.c lstate.c
             lstring.c lstrlib.c ltable.c ltablib.c ltm.c lundump.c lutf8lib.c lvm.c lzio.c)
-# Debian's patch asks where this architecture's modules are: nowhere.
+# Debian's patch asks where the modules of this architecture are: nowhere.
 file(CONFIGURE OUTPUT ${web_headers}/lua5.4-deb-multiarch.h CONTENT "#define DEB_HOST_MULTIARCH \"\"\n")
 get_target_property(lua_sources web_PkgConfig__lua SOURCES)
 set_source_files_properties(${lua_sources} PROPERTIES LANGUAGE CXX)  # its errors unwind, as in Debian's lua5.4-c++
@@ -84,9 +84,9 @@ from_source(PNG::PNG ${png} png.c pngerror.c pngget.c pngmem.c pngpread.c pngrea
             pngtrans.c pngwio.c pngwrite.c pngwtran.c pngwutil.c)
 target_link_libraries(web_PNG__PNG PUBLIC ZLIB::ZLIB)
 
-# smaller_fonts(RESULT FONTS…): what the window can show of them (ui/window/fonts.cpp), by HarfBuzz. The Korean ones are
-# left beside the page, which fetches them when Korean is chosen.
-# The 2,350 syllables of KS X 1001, with letters and signs: what Korean is written with, and names of people.
+# smaller_fonts(RESULT FONTS…): reduces fonts with HarfBuzz to what the window can show (ui/window/fonts.cpp). The
+# Korean ones stay beside the page, which fetches them when Korean is chosen.
+# They keep the 2,350 syllables of KS X 1001, with letters and signs: what Korean text and names need.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/korean.py CONTENT [[
 import sys
@@ -122,7 +122,7 @@ function(smaller_fonts result)
     set(korean_fonts ${beside} CACHE INTERNAL "")
 endfunction()
 
-# The program as a page: index.html, its scripts and the module, and the Korean fonts beside them, in build/web.
+# Builds the program as a page in build/web: index.html, its scripts and the module, with the Korean fonts beside them.
 function(add_page)
     set(page ${PROJECT_SOURCE_DIR}/sandbox/app/browser/page)
     set(page_scripts net.js kept.js page.js messages.js)
@@ -132,7 +132,8 @@ function(add_page)
     target_link_libraries(web PRIVATE app)
     set_target_properties(web PROPERTIES OUTPUT_NAME viewing-sandbox RUNTIME_OUTPUT_DIRECTORY ${folder}
                           LINK_DEPENDS "${assets_files}"
-                          # Node finds what emscripten needs where Debian has it, be it Debian's own node or not.
+                          # Node finds emscripten's packages where Debian has them, whether or not it is Debian's own
+                          # Node.
                           RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
     set(assets)
     foreach(name scenes presets lessons exercises text lecture.json)

@@ -1,6 +1,6 @@
-# Puts files into the program, so that it needs neither the source tree nor installed fonts when it runs.
-# The assembler's .incbin copies them as they are: no generated source of millions of numbers, and a changed
-# file costs one assembler run. Where there is no assembler for ELF or WebAssembly they become C++ arrays.
+# Embeds files in the program, so that it needs neither the source tree nor installed fonts at run time. The assembler's
+# .incbin copies them unchanged: no generated source of millions of numbers, and a changed file costs one assembler run.
+# Without an assembler for ELF or WebAssembly they become C++ arrays.
 set(default_embed array)
 if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF" OR EMSCRIPTEN)
     set(default_embed incbin)
@@ -12,7 +12,7 @@ set_property(CACHE VIEWING_EMBED PROPERTY STRINGS incbin array)
 # Makes the static library TARGET. Its header, included as HEADER, declares
 #     std::string_view           viewing::ACCESSOR(std::string_view file_name);   with TEXT
 #     std::span<const std::byte> viewing::ACCESSOR(std::string_view file_name);   without
-# which give a file's bytes by its name without folders, and nothing for an unknown name.
+# which return the bytes of a file by its name without folders, or nothing for an unknown name.
 function(embed_files target header accessor)
     cmake_parse_arguments(EMBED "TEXT" "WAY" "" ${ARGN})
     set(files ${EMBED_UNPARSED_ARGUMENTS})
@@ -40,7 +40,7 @@ function(embed_files target header accessor)
         cmake_path(GET file FILENAME name)
         set(symbol "${accessor}_${index}")
         if(EMBED_WAY STREQUAL "incbin")
-            if(EMSCRIPTEN)  # where each object has a section and a size of its own
+            if(EMSCRIPTEN)  # each object needs its own section and size
                 string(APPEND assembly
                     "    .section .rodata.${symbol},\"\",@\n    .global ${symbol}\n    .p2align 4\n${symbol}:\n    .incbin \"${file}\"\n"
                     ".L${symbol}_end:\n    .byte 0\n.L${symbol}_after:\n    .size ${symbol}, .L${symbol}_after - ${symbol}\n"
@@ -108,8 +108,8 @@ namespace viewing {
     target_include_directories(${target} PUBLIC ${folder})
 endfunction()
 
-# find_font(RESULT FILE PACKAGE): the path of a font, in whatever folder of the system's fonts, else an error that names Debian's
-# PACKAGE of it.
+# find_font(RESULT FILE PACKAGE): the path of a font in any of the system's font folders; without one, an error that
+# names Debian's PACKAGE.
 function(find_font result file package)
     file(GLOB_RECURSE fonts /usr/share/fonts/${file} /usr/local/share/fonts/${file})
     list(APPEND fonts NOTFOUND)
@@ -117,7 +117,7 @@ function(find_font result file package)
     set(VIEWING_FONT_${file} "${font}" CACHE FILEPATH "The font ${file}")
     mark_as_advanced(VIEWING_FONT_${file})
     if(NOT VIEWING_FONT_${file})
-        unset(VIEWING_FONT_${file} CACHE)  # looked for again at the next try
+        unset(VIEWING_FONT_${file} CACHE)  # look again on the next run
         message(FATAL_ERROR "The font ${file} is missing: install it (Debian's package ${package}), "
                             "or pass -DVIEWING_FONT_${file}=/path/to/${file}")
     endif()
@@ -128,6 +128,11 @@ function(embed_shaders)
     file(GLOB shaders CONFIGURE_DEPENDS
          ${PROJECT_SOURCE_DIR}/shaders/*.vert ${PROJECT_SOURCE_DIR}/shaders/*.frag ${PROJECT_SOURCE_DIR}/shaders/*.glsl)
     embed_files(embedded_shaders embedded/shaders.h embedded_shader TEXT ${shaders})
+endfunction()
+
+function(embed_manual)
+    file(GLOB topics CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/assets/manual/*.md)
+    embed_files(embedded_manual embedded/manual.h embedded_manual TEXT ${topics})
 endfunction()
 
 function(embed_fonts)

@@ -1,4 +1,4 @@
-// One value for every fragment: gathers stencil bits.
+// Outputs one value for every fragment; used to gather stencil bits.
 uniform vec4 value;
 out vec4 color;
 

@@ -1,4 +1,4 @@
-// One colour where the mask is no longer what it was: each pixel once, however often a pass has met it.
+// Writes one color where a pass has changed the mask: each pixel once, however often the pass touched it.
 uniform sampler2D previous_mask;
 uniform sampler2D changed_mask;
 uniform vec4 value;

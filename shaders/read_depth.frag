@@ -1,4 +1,4 @@
-// The bits of a depth as four bytes, the lowest in red, to be read where GL cannot read depth.
+// Outputs the bits of a depth as four bytes, the lowest in red, for drivers that cannot read back depth.
 in vec2 position_texture;
 
 uniform highp sampler2D depth_texture;

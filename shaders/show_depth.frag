@@ -1,4 +1,4 @@
-// The depth buffer as a picture: black near, white far, or bands of colour; pixels that were never written are tinted.
+// Shows the depth buffer: black near, white far, or bands of color; pixels that were never written are tinted.
 in vec2 position_texture;
 
 uniform highp sampler2D depth_texture;
@@ -6,8 +6,8 @@ uniform int mapping;  // a DepthMapping
 uniform bool linear_scale;
 uniform bool orthographic;
 uniform vec2 near_far;
-uniform float shown_first;  // black: an eye distance on the linear scale, else a window depth
-uniform float shown_slope;  // what one unit more makes of the grey
+uniform float shown_first;  // black: an eye distance on the linear scale, otherwise a window depth
+uniform float shown_slope;  // change of gray per unit
 uniform bool shows_bands;
 uniform vec3 bands[BANDS];  // sRGB, near first
 uniform float cleared;

@@ -1,8 +1,8 @@
-// How often each pixel was drawn, as colours: the count arrives as red, one level for each time.
+// Shows how often each pixel was drawn, as colors. The count is in the red channel, one level per drawing.
 in vec2 position_texture;
 
 uniform sampler2D value_texture;
-uniform vec3 colors[OVERDRAW_COLORS];  // sRGB: of 0, 1, 2 …, the last one of so many or more
+uniform vec3 colors[OVERDRAW_COLORS];  // sRGB: for 0, 1, 2 …; the last one for that many or more
 
 out vec4 color;
 

@@ -1,8 +1,8 @@
-// A picture laid over what is there; its first row is the top one.
+// Draws a picture over the target; the picture's first row is the top one.
 in vec2 position_texture;
 
 uniform sampler2D picture;
-uniform vec2 picture_share;  // of the target that it fills, around its middle
+uniform vec2 picture_share;  // of the target that it fills, centered
 
 out vec4 color;
 

@@ -1,9 +1,9 @@
-// The stencil buffer as a picture. The value arrives as red, gathered bit by bit (stencil cannot be sampled everywhere).
-// Some of its bits tell which patch, the others which lights are missing there.
+// Shows the stencil buffer. Its value is in the red channel, gathered bit by bit, since not every driver can sample
+// stencil. Some of its bits identify the patch, the others the lights that are missing there.
 in vec2 position_texture;
 
 uniform sampler2D value_texture;
-// sRGB: nothing, a patch, a light missing on it; the last one for missing beside a patch
+// sRGB: nothing, a patch, a light missing on it, a light missing beside a patch
 uniform vec3 colors[STENCIL_COLORS];
 
 out vec4 color;
@@ -14,6 +14,6 @@ void main() {
     int count = 0;
     for (int bits = missing; bits > 0; bits >>= 1) count += bits & 1;
     vec3 marked = missing == 0 ? colors[region == 0 ? 0 : 1] : colors[region == 0 ? 3 : 2];
-    // The next patch and the next light are a little darker.
+    // The next patch and the next missing light are each a little darker.
     color = vec4(marked * pow(0.82, float(max(region - 1, 0)) + 1.5 * float(max(count - 1, 0))), 1.0);
 }

@@ -1,15 +1,15 @@
-// Colours a fragment: lit, ambient only, one flat colour, front and back told apart, or an identity to read back.
+// Colors a fragment: lit, ambient only, one flat color, front and back in different colors, or an ID to read back.
 // Light is added in linear space and converted to sRGB here, so that no sRGB target is needed.
 //
-// FROM_PICTURE: the surface point comes from textures, one for each pixel, as a method in software found it, and so does
-// its depth.
+// FROM_PICTURE: the surface point and its depth come from textures, one texel per pixel, as a software method found
+// them.
 #ifdef FROM_PICTURE
 in vec2 position_texture;
-uniform highp sampler2D surface_positions;  // xyz world; w standard window depth, 2 where nothing is seen
-uniform highp sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
-uniform highp sampler2D surface_colors;     // linear; w the object's number from 1 on
+uniform highp sampler2D surface_positions;  // xyz world; w standard window depth, 2 if nothing is seen
+uniform highp sampler2D surface_normals;    // xyz toward the eye; w 1 front face, 0 back face
+uniform highp sampler2D surface_colors;     // linear; w the object ID, from 1
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
-uniform vec2 picture_share;                 // of the view that the picture fills, around its middle
+uniform vec2 picture_share;                 // of the view that the picture fills, centered
 uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[CLIP_PLANES];
@@ -29,38 +29,38 @@ AT(1) in vec3 normal_world;
 #endif
 #endif
 
-// PER_VERTEX: colour and numbers come with the vertices.
+// PER_VERTEX: color and IDs come with the vertices.
 #ifdef PER_VERTEX
 AT(3) in vec3 vertex_albedo;
 AT(4) flat in vec2 ids;
 #endif
 
-// SHADING and IS_PATCH are defined in front of this source: a small program for each way to draw compiles faster than
-// one that can do everything. So are all constants that C++ has too: render/shader_constants.cpp.
+// SHADING, IS_PATCH and all constants shared with C++ (render/shader_constants.cpp) are defined before this source.
+// Several small programs, one per way of drawing, compile faster than one that can do everything.
 
 #ifdef LIGHTS
 uniform vec4 lights_relative[LIGHTS];  // w = 1 point light, w = 0 parallel light
 uniform float light_strength;       // of each
 #endif
-uniform vec4 eye_relative;     // w = 0: parallel lines of sight, from this direction
-uniform vec3 sky_world;     // unit: where ambient light is strongest
+uniform vec4 eye_relative;     // w = 0: parallel view rays, from this direction
+uniform vec3 sky_world;     // unit: direction of the strongest ambient light
 uniform vec4 base_color;    // linear; flat shading: sRGB
 uniform float alpha;
 uniform vec3 patch_tones[PATCH_TONES];  // linear: light square, dark square, line
 uniform float patch_extent;
-uniform vec3 patch_normal;  // unit, towards the eye
+uniform vec3 patch_normal;  // unit, toward the eye
 uniform vec3 front_color;  // sRGB
 uniform vec3 back_color;
-uniform vec4 caster_w;          // . p is the w that S gives a point
-uniform vec4 caster_side;       // . p is positive on the light's side of the plane
+uniform vec4 caster_w;          // dot(caster_w, p) is the w that S gives p
+uniform vec4 caster_side;       // dot(caster_side, p) is positive on the light's side of the plane
 uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the plane, beyond the light
 
-// The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/depth/heat_map.h.
+// The gap to the surface next to this one, relative to the gap that the depth buffer resolves: frame/depth/heat_map.h.
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
-uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, by the logarithm of the eye distance from near to far
-uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: one half from ratio 0 to below 1, the other by its powers of 2
+uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, over the logarithm of the eye distance from near to far
+uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: one half for ratios from 0 to below 1, the other for powers of 2
 uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
 
 vec3 heat_color() {
@@ -92,16 +92,16 @@ AT(6) in vec2 clip_distance;
 #ifndef FROM_PICTURE
 AT(5) in vec2 view_zw;
 #endif
-uniform float depth_levels;      // 2^bits - 1; 0: as precise as the buffer
+uniform float depth_levels;      // 2^bits - 1; 0: the buffer's precision
 uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic
 uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times the smallest step
 #endif
 
 layout(location = 0) out vec4 color;
 
-// MASK_TEST and MASK_WRITE: a mask in place of the stencil, tested by discarding, written beside the colour.
+// MASK_TEST and MASK_WRITE: a mask instead of the stencil, tested with discard, written along with the color.
 #if defined(MASK_TEST) || defined(MASK_WRITE)
-uniform sampler2D mask_texture;  // value / 255, as it was before the pass
+uniform sampler2D mask_texture;  // value / 255, before the pass
 uniform int mask_reference;
 
 int mask_before() {
@@ -112,7 +112,7 @@ int mask_before() {
 uniform int mask_func;  // a CompareFunc
 uniform int mask_read_bits;
 
-// The comparisons are numbered as sets of less, equal and greater, in GL too.
+// Comparisons are encoded as bit sets of less, equal and greater, as in GL.
 bool passes_mask() {
     int value = mask_before() & mask_read_bits, reference = mask_reference & mask_read_bits;
     int relation = reference < value ? COMPARE_LESS : reference == value ? COMPARE_EQUAL : COMPARE_GREATER;
@@ -134,8 +134,8 @@ int mask_after() {
 }
 #endif
 
-// 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, off by a hundredth of a level at most: a software
-// renderer takes long over pow, to compile it and to run it.
+// 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, with an error of at most a hundredth of a level: in
+// a software renderer, pow is slow to compile and to run.
 vec3 srgb_from_linear(vec3 linear) {
     vec3 root = sqrt(sqrt(max(linear, vec3(0.0))));
     vec3 curve = (((0.0813307 * root - 0.3355051) * root + 1.1226862) * root + 0.1961336) * root - 0.0646112;
@@ -144,7 +144,7 @@ vec3 srgb_from_linear(vec3 linear) {
 
 #if SHADING == SHADING_LIT || SHADING == SHADING_UNLIT
 #ifdef IS_PATCH
-// Two tones by turns with thin lines between, each faded to its mean where squares get smaller than pixels.
+// Two alternating tones with thin lines between them, each faded to its mean where squares become smaller than pixels.
 vec3 patch_color() {
     vec2 cell = position_patch * patch_extent;
     vec2 width = max(fwidth(cell), vec2(1e-6));
@@ -165,12 +165,12 @@ float pow48(float x) {
 
 vec3 lit_color(vec3 surface_albedo) {
     vec3 eye = eye_relative.xyz - eye_relative.w * position_relative;
-    // The side of the surface that is seen, from its geometry: it must not depend on winding or culling.
+    // The visible side of the surface, from its geometry: it must not depend on winding or culling.
 #if defined(IS_PATCH)
     vec3 normal = patch_normal;
 #else
     vec3 normal = normalize(normal_world);
-#ifndef FROM_PICTURE  // where it was turned already
+#ifndef FROM_PICTURE  // already toward the eye there
     vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
     normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
 #endif
@@ -201,7 +201,7 @@ vec2 position_picture() {
     return (position_texture - 0.5) / picture_share + 0.5;
 }
 
-ivec2 texel_of(highp sampler2D picture) {  // whose first row is the top one
+ivec2 texel_of(highp sampler2D picture) {  // the first row is the top one
     ivec2 size = textureSize(picture, 0);
     vec2 position = position_picture();
     return clamp(ivec2(vec2(position.x, 1.0 - position.y) * vec2(size)), ivec2(0), size - 1);
@@ -238,7 +238,7 @@ void fetch_surface() {
 #define ALBEDO base_color.rgb
 #endif
 
-// A number below 2^24 in three bytes.
+// Splits a number below 2^24 into three bytes.
 vec4 bytes_of(float number) {
     return vec4(mod(number, 256.0), mod(floor(number / 256.0), 256.0), floor(number / 65536.0), 255.0) / 255.0;
 }
@@ -293,7 +293,7 @@ void main() {
 #ifdef MASK_WRITE
     mask = vec4(float(mask_after()) / 255.0, 0.0, 0.0, 1.0);
 #endif
-    // Last, because the derivatives above need all four fragments of a square.
+    // Last, because the derivatives above need all four fragments of a quad.
 #ifdef MASK_TEST
     if (!passes_mask()) discard;
 #endif

@@ -1,16 +1,16 @@
-// Every surface of the scene: objects, their shadow, their mirror image and the plane's patch.
-// The matrices arrive complete (S and R already multiplied in, in double precision on the CPU). What is shaded is given
-// relative to the eye, along the world's axes: far from the world's origin float32 has no places left for slopes.
+// Every surface of the scene: objects, their shadows, their mirror images and the plane's patch. The matrices arrive
+// complete (S and R already multiplied in, in double precision on the CPU). Shading uses positions relative to the eye,
+// along the world's axes: far from the world's origin, float32 is too coarse for slopes.
 layout(location = 0) in vec3 position_model;
 layout(location = 1) in vec3 normal_model;
 #ifdef PER_VERTEX
 layout(location = 2) in vec3 vertex_color;  // linear
-layout(location = 3) in vec2 vertex_ids;    // of the object and of the polygon, from 1 on
+layout(location = 3) in vec2 vertex_ids;    // of the object and of the polygon, from 1
 AT(3) out vec3 vertex_albedo;
 AT(4) flat out vec2 ids;
 #endif
 
-// SEPARATE: one for all fragment stages, whatever each takes of it.
+// SEPARATE: the same outputs for all fragment stages, whichever of them each stage reads.
 #ifdef SEPARATE
 out gl_PerVertex {
     vec4 gl_Position;
@@ -22,7 +22,7 @@ out gl_PerVertex {
 out float gl_ClipDistance[CLIP_PLANES];
 #endif
 
-// Passes that are told apart by stencil or equal depth must cover the very same pixels, whatever their program.
+// Passes that rely on stencil or equal depth must cover exactly the same pixels, whichever program they use.
 invariant gl_Position;
 
 uniform mat4 clip_from_model;
@@ -37,7 +37,7 @@ AT(1) out vec3 normal_world;
 AT(2) out vec2 position_patch;
 #endif
 
-// For passes that clip: CLIP_DISTANCE, or CLIP_BY_DISCARD where GL has no clip distances.
+// For passes that clip: CLIP_DISTANCE, or CLIP_BY_DISCARD if GL has no clip distances.
 #ifdef CLIP_BY_DISCARD
 AT(6) out vec2 clip_distance;
 #endif
@@ -53,7 +53,7 @@ uniform vec4 view_w_of_model;
 AT(5) out vec2 view_zw;
 #endif
 
-// GL interpolates the logarithm of the corners over the triangle: right at the corners only.
+// GL interpolates the vertices' logarithms over the triangle, which is right only at the vertices.
 #ifdef LOGARITHM_PER_VERTEX
 uniform vec2 vertex_near_far;
 
@@ -78,7 +78,7 @@ void main() {
     ids = vertex_ids;
 #endif
 #ifdef FORCE_SIGN
-    // The w that S gives the point, before the camera's: GL would keep a triangle that changes its sign in one piece.
+    // Tests the w that S gives, before the camera's: GL would not divide a triangle in which this sign changes.
     if (placed.w < 0.0) gl_Position = -gl_Position;
 #endif
 #ifdef CLIP_DISTANCE

@@ -1,6 +1,6 @@
-// Linked into every test program: where the assets, the program and the tests lie, unless the environment says so
-// already. A test program needs no other set-up, whether ctest starts it or a person. Shaders are compiled anew in
-// every test, what an earlier run left in Mesa's cache decides nothing, and quickly, as the headless commands do.
+// Linked into every test program: sets the locations of assets, program and tests unless the environment has them. No
+// other setup is needed, whether ctest or a person starts the program. Every test compiles its shaders anew, with the
+// fast settings of the headless commands, so that no result depends on Mesa's cache from an earlier run.
 #include <cstdlib>
 
 namespace {

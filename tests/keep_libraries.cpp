@@ -1,5 +1,5 @@
-// Linked into every program of a sanitizer build. GL drivers are unloaded when a context ends; what their libraries
-// still hold then looks like leaks without a name. Libraries that stay loaded leave nothing to suppress.
+// Linked into every program of a sanitizer build. GL drivers are unloaded when a context ends, and the memory that
+// their libraries still hold then looks like leaks from unknown code. Keeping the libraries loaded avoids suppressions.
 extern "C" __attribute__((visibility("default"))) int dlclose(void*) noexcept {
     return 0;
 }

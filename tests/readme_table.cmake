@@ -1,4 +1,4 @@
-# tests/readme_table: what stands between two lines of the README, made of the presets. CMake reads JSON, and is there
+# tests/readme_table: the table of mistakes in tests/golden/README.md, made from the presets. CMake reads JSON, and is installed
 # wherever the program is built.
 cmake_minimum_required(VERSION 3.21)
 set(first_line "<!-- written by tests/readme_table -->\n")
@@ -16,7 +16,7 @@ foreach(file IN LISTS presets)
     string(JSON title GET "${preset}" title)
     string(JSON group GET "${preset}" group)
     if(NOT group IN_LIST groups)
-        message(FATAL_ERROR "${file}: tests/readme_table.cmake does not know where the group \"${group}\" stands")
+        message(FATAL_ERROR "${file}: tests/readme_table.cmake does not list the group \"${group}\"")
     endif()
     cmake_path(GET file STEM name)
     foreach(kind preset mended)
@@ -25,30 +25,31 @@ foreach(file IN LISTS presets)
         endif()
     endforeach()
     string(APPEND "rows_of_${group}"
-        "| **${title}**<br>`${name}`<br>mended by `${mended_by}` "
-        "| <img src=\"tests/golden/preset-${name}.png\" width=\"260\" alt=\"broken\"> "
-        "| <img src=\"tests/golden/mended-${name}.png\" width=\"260\" alt=\"mended\"> |\n")
+        "| **${title}**<br>`${name}`<br>fixed by `${mended_by}` "
+        "| <img src=\"preset-${name}.png\" width=\"260\" alt=\"broken\"> "
+        "| <img src=\"mended-${name}.png\" width=\"260\" alt=\"fixed\"> |\n")
 endforeach()
 
-set(table "| what breaks | broken | mended |\n|---|---|---|\n")
+set(table "| mistake | broken | fixed |\n|---|---|---|\n")
 foreach(group IN LISTS groups)
     string(APPEND table "${rows_of_${group}}")
 endforeach()
 
-file(READ README.md readme)
+set(page tests/golden/README.md)
+file(READ ${page} readme)
 string(FIND "${readme}" "${first_line}" begin)
 string(FIND "${readme}" "${last_line}" end)
 if(begin LESS 0 OR end LESS begin)
-    message(FATAL_ERROR "README.md: the two lines between which the table stands are missing")
+    message(FATAL_ERROR "${page}: the two lines around the table are missing")
 endif()
 string(LENGTH "${first_line}" length)
 math(EXPR begin "${begin} + ${length}")
 string(SUBSTRING "${readme}" 0 ${begin} before)
 string(SUBSTRING "${readme}" ${end} -1 after)
 if("${before}${table}${after}" STREQUAL "${readme}")
-    message(STATUS "README.md: the table is as the presets have it")
+    message(STATUS "${page}: the table matches the presets")
 elseif(FIX)
-    file(WRITE README.md "${before}${table}${after}")
+    file(WRITE ${page} "${before}${table}${after}")
 else()
-    message(FATAL_ERROR "README.md: the table of artefacts is not what the presets say: tests/readme_table --fix")
+    message(FATAL_ERROR "${page}: the table does not match the presets: tests/readme_table --fix")
 endif()

@@ -1,4 +1,4 @@
-// Areas that are drawn freely and use the wheel. Read area.h.
+// Freely drawn areas that use the mouse wheel. Read area.h.
 #include "widgets/area.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ WheelArea::WheelArea(const char* id, ImVec2 size) {
 }
 
 WheelArea::~WheelArea() {
-    // ImGui hands the wheel on to the window around unless this one could scroll: one pixel that nobody sees.
+    // ImGui passes the wheel to the parent unless this window can scroll, so add one invisible pixel of content.
     ImGui::SetCursorScreenPos(ImVec2(min.x, max.y));
     ImGui::Dummy(ImVec2(1.0F, 1.0F));
     ImGui::SetScrollY(0.0F);

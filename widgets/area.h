@@ -1,11 +1,11 @@
-// An area of a window that is drawn freely, inside the library. Read tree_diagram.cpp for its use.
+// A freely drawn area of a window, internal to the library. Read tree_diagram.cpp for its use.
 #pragma once
 
 #include "widgets/inner.h"
 
 namespace widgets::inner {
 
-/// A child window without look that keeps the wheel from scrolling what is around it; its upper left corner is
+/// An invisible child window that keeps the wheel from scrolling its parent. Its upper left corner is
 /// ImGui::GetWindowPos().
 struct WheelArea {
     WheelArea(const char* id, ImVec2 size);
@@ -15,7 +15,7 @@ struct WheelArea {
     ImVec2 min, max;
 };
 
-/// A quiet sentence in the middle of an area with nothing in it.
+/// Draws a quiet sentence in the middle of an empty area.
 void DrawHint(ImDrawList* draw, ImVec2 min, ImVec2 max, std::string_view sentence);
 
 }  // namespace widgets::inner

@@ -1,5 +1,5 @@
-// The context that all widgets share: one frame's beginning, highlights, the recorder that tests click by, groups.
-// Read widgets.h first.
+// The context that all widgets share: start of a frame, highlights, the recorder that tests use to click by name,
+// groups. Read widgets.h first.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -29,7 +29,7 @@ void NewFrame(Context& context) {
 
     Editing& editing = context.editing;
     const int frame = ImGui::GetFrameCount();
-    if (editing.typing_frame < frame - 1) editing.typing = 0;  // its panel was folded away
+    if (editing.typing_frame < frame - 1) editing.typing = 0;  // its panel was folded
     editing.ends = std::exchange(editing.ends_next, false);
     editing.type_now = editing.type_next;
     editing.type_next = 0;
@@ -184,7 +184,7 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     editing.tooltip_muted |= ImGui::IsAnyMouseDown() || typing;
     if (editing.tooltip_muted) return false;
     if (editing.tooltip_time_s >= delay_s) {
-        // ImGui hides a new window in its first frame: the tooltip needs further ones to appear.
+        // ImGui hides a new window in its first frame, so the tooltip needs more frames to appear.
         constexpr int frames_to_appear = 3;
         if (editing.tooltip_frames_due++ < frames_to_appear) AskForRedraw(0.0F);
         return true;

@@ -1,4 +1,4 @@
-// Controls that are no numbers: toggles, choices, segments, colours, buttons, sections.
+// Controls other than numbers: toggles, choices, segments, colors, buttons, sections.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -72,7 +72,7 @@ bool Toggle(const char* label, bool& value, bool default_value) {
 
 namespace {
 
-/// The open list of a Choice.
+/// Draws the items of an open Choice.
 void ShowItems(const char* label, int& index, std::span<const char* const> names) {
     const Group items(label);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -87,7 +87,7 @@ void ShowItems(const char* label, int& index, std::span<const char* const> names
 }  // namespace
 
 bool ClosePopupOnEscape() {
-    // An item in use takes Escape for itself: a text field puts back what was there.
+    // An active item handles Escape itself: a text field restores its old text.
     const bool pressed = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
     if (!pressed || !ImGui::IsWindowFocused() || ImGui::IsAnyItemActive()) return false;
     ImGui::CloseCurrentPopup();
@@ -96,9 +96,9 @@ bool ClosePopupOnEscape() {
 
 namespace {
 
-constexpr float arrow_room = 18.0F;  ///< design pixels for a closed list's triangle
+constexpr float arrow_room = 18.0F;  ///< design pixels for the triangle of a closed list
 
-/// Small, and where one line is not enough in two that stand closely; shortened where those are not enough.
+/// Draws a preview in the small font, in two tight lines if one is not enough; shortens the text if two are not.
 void DrawLongPreview(ImDrawList* draw, ImVec2 min, float height, const char* preview, float room) {
     const inner::FontScope font(CurrentContext().fonts.note);
     const std::string broken = BrokenAtBlanks(preview, room);
@@ -310,7 +310,7 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
     inner::RecordSwitch(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex.c_str());
     if (ImGui::BeginPopup("picker")) {
         ClosePopupOnEscape();
-        // The finer copy keeps hue and saturation where 8 bits would lose them.
+        // Keep the finer copy while it still matches: 8 bits would lose hue and saturation.
         if (BytesOf(working) != rgb) working = FloatsOf(rgb);
         ImGui::SetNextItemWidth(inner::Px(200));
         if (ImGui::ColorPicker3("##picker", &working[0],
@@ -366,7 +366,7 @@ bool Button(const char* label, bool enabled, const char* why_disabled) {
 
 namespace {
 
-constexpr float small_padding = 8.0F;  ///< design pixels beside a small button's text
+constexpr float small_padding = 8.0F;  ///< design pixels on each side of a small button's text
 
 }  // namespace
 

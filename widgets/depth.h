@@ -1,6 +1,6 @@
-// Diagrams of the depth buffer: how precise it is along the way from near to far, where its codes fall, which depths a
-// picture holds, what stands in its pixels one by one, and a divider between two pictures. As in widgets.h, every one
-// edits the value it is given and says whether it did. Read show_depth_demo.cpp for their use.
+// Diagrams of the depth buffer: its precision between near and far, the positions of its codes, the depths in a
+// picture, single pixels, and a divider between two pictures. As in widgets.h, every widget edits the value it is given
+// and returns whether it did. See show_depth_demo.cpp for usage.
 #pragma once
 
 #include <cstdint>
@@ -12,30 +12,30 @@ namespace widgets {
 
 // ---- precision -------------------------------------------------------------------------------------
 
-/// A thing at an eye distance, marked by a vertical line.
+/// An object at an eye distance, marked by a vertical line.
 struct DepthMark {
     const char* label;
-    double z;         ///< in the unit of the chart; one that is not finite and positive is not shown
+    double z;         ///< in the chart's unit; hidden unless finite and positive
     ImU32 color = 0;  ///< 0: neutral
 };
 
 struct PrecisionChartStyle {
-    /// Its range is what near and far can be dragged over, and does not follow them; without a sensible one 10⁻³…10⁴.
+    /// The range over which near and far can be dragged; it does not depend on them. 10⁻³…10⁴ if the range is invalid.
     ChartAxis x{.title = "eye distance z", .min = 1e-3, .max = 1e4};
-    ChartAxis y{.title = "step Δz"};               ///< without a range: the whole decades of what is shown
-    std::span<const ChartCurve> terms = {};        ///< what the step is made of: dotted; the pointer tells them, too
+    ChartAxis y{.title = "width Δz"};              ///< without a range: the whole decades of the curves
+    std::span<const ChartCurve> terms = {};        ///< parts of the step: dotted; also in the readout
     std::span<const DepthMark> marks = {};         ///< the scene's objects
-    double cursor_z = 0.0;                         ///< of the pixel under the pointer elsewhere; ≤ 0: none
-    double default_near = 0.1, default_far = 100;  ///< what a right-click on a line resets it to
-    const char* target = "";  ///< its name as in targets.h; then its lines are its ".near" and ".far", curves as named
-    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 160×120 design pixels on
+    double cursor_z = 0.0;                         ///< of the pixel that another view points at; ≤ 0: none
+    double default_near = 0.1, default_far = 100;  ///< a right-click on a line resets to these
+    const char* target = "";  ///< its name as in targets.h; lines add ".near" and ".far", curves their names
+    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 160×120 design pixels
 };
 
-/// The step Δz of a depth buffer against the eye distance z, on logarithmic axes: the emphasised curves strong, the
-/// others faint, without markers. Near and far are vertical lines to drag (Alt for finer); a right-click resets one, or
-/// both where the other is in its way. 0 < near < far holds after every edit; a distance that is not finite and
-/// positive has no line, one outside the axis stands at its end. The pointer shows z and the Δz of the first emphasised
-/// curve. True when near or far was edited.
+/// The step Δz of a depth buffer over the eye distance z, on logarithmic axes; curves that are not emphasized are
+/// faint, and none has markers. Near and far are vertical lines to drag (Alt for finer steps); a right-click resets
+/// one, or both if the other is in the way. 0 < near < far holds after every edit. A distance that is not finite and
+/// positive has no line; one outside the axis has its line at the axis's end. The readout shows z and the Δz of the
+/// first emphasized curve. Returns true when near or far was edited.
 bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& near, double& far,
                     const PrecisionChartStyle& style);
 
@@ -45,74 +45,74 @@ struct CodeTicksStyle {
     const char* depth_title = "depth: equal steps";
     const char* z_title = "eye distance z";
     const char* first_depth = "0";              ///< at the left end of the upper row
-    const char* last_depth = "1";               ///< and at its right end
-    std::span<const std::uint32_t> codes = {};  ///< the stored integer of each tick, for its readout; or empty
-    ImVec2 size{0.0F, 0.0F};                    ///< in pixels; 0: what is there. From 200×120 design pixels on
+    const char* last_depth = "1";               ///< at its right end
+    std::span<const std::uint32_t> codes = {};  ///< the stored integer of each tick, for the readout; may be empty
+    ImVec2 size{0.0F, 0.0F};                    ///< in pixels; 0: the available size. At least 180×120 design pixels
 };
 
-/// Where stored codes fall between near and far: two rows of ticks, above the codes at equal distances, below the eye
-/// distances that they mean, a line from each to its own. `eye_distances`: of codes that are equally far apart, from
-/// left to right; as many are drawn as can be told apart. One that is not within near…far has no line. Without finite
-/// near < far, a sentence. Returns the index of the tick under the pointer, else −1.
+/// Stored codes between near and far as two rows of ticks joined by lines: above, the codes, equally spaced; below, the
+/// eye distances that they represent. `eye_distances`: those of equally spaced codes, from left to right; if they are
+/// too dense, only some are drawn. A distance outside near…far has no line. Unless near < far and both are finite,
+/// shows a sentence. Returns the index of the tick under the pointer, otherwise −1.
 int CodeTicks(const char* id, std::span<const double> eye_distances, double near, double far,
               const CodeTicksStyle& style = {});
 
 // ---- counts ----------------------------------------------------------------------------------------
 
 struct HistogramStyle {
-    const char* title = "depth";     ///< of what is counted
-    const char* counted = "pixels";  ///< what there is so and so many of
-    bool logarithmic = false;        ///< heights by log(1 + count)
-    std::uint64_t unwritten = 0;     ///< counted apart, in a bar of its own at the right; 0: none
+    const char* title = "depth";     ///< of the counted values
+    const char* counted = "pixels";  ///< name of the counted things
+    bool logarithmic = false;        ///< bar heights show log(1 + count)
+    std::uint64_t unwritten = 0;     ///< counted separately, in an extra bar at the right; 0: none
     const char* unwritten_name = "not written";
-    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 200×120 design pixels on
+    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 200×120 design pixels
 };
 
-/// How often each value between `min` and `max` occurs: equally wide bars, and two lines to drag around the range that
-/// is of interest (x < y holds after every edit, within min…max). "fit", or a double-click, takes the range that has
-/// counts, a right-click all of it; a range that is none is shown as all. Bars are as high as the highest among
-/// `counts`; that of what is unwritten is cut where it is higher. Without counts or with min ≥ max, a sentence and no
-/// edit. True when `range` was edited.
+/// Counts of values between `min` and `max` as bars of equal width, and two lines to drag around the range of interest
+/// (x < y within min…max after every edit). "Fit" or a double-click selects the range that has counts, a right-click
+/// the full range. An invalid range is shown as the full one. The highest of `counts` sets the vertical scale; the bar
+/// of unwritten values is cut off if it is higher. Without counts or with min ≥ max, shows a sentence and edits
+/// nothing. Returns true when `range` was edited.
 bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min, double max, glm::dvec2& range,
                const HistogramStyle& style = {});
 
 // ---- pixels one by one -----------------------------------------------------------------------------
 
 struct Cell {
-    ImU32 color = 0;             ///< opaque; alpha 0: the neutral colour of fields
+    ImU32 color = 0;             ///< opaque; alpha 0: the neutral color of fields
     std::string_view text = {};  ///< short: a number
-    bool accent = false;         ///< outlined in the accent colour: it has just changed
+    bool accent = false;         ///< outlined in the accent color: just changed
     bool unwritten = false;      ///< crossed by a diagonal
 };
 
 struct CellGridStyle {
-    int lit = -1;             ///< a cell that the pointer is on elsewhere
+    int lit = -1;             ///< the cell under the pointer in another view
     int* hovered = nullptr;   ///< receives the cell under the pointer, or −1
-    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 40×40 design pixels on
+    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 40×40 design pixels
 };
 
-/// The most cells that are drawn, and the most that have text.
+/// The maximum number of cells drawn, and of cells with text.
 constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
-/// A block of pixels as large squares in the middle of the area, each with its text in black or white, whichever can
-/// be read; text that has no room is left out and told by the pointer instead. `cells` row by row, the top row first;
-/// missing ones stay empty. A click selects a cell; a click on it again or beside the cells, or a right-click, none.
-/// Too many cells, or none: a sentence. True when `selected` (−1: none) changed.
+/// A block of pixels as large squares in the middle of the area, each with its text in black or white, whichever has
+/// more contrast; point at a cell to see a text that does not fit. `cells`: row by row, top row first; missing ones
+/// stay empty. A click selects a cell. A click on the selected cell or beside the cells, or a right-click, clears the
+/// selection. With too many cells or none, shows a sentence. Returns true when `selected` (−1: none) changed.
 bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows, int& selected,
               const CellGridStyle& style = {});
 
 // ---- two pictures in one area ----------------------------------------------------------------------
 
 struct DividerStyle {
-    const char* left = "";  ///< what is left of it and right of it: shown beside it at the top, where there is room
+    const char* left = "";  ///< names of the two sides, shown beside the line at the top if they fit
     const char* right = "";
     float default_share = 0.5F;  ///< a right-click resets to it
-    bool* held = nullptr;        ///< receives whether the pointer is on the line or drags it, and so not at the picture
+    bool* held = nullptr;        ///< receives whether the pointer is on the line or drags it, and so not on the picture
 };
 
-/// A line from top to bottom over a picture in min…max, to be dragged sideways: `share` is the part left of it, 0…1.
-/// Call it after the picture was drawn and before the item that takes the picture's mouse, since the first item comes
-/// first. The cursor stays where it was. A share that is no number counts as the default. True when it was edited.
+/// A line from top to bottom over a picture in min…max, dragged sideways. `share`: the part to the left of the line,
+/// 0…1. Call after drawing the picture and before the item that handles its mouse, since the first item has priority.
+/// Leaves the cursor in place. A NaN share counts as the default. Returns true when it was edited.
 bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const DividerStyle& style = {});
 
 }  // namespace widgets

@@ -1,4 +1,4 @@
-// Formulas in one line: lowered and raised characters, real signs, letters in the colours of what they stand for.
+// Formulas in one line: subscripts and superscripts, real math signs, letters in the colors of their roles.
 #include <algorithm>
 
 #include "text/words.h"
@@ -14,7 +14,7 @@ bool IsLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// How many bytes the UTF-8 character at `s` has; 0 when it is broken.
+/// Number of bytes of the UTF-8 character at `s`; 0 if it is malformed.
 int CharacterBytes(const char* s) {
     const auto lead = static_cast<unsigned char>(*s);
     const int bytes = lead < 0x80 ? 1 : (lead >> 5) == 0x6 ? 2 : (lead >> 4) == 0xE ? 3 : (lead >> 3) == 0x1E ? 4 : 0;
@@ -26,7 +26,7 @@ int CharacterBytes(const char* s) {
 
 enum class Level { line, lowered, raised };
 
-/// Writes characters into a layout, joining neighbours of the same level and colour to one piece.
+/// Writes characters into a layout. Joins neighbors of the same level and color into one piece.
 class Writer {
 public:
     Writer(FormulaLayout& out, Face face) : out_(out), face_(face) {
@@ -52,7 +52,7 @@ public:
 
     bool HasScriptL() const { return has_script_l_; }
 
-    /// The thin space between two factors.
+    /// Adds the thin space between two factors.
     void PutThinSpace() {
         Close();
         x_ += face_.size * 0.12F;
@@ -71,7 +71,7 @@ private:
     void Open(Level level, ImU32 color) {
         Close();
         if (out_.piece_count == FormulaLayout::max_pieces) return;
-        constexpr float small = 0.78F, lowered_by = 0.20F, raised_by = 0.34F;  // in heights of the line
+        constexpr float small = 0.78F, lowered_by = 0.20F, raised_by = 0.34F;  // in line heights
         FormulaLayout::Piece& piece = out_.pieces[out_.piece_count++];
         piece = {static_cast<short>(out_.bytes), static_cast<short>(out_.bytes), x_, 0.0F, face_.size, color};
         if (level != Level::line) {
@@ -95,7 +95,7 @@ private:
     ImU32 color_ = 0;
 };
 
-/// The character at `s`, which has so many bytes; 0 where it is broken.
+/// The character of `bytes` bytes at `s`; 0 if it is malformed.
 char32_t CharacterAt(const char* s, int bytes) {
     if (bytes == 1) return static_cast<unsigned char>(*s);
     char32_t character = static_cast<unsigned char>(*s) & (0x7FU >> bytes);
@@ -110,7 +110,7 @@ ImU32 ColorOf(char32_t letter, std::span<const LetterRole> roles, ImU32 base) {
     return base;
 }
 
-/// Whether the blank at `s` stands between two factors of one letter, as in "l_x n_y", and not beside a sign or a word.
+/// Whether the space at `s` separates two one-letter factors, as in "l_x n_y", rather than a sign or a word.
 bool IsThinSpace(const char* formula, const char* s) {
     const auto is_symbol = [](char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '}'; };
     if (s == formula || !is_symbol(s[-1]) || !IsLetter(s[1])) return false;
@@ -119,8 +119,8 @@ bool IsThinSpace(const char* formula, const char* s) {
     return !word_before && !word_after;
 }
 
-/// What `_` or `^` applies to: the characters inside {…}, or one. Returns where it ends; `begin` itself when nothing
-/// follows that could be lowered.
+/// Finds the operand of `_` or `^`: the characters inside {…}, or one. Returns its end; `begin` itself if there is
+/// none.
 const char* ScriptEnd(const char* begin, const char** inside, const char** inside_end) {
     if (*begin == '\0' || *begin == ' ') return begin;
     if (*begin == '{') {

@@ -1,5 +1,5 @@
-// What the widgets share among themselves and nobody else needs: scaled lengths, fonts, colours, the recorder's
-// back door, laid-out formulas. Read widgets.h first.
+// Internals that the widgets share: scaled lengths, fonts, colors, recorder access, formula layout. Read widgets.h
+// first.
 #pragma once
 
 #include <string_view>
@@ -22,7 +22,7 @@ namespace widgets::inner {
 
 constexpr float caret_blink_s = 0.2F;
 
-/// Pixels for a length in design pixels.
+/// Converts design pixels to pixels.
 inline float Px(float design_pixels) {
     return design_pixels * CurrentContext().scale;
 }
@@ -31,7 +31,7 @@ struct Box {
     ImVec2 min, max;
 };
 
-/// A font with the size it is drawn at; ImGui's current one where the caller has none.
+/// A font and its drawn size; ImGui's current font if the caller has none.
 struct Face {
     ImFont* font;
     float size;
@@ -41,7 +41,7 @@ struct Face {
 };
 Face FaceOf(ImFont* font);
 
-/// Pushes a font while it lives; nothing for null.
+/// Pushes a font for its lifetime; does nothing for null.
 struct FontScope {
     explicit FontScope(ImFont* font) : pushed(font != nullptr) {
         if (pushed) ImGui::PushFont(font);
@@ -54,81 +54,82 @@ struct FontScope {
     bool pushed;
 };
 
-/// a where t = 0, b where t = 1.
+/// Interpolates: a at t = 0, b at t = 1.
 ImU32 Mix(ImU32 a, ImU32 b, float t);
 ImU32 WithAlpha(ImU32 color, float alpha);
-/// Dark or light, whichever can be read on this colour.
+/// Dark or light text color, whichever is readable on this color.
 ImU32 InkOn(ImU32 color);
-/// The colour as it is drawn now: paler inside ImGui::BeginDisabled.
+/// The color as currently drawn: paler inside ImGui::BeginDisabled.
 inline ImU32 Shown(ImU32 color) {
     return ImGui::GetColorU32(color);
 }
-/// Inside ImGui::BeginDisabled; ApplyStyle sets the alpha to 1, and only that block lowers it.
+/// Whether widgets are inside ImGui::BeginDisabled. ApplyStyle sets the alpha to 1, and only that block lowers it.
 inline bool IsDisabled() {
     return ImGui::GetStyle().Alpha < 0.99F;
 }
 
-/// The part of a label that is shown: up to "##".
+/// The visible part of a label: up to "##".
 std::string_view ShownPart(const char* label);
-/// The part that the recorder uses: what follows "###", else what is shown, else what follows "##".
+/// The recorder's part: the text after "###", otherwise the visible part, otherwise the text after "##".
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
-/// The same of what sets a value or is pressed.
+/// The same for controls that set a value or are pressed.
 void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
-/// A new frame of what is covered and pointed out.
+/// Starts a new frame of covered and highlighted targets.
 void BeginTargets(Targets& targets);
-/// In place of a number box whose name is covered, a plate: says whether it was. `component` −1: the box is alone.
+/// Draws a plate if the box's name is covered. Returns whether it is. `component` −1: the only box.
 bool CoveredBox(const char* id_text, int component, ImVec2 size);
-/// The last item is the box with the name that its scope gives it.
+/// Marks the last item with the name that its scope gives this box.
 void MarkBox(int component);
 
-/// The room from the cursor on for a label that may be broken. At least 160 design pixels: a popup that fits itself to
-/// what is in it has no width of its own.
+/// Width available for a label, which may wrap. At least 160 design pixels, since a popup that fits its content has no
+/// width of its own.
 float LabelRoom();
 
-/// The label behind a control, quiet, on the same line.
+/// Draws the label to the right of a control, in the quiet color.
 void LabelBehind(const char* label);
 
-/// One item of a control and its label: the label stands behind, or above where there is no room behind a control of
-/// this width. Ends with its scope.
+/// Groups a control and its label into one item. The label is to the right of the control, or above it if a control of
+/// this width leaves no space. Ends with its scope.
 struct Labelled {
     Labelled(const char* label, float control_width);
     ~Labelled();
     Labelled(const Labelled&) = delete;
     Labelled& operator=(const Labelled&) = delete;
-    const char* label_behind;  ///< null: it stands above
+    const char* label_behind;  ///< null: the label is above
 };
 
-/// The frame of a field: rounded, tinted and outlined when `lit`, with a stripe in its role's colour at the left.
+/// Draws a field's frame: rounded, tinted and outlined when `lit`, with a stripe in its role's color at the left.
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
-/// A warning sign: a triangle with a stroke and a dot, in shape as well as in colour. As wide as it is high, but for a
-/// twentieth.
+/// Draws a warning sign, a triangle with an exclamation mark, so that color is not the only cue. 0.95 × `size` wide.
 void DrawWarning(ImDrawList* draw, ImVec2 min, float size);
-/// A small solid triangle that points down, or right when folded.
+/// Draws a small solid triangle that points down, or right when folded.
 void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU32 color);
 
-/// Adds to the links under the pointer for the last item, and says whether a control with these links is to be lit.
+/// If the last item is hovered, adds these links to those under the pointer. Returns whether to highlight a control
+/// with these links.
 bool FollowLinks(Links links);
 
-/// The pointer is over something that stands for a matrix entry.
+/// Call while the pointer is over an item that represents a matrix entry.
 void PointAtEntry(Links own, Links links);
-/// Whether what stands for a matrix entry is to be lit: for itself, or for a parameter whose control is hovered.
+/// Whether to highlight an item that represents a matrix entry: for itself, or for a parameter whose control is
+/// hovered.
 bool IsEntryLit(Links own, Links links);
 
-/// Whether the pointer has rested long enough on the item with this rectangle. In a frame only the first item that asks
-/// gets a yes: a part explains itself before the group around it.
+/// Whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first item
+/// that asks in a frame, so a part takes precedence over its group.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
-/// The tooltip window with its usual look; End after. `told`: what the recorder keeps of it.
-/// How wide a tooltip's lines may be: less where the column leaves less room, as long as that is enough to be read.
+/// Maximum width of a tooltip's lines: limited by the space beside the column while that stays readable.
 float TooltipTextWidth();
+/// Opens the tooltip window in its usual style; call EndTooltipWindow afterward. `told`: the text to record.
 void BeginTooltipWindow();
 void EndTooltipWindow(std::string_view told = {});
 
 using viewing::NumberChars;
 using viewing::Tiny;
 
-/// A formula split into pieces of one size and colour, ready to be drawn anywhere.
+/// A formula split into pieces of one size and color, ready to be drawn anywhere.
 struct FormulaLayout {
     struct Piece {
         short begin, end;  ///< in `text`
@@ -136,11 +137,11 @@ struct FormulaLayout {
         ImU32 color;
     };
     static constexpr int max_pieces = 48;
-    static constexpr int max_bytes = 256;  ///< what is longer is cut off
+    static constexpr int max_bytes = 256;  ///< longer text is cut off
 
     FormulaLayout(const char* formula, std::span<const LetterRole> roles, ImU32 base, Face face);
     void Draw(ImDrawList* draw, ImVec2 position, float opacity = 1.0F) const;
-    /// In one colour throughout: for halos.
+    /// Draws in a single color, for halos.
     void DrawIn(ImDrawList* draw, ImVec2 position, ImU32 color) const;
 
     char text[max_bytes];
@@ -154,25 +155,25 @@ private:
     void DrawPiece(ImDrawList* draw, ImVec2 position, const Piece& piece, ImU32 color) const;
 };
 
-/// How the numbers of a row are written, each in a box of this width: the same everywhere.
+/// Font and decimals for all numbers of a row, each in a box of this width, so that they look the same.
 struct NumberLook {
     Face face;
     int decimals;
 };
 NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width);
 
-/// The box of a Number without its label; `id` is unique in its ImGui id scope and is its name for the recorder.
-/// `look` null: that of the number alone.
 enum class BoxKind { drag, slider };
+/// The box of a Number without its label. `id` is unique in its ImGui id scope and names the box for the recorder.
+/// `look` null: chosen for this number alone.
 bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
                const NumberLook* look = nullptr);
 
-/// Numbers without a label, sharing a width; the component names are for the recorder. `first`: which component of
-/// their scope (TargetScope) the first one is.
+/// Numbers without a label that share a width. `names` are for the recorder. `first`: index of the first number among
+/// the components of its scope (TargetScope).
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
                std::span<const double> defaults, std::span<const Links> links, float width, int first = 0);
 
-/// Several choices as one bar, wrapped where it is too long.
+/// One of several choices in a bar that wraps if it is too long.
 struct Segment {
     const char* name;
     const char* recorded_name;
@@ -180,7 +181,7 @@ struct Segment {
     const char* why_disabled = "";
     const char* tip = "";
 };
-/// The index of the one that was clicked, else −1. `selected` may be −1.
+/// Returns the index of the clicked segment, otherwise −1. `selected` may be −1.
 int SegmentBar(std::span<const Segment> segments, int selected);
 
 }  // namespace widgets::inner

@@ -1,4 +1,4 @@
-// Lamps for what exists and what moves, and the splitter between two areas.
+// Lamps for degrees of freedom, and the splitter between two areas.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ using inner::Shown;
 
 namespace {
 
-/// Moving: filled with a glow. There but at rest: a ring in its colour. Not in this mode: a quiet ring, struck through.
+/// Moving: filled, with a glow. Available but at rest: a ring in its color. Unavailable: a quiet ring, struck through.
 void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU32 color, const inner::Face& face) {
     const Palette& palette = CurrentContext().palette;
     const float radius = Px(4.5F), line = Px(1.5F) * palette.stroke;
@@ -44,7 +44,7 @@ void Lamps(const char* label, std::span<const Lamp> lamps, Role role) {
     for (const Lamp& lamp : lamps) widest = std::max(widest, face.Measure(lamp.label).x);
     const float each = std::ceil(widest + Px(17) + Px(8)), height = face.size + Px(6);
 
-    // As few rows as fit, all of the same length.
+    // Use as few rows as possible, all of the same length.
     const int count = static_cast<int>(lamps.size());
     const int fitting = std::clamp(static_cast<int>(ImGui::GetContentRegionAvail().x / each), 1, count);
     const int rows = (count + fitting - 1) / fitting;
@@ -92,7 +92,7 @@ bool Splitter(const char* id, bool vertical, float& position, float min, float m
     }
     if (!active) return false;
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
-    // Not clamped itself, so that the bar stays under a pointer that went past the end and came back.
+    // Do not clamp here: a pointer that has passed the end must meet the bar again when it returns.
     editing.drag_value += direction * (vertical ? delta.x : delta.y) / context.scale;
     const float moved = std::clamp(static_cast<float>(editing.drag_value), min, std::max(min, max));
     if (delta.x == 0.0F && delta.y == 0.0F) return false;

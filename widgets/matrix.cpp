@@ -1,5 +1,5 @@
-// The lecture's matrices on screen: rows as on the slides, aligned columns, the symbolic entry under each number.
-// First the measures (Measures), then one cell (DrawCell), then the whole (ShowMatrix).
+// The lecture's matrices: rows as on the slides, aligned columns, the symbolic entry under each number. First the
+// measures (Measures), then one cell (DrawCell), then the whole (ShowMatrix).
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ double Entry(const glm::dmat4& m, int cell) {
     return m[cell % 4][cell / 4];
 }
 
-/// What follows from the width: where the cells are, how many decimals and whether the symbols fit.
+/// Layout for a given width: the cells' places, the number of decimals, and whether symbols fit.
 struct Measures {
     inner::Face number, symbol;
     float bracket, inset;  ///< from the edge to the bracket's line, from the cell's edge to its text
@@ -40,7 +40,7 @@ struct Measures {
     float Height() const { return 4.0F * cell_height + 2.0F * Px(3); }
 };
 
-/// Shrinks the symbols, at most to 0.7, until the widest fits; false when even that is too wide.
+/// Shrinks the symbols, to 0.7 of their size at the least, until the widest fits. Returns false if it still does not.
 bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     float widest = 0.0F;
     for (const MatrixCell& cell : style.cells) {
@@ -53,7 +53,7 @@ bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     return true;
 }
 
-/// The most decimals with which all entries fit that can fit at all.
+/// The largest number of decimals with which all entries fit, ignoring those that never do.
 int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
     const int fewest = std::min(decimals, 1);
     int best = decimals;
@@ -83,7 +83,7 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     decimals = FitDecimals(value, style.decimals, columns);
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
-    // A matrix stays as high when it begins to be edited.
+    // Keep the same height when editing starts.
     const float shown_height = number.size + Px(9) + (has_symbols ? symbol.size * 1.1F : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
@@ -114,7 +114,7 @@ void DrawTint(ImDrawList* draw, ImVec2 min, ImVec2 max, const CellState& state) 
     if (state.lit) draw->AddRect(from, to, outline, rounding, 0, Px(1) * palette.stroke);
 }
 
-/// Symbols of entries that are zero now stand back, except where a projector would lose them.
+/// Draws the symbol, fainter if its entry is currently zero, but not on a projector, which would lose it.
 void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const MatrixStyle& style,
                 const CellState& state, int cell) {
     if (!measures.symbols) return;
@@ -127,7 +127,7 @@ void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const Ma
                 stands_back ? 0.65F : 1.0F);
 }
 
-/// The number, right-aligned so that the decimal points stand below each other.
+/// Draws the number, right-aligned so that the decimal points align.
 void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double value, const CellState& state, int cell,
                 ImVec2 max) {
     const inner::NumberChars text =
@@ -151,7 +151,7 @@ bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const M
     return inner::NumberBox(cell_names[cell], Entry(value, cell), number, measures.cell_width - Px(2));
 }
 
-/// The entry under the pointer while the last item, the whole matrix, is hovered; −1 elsewhere.
+/// Returns the entry under the pointer while the last item, the whole matrix, is hovered; otherwise −1.
 int CellUnderPointer(ImVec2 corner, const Measures& measures) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return -1;
     const ImVec2 first = measures.CellMin(corner, 0), pointer = ImGui::GetMousePos();
@@ -161,7 +161,7 @@ int CellUnderPointer(ImVec2 corner, const Measures& measures) {
     return 4 * static_cast<int>(row) + static_cast<int>(column);
 }
 
-/// What the entry is: its place, its symbol, all its digits, and how GLM calls it.
+/// Describes the entry: its place, its symbol, all its digits, and its GLM name.
 void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     const Context& context = CurrentContext();
     inner::BeginTooltipWindow();
@@ -207,7 +207,7 @@ CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell
     return state;
 }
 
-/// Shows `value`; edits it when `style.editable`, which only the caller with a value of its own may ask for.
+/// Shows `value`, and edits it if `style.editable`, which requires that the caller owns the value.
 bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width) {
     IM_ASSERT(style.cells.empty() || style.cells.size() == 16);
     Context& context = CurrentContext();

@@ -1,4 +1,4 @@
-// Numbers with their labels: alone, as a slider, in rows. All of them are made of NumberBox (number_box.cpp).
+// Numbers with labels: single, as a slider, in rows. All of them are made of NumberBox (number_box.cpp).
 #include <cmath>
 #include <iterator>
 

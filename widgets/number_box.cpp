@@ -1,5 +1,5 @@
-// The box of a number, to drag, slide and type in; what Number, Slider and Numbers are made of (number.cpp).
-// A press starts a drag; a double-click or Ctrl-click turns the box into a text field; right-click resets.
+// The box of a number, to drag, slide and type in; the basis of Number, Slider and Numbers (number.cpp). A press starts
+// a drag, a double-click or Ctrl-click turns the box into a text field, a right-click resets.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ double Clamped(double value, const NumberStyle& style) {
     return std::clamp(value, style.min, style.max);
 }
 
-/// The same number with what a drag reaches for its limits.
+/// The same style, limited to the drag range.
 NumberStyle ForDrags(NumberStyle style) {
     if (style.drag_min != style.drag_max) {
         style.min = style.drag_min;
@@ -56,7 +56,7 @@ int OnTab(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-/// The box as a text field. The new value in the frame in which the typing ends with one.
+/// Shows the box as a text field. Returns the new value in the frame in which typing ends with one.
 std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     Context& context = CurrentContext();
     Editing& editing = context.editing;
@@ -70,10 +70,10 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     ImGui::PushStyleColor(ImGuiCol_Border, context.palette.accent);
     ImGui::SetNextItemWidth(size.x);
     if (!editing.focused) ImGui::SetKeyboardFocusHere();
-    // Asking for completion keeps ImGui from using Tab for itself.
+    // A completion callback keeps ImGui from handling Tab itself.
     constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                           ImGuiInputTextFlags_CallbackCompletion;
-    ImGui::PushID(editing.typing_count);  // no steps of undo of another text: see TextField
+    ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
     const bool active = ImGui::IsItemActive();
     ImGui::PopID();
@@ -87,7 +87,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
 
     editing.typing = 0;
     if (editing.tab < 0) editing.type_next = editing.last_number;
-    // Escape has put the first text back; a value that was only looked at stays as it is, even out of range.
+    // Escape has restored the first text. Unchanged text keeps the value, even one that is out of range.
     if (std::string_view(editing.text) == editing.text_before) return std::nullopt;
     const std::optional<double> typed = ParseNumber(editing.text, style.unit);
     return typed ? std::optional(Clamped(*typed, style)) : std::nullopt;
@@ -101,7 +101,7 @@ double Dragged(double value, float pixels, double factor, const NumberStyle& sty
     return std::clamp(std::max(value, style.min) * std::pow(1.0 + log_step * factor, pixels), style.min, style.max);
 }
 
-/// To the decimals that the step can reach, so that a drag leaves round numbers.
+/// Rounds to the decimals of the step, so that a drag leaves round numbers.
 double RoundedForDrag(double value, double factor, const NumberStyle& style) {
     const int fine = factor < 1.0 ? 2 : 0;
     if (style.logarithmic) return Clamped(RoundedTo(value, SignificantDecimals(value, 4 + fine)), style);
@@ -144,7 +144,7 @@ double AtFraction(double fraction, bool fine, const NumberStyle& style) {
     return Clamped(RoundedTo(style.min + fraction * (style.max - style.min), style.decimals + more), style);
 }
 
-/// Where the knob travels, in screen x.
+/// The knob's range, in screen x.
 struct Track {
     float begin, end, knob_width;
 
@@ -173,7 +173,7 @@ std::optional<double> SlideInBox(double value, const NumberStyle& style, const T
 
 // ---- the box ---------------------------------------------------------------------------------------
 
-/// How many characters of this size the box has room for.
+/// Number of characters of this size that fit into the box.
 int ColumnsOf(const NumberStyle& style, float width, const Face& face) {
     const float digit = face.font->GetCharAdvance('0') * face.size / face.font->FontSize;
     return std::max(1, static_cast<int>((width - Px(style.role == Role::none ? 6 : 9)) / digit + 0.01F));
@@ -187,8 +187,8 @@ int WantedDecimals(const NumberStyle& style) {
     return style.integer ? 0 : style.decimals;
 }
 
-/// The most decimals with which the number fits together with a sign, where it may have one, and its unit; none when it
-/// does not fit at all and becomes a power of ten.
+/// The largest number of decimals with which the number fits, including its unit and, if it may be negative, a sign.
+/// Empty if it does not fit at all; it is then written as a power of ten.
 std::optional<int> DecimalsInBox(double value, const NumberStyle& style, int columns) {
     const int wanted = WantedDecimals(style);
     const double widest = style.min < 0.0 ? -std::abs(value) : value;
@@ -204,7 +204,7 @@ NumberChars TextInBox(double value, const NumberStyle& style, float width, const
     return viewing::fitted_number(value, look.decimals, TinyOf(style), style.unit, ColumnsOf(style, width, look.face));
 }
 
-/// The knob, a slim bar on its tinted track; the number is drawn over it.
+/// Draws the knob, a slim bar on its tinted track. The number is drawn over it.
 void DrawKnob(ImDrawList* draw, float x, float half, ImVec2 min, ImVec2 max, ImU32 track, ImU32 color) {
     const float inset = Px(1), rounding = ImGui::GetStyle().FrameRounding;
     draw->AddRectFilled(min, ImVec2(x, max.y), Shown(WithAlpha(track, 0.22F)), rounding, ImDrawFlags_RoundCornersLeft);
@@ -227,7 +227,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     if (slides) {
         const Track track(min.x, max.x);
         const float x = track.At(FractionOf(value, style)), half = Px(active ? 2.5F : 1.5F);
-        // Behind the digits the knob stands back, so that both can be read.
+        // Dim the knob behind the digits, so that both are readable.
         const bool behind_text = std::abs(x - middle) < text_width * 0.5F + half;
         const ImU32 color = style.role == Role::none ? palette.accent : palette.of(style.role);
         DrawKnob(draw, x, half, min, max, color, behind_text ? Mix(palette.field, color, 0.6F) : color);
@@ -235,7 +235,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
-/// Tab in one number leads to the next that is drawn, Shift+Tab to the one before.
+/// Tab in a number leads to the next one drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
     if (editing.tab > 0 && editing.typing == 0) {
@@ -252,7 +252,7 @@ std::optional<double> PointAtBox(ImGuiID id, double value, const NumberStyle& st
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return style.default_value;
         const bool doubled = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         if (doubled || (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::GetIO().KeyCtrl)) {
-            // The first click of the two may have moved the knob.
+            // The first click of a double-click may have moved the knob.
             const bool moved = doubled && kind == BoxKind::slider;
             const double typed_from = moved ? editing.value_before : value;
             StartTyping(editing, id, typed_from);
@@ -268,11 +268,11 @@ std::optional<double> PointAtBox(ImGuiID id, double value, const NumberStyle& st
 NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width) {
     const Fonts& fonts = CurrentContext().fonts;
     const Face small = FaceOf(fonts.small_number);
-    constexpr float least_size = 10.5F;  // design pixels: below, digits cannot be read
+    constexpr float least_size = 10.5F;  // design pixels; smaller digits are unreadable
     const Face sizes[] = {FaceOf(fonts.number), small, {small.font, std::min(small.size, Px(least_size))}};
     const Face& smallest = sizes[std::size(sizes) - 1];
     const int wanted = WantedDecimals(style), most_columns = ColumnsOf(style, width, smallest);
-    // Fewer decimals come before smaller ones as long as they say the same.
+    // Prefer fewer decimals to a smaller font, as long as the displayed value stays the same.
     const auto is_told = [wanted](double value, int decimals) {
         return std::abs(RoundedTo(value, decimals) - RoundedTo(value, wanted)) < 1e-9 * std::max(1.0, std::abs(value));
     };

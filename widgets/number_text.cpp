@@ -1,4 +1,4 @@
-// What may be typed for a number.
+// Parsing of typed numbers.
 #include <algorithm>
 #include <iterator>
 
@@ -13,7 +13,7 @@ constexpr std::string_view power_of_ten = "·10";
 constexpr std::string_view raised_minus = "⁻";
 constexpr std::string_view raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-/// The end of "7.5·10⁻⁶" from "·" on as "e-6", which takes no more bytes; empty when it is anything else.
+/// Converts the end of "7.5·10⁻⁶", from "·" on, to "e-6", which is never longer. Empty for any other text.
 std::string ExponentOf(std::string_view text) {
     if (!text.starts_with(power_of_ten)) return {};
     text.remove_prefix(power_of_ten.size());

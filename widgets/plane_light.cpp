@@ -1,5 +1,5 @@
-// The two four-component things of the lecture, edited so that they never become meaningless: the plane's normal
-// never zero, the light never all zero.
+// Editors for the lecture's two four-component values, which they keep valid: the plane's normal is never zero, the
+// light never all zero.
 #include <cmath>
 
 #include "widgets/inner.h"
@@ -8,13 +8,13 @@ namespace widgets {
 
 namespace {
 
-constexpr double smallest = 1e-6;  ///< shorter than this is as good as zero
+constexpr double smallest = 1e-6;  ///< lengths below this count as zero
 
 double NormalLength(const glm::dvec4& plane) {
     return glm::length(glm::dvec3(plane));
 }
 
-/// The coordinate planes through the origin and normalise. Whether `plane` was edited.
+/// Buttons for the coordinate planes through the origin and for normalizing. Returns whether `plane` was edited.
 bool PlaneButtons(glm::dvec4& plane) {
     struct Preset {
         const char* name;
@@ -22,9 +22,9 @@ bool PlaneButtons(glm::dvec4& plane) {
         const char* tip;
     };
     static const Preset presets[] = {
-        {"yz", {1.0, 0.0, 0.0, 0.0}, marked("The plane x = 0, upright: a = 1, the rest 0.")},
-        {"xz", {0.0, 1.0, 0.0, 0.0}, marked("The plane y = 0, the ground: b = 1, the rest 0.")},
-        {"xy", {0.0, 0.0, 1.0, 0.0}, marked("The plane z = 0, upright: c = 1, the rest 0.")}};
+        {"yz", {1.0, 0.0, 0.0, 0.0}, marked("The vertical plane x = 0: a = 1, the rest 0.")},
+        {"xz", {0.0, 1.0, 0.0, 0.0}, marked("The ground plane y = 0: b = 1, the rest 0.")},
+        {"xy", {0.0, 0.0, 1.0, 0.0}, marked("The vertical plane z = 0: c = 1, the rest 0.")}};
     const glm::dvec4 before = plane;
     for (const Preset& preset : presets) {
         if (SmallButton(preset.name)) plane = preset.plane;
@@ -32,8 +32,8 @@ bool PlaneButtons(glm::dvec4& plane) {
         ImGui::SameLine(0.0F, inner::Px(4));
     }
     const bool is_unit = std::abs(NormalLength(plane) - 1.0) < 1e-12;
-    if (SmallButton("Normalise", !is_unit, "The normal (a, b, c) already has length 1.")) plane /= NormalLength(plane);
-    if (!is_unit) Tooltip("Normalise", "Divides a, b, c and d by the normal's length: the same plane, a unit normal.");
+    if (SmallButton("Normalize", !is_unit, "The normal (a, b, c) already has length 1.")) plane /= NormalLength(plane);
+    if (!is_unit) Tooltip("Normalize", "Divides a, b, c and d by the normal's length: same plane, unit normal.");
     return plane != before;
 }
 
@@ -75,18 +75,18 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
     const inner::Segment kinds[] = {
         {.name = marked("Point (w = 1)"),
          .recorded_name = "point",
-         .tip = marked("A lamp at the point (x, y, z); its rays spread from there.")},
+         .tip = marked("A light at the point (x, y, z); its rays spread from there.")},
         {.name = marked("Parallel (w = 0)"),
          .recorded_name = "parallel",
          .enabled = !at_origin,
          .why_disabled = marked("A parallel light needs a direction: x, y and z are all 0."),
-         .tip = marked("A light infinitely far away, like the sun; (x, y, z) is the direction towards it.")}};
+         .tip = marked("A light infinitely far away, like the sun; (x, y, z) is the direction toward it.")}};
 
     glm::dvec4 edited = light;
     ImGui::BeginGroup();
     {
         const Group group(label);
-        // They would tell w.
+        // The buttons would reveal w.
         const bool is_covered = inner::CoveredBox("kind", 3, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
         const int clicked = is_covered ? -1 : inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
         if (clicked >= 0) edited.w = clicked == 0 ? 1.0 : 0.0;

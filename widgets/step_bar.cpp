@@ -1,9 +1,10 @@
-// The bar that goes through the steps of a method: buttons, a track, the step as a number, the speed.
+// The bar that steps through a method: buttons, a track, the step as a number, the speed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "text/catalogue.h"
 #include "widgets/area.h"
 #include "widgets/diagrams.h"
 
@@ -15,9 +16,9 @@ using inner::Px;
 using inner::Shown;
 
 constexpr int all_steps = -1;
-constexpr const char* no_steps = "There are no steps to go through.";
+constexpr const char* no_steps = viewing::marked("No steps to go through.");
 
-/// The step that `step` stands for, among 0…count.
+/// Resolves `step` to 0…count: −1 means all steps.
 int Reached(int step, int count) {
     return step < 0 ? count : std::min(step, count);
 }
@@ -35,7 +36,7 @@ void DrawIcon(ImDrawList* draw, ImVec2 center, float r, Icon icon, ImU32 color) 
     const auto bar = [&](float x) {
         draw->AddRectFilled(ImVec2(x - 0.5F * line, center.y - r), ImVec2(x + 0.5F * line, center.y + r), color);
     };
-    /// Points to the right with +1, to the left with −1.
+    // `side`: +1 points to the right, −1 to the left.
     const auto triangle = [&](float x, float side, float reach) {
         draw->AddTriangleFilled(ImVec2(x - side * reach, center.y - r), ImVec2(x + side * reach, center.y),
                                 ImVec2(x - side * reach, center.y + r), color);
@@ -83,12 +84,12 @@ bool IconButton(const char* id, Icon icon, bool enabled, const char* tip) {
              std::round(side * 0.23F), icon, Shown(CurrentContext().palette.text));
     inner::RecordRect(id, min, max);
     ImGui::EndDisabled();
-    if (!bar_is_disabled) Tooltip(id + 2, enabled ? tip : "It stands there already.");
+    if (!bar_is_disabled) Tooltip(id + 2, enabled ? tip : "Already there.");
     ImGui::SameLine(0.0F, Px(2));
     return clicked;
 }
 
-/// Where the buttons lead from a step; sets `playing`.
+/// Returns the step after this frame's button presses. Sets `playing`.
 int UseButtons(int step, int count, bool& playing) {
     const int reached = Reached(step, count);
     int next = step;
@@ -97,21 +98,23 @@ int UseButtons(int step, int count, bool& playing) {
         next = to;
         by_hand = true;
     };
-    if (IconButton("##First", Icon::first, count > 0 && step != 0, "Before the first step.")) move(0);
+    if (IconButton("##First", Icon::first, count > 0 && step != 0, "Rewinds to the start.")) move(0);
     ImGui::PushButtonRepeat(true);
-    if (IconButton("##Back", Icon::back, count > 0 && reached > 0, "One step back; hold to go on.")) move(reached - 1);
+    if (IconButton("##Back", Icon::back, count > 0 && reached > 0, "Goes back one step; hold to repeat."))
+        move(reached - 1);
     ImGui::PopButtonRepeat();
     if (IconButton(playing ? "##Pause" : "##Play", playing ? Icon::pause : Icon::play, count > 0,
-                   playing ? "Stay at this step." : "Go on step by step; from the end, start again.")) {
+                   playing ? viewing::marked("Stops at this step.")
+                           : viewing::marked("Plays step by step; at the end, starts over."))) {
         playing = !playing;
         if (playing && reached >= count) next = 0;
     }
     ImGui::PushButtonRepeat(true);
-    if (IconButton("##Forward", Icon::forward, count > 0 && reached < count, "One step on; hold to go on.")) {
+    if (IconButton("##Forward", Icon::forward, count > 0 && reached < count, "Advances one step; hold to repeat.")) {
         move(reached + 1);
     }
     ImGui::PopButtonRepeat();
-    if (IconButton("##All", Icon::last, count > 0 && step != all_steps, "All steps: the result.")) move(all_steps);
+    if (IconButton("##All", Icon::last, count > 0 && step != all_steps, "Shows the final result.")) move(all_steps);
     if (by_hand) playing = false;
     return next;
 }
@@ -138,7 +141,7 @@ void DrawTrack(ImDrawList* draw, ImVec2 min, ImVec2 max, float begin, float end,
     if (held) draw->AddCircleFilled(ImVec2(knob, middle), Px(3), Shown(inner::InkOn(palette.accent)));
 }
 
-/// Where the track leads from a step. `type`: a Ctrl-click asks for the number to be typed.
+/// Returns the step after this frame's mouse actions on the track. `type`: set by a Ctrl-click, to type the number.
 int UseTrack(int step, int count, float width, bool& type) {
     Editing& editing = CurrentContext().editing;
     const ImGuiIO& io = ImGui::GetIO();
@@ -184,8 +187,8 @@ void Word(std::string_view word, float width, bool to_right = false) {
               Shown(CurrentContext().palette.quiet), word);
 }
 
-/// "step 12 of 340" or "all 340 steps", with the number in a box to be typed in; the words keep their places. Where
-/// they have no room: "12 / 340".
+/// "step 12 of 340" or "all 340 steps", with an editable number, which stays in place when the words change. If the
+/// words do not fit: "12 / 340".
 struct StepText {
     const char *step_word, *all_word, *steps_word;
     std::string of;
@@ -210,7 +213,7 @@ struct StepText {
         word = std::ceil(std::max(face.Measure(step_word).x, face.Measure(all_word).x));
         rest = std::ceil(std::max(face.Measure(of).x, face.Measure(steps_word).x));
     }
-    /// What a NumberBox with this name goes by.
+    /// The ImGui id of this number's NumberBox.
     static ImGuiID BoxId() {
         ImGui::PushID("step");
         const ImGuiID id = ImGui::GetID("##box");
@@ -236,7 +239,7 @@ struct StepText {
         ImGui::SameLine(0.0F, Px(6));
         Word(all ? steps_word : of, rest);
         const std::string text =
-            all ? say_count(count, "all of one step", "all {count} steps")
+            all ? say_count(count, "the only step", "all {count} steps")
                 : say("step {step} of {count}", "step"_a = Reached(step, count), "count"_a = count);
         inner::RecordRect("text", min, ImGui::GetItemRectMax(), text);
         return edited ? static_cast<int>(std::lround(value)) : step;
@@ -248,7 +251,7 @@ void Speed(float& steps_per_s, float width) {
     const NumberStyle style{
         .min = 0.5, .max = 5000.0, .decimals = 1, .unit = "/s", .logarithmic = true, .default_value = 10.0};
     if (Slider("##speed", speed, style, width)) steps_per_s = static_cast<float>(speed);
-    Tooltip("Speed", "Steps in a second while it plays.");
+    Tooltip("Speed", "Steps per second during playback.");
 }
 
 /// Seconds until the next step.
@@ -268,7 +271,7 @@ void PlaySteps(int& step, int count, StepPlayer& player, double dt_s) {
         return;
     }
     const double added = dt_s * static_cast<double>(player.steps_per_s);
-    // Sums of frames that should make whole steps may come out a hair short.
+    // Frame times that should add up to whole steps may fall slightly short.
     constexpr double rounding = 1e-9;
     if (std::isfinite(added) && added > 0.0) player.carry_steps += added;
     const double whole = std::floor(player.carry_steps + rounding);

@@ -1,5 +1,5 @@
-// How everything looks: the three palettes, ImGui's own colours and metrics, the frames that all fields share.
-// Look at each theme with widgets-demo.
+// The look: three palettes, ImGui's own colors and metrics, the frames that all fields share. Check each theme with
+// widgets-demo.
 #include <algorithm>
 
 #include "widgets/inner.h"
@@ -31,7 +31,7 @@ constexpr Palette dark{
     .trouble = Rgb(0xE4572E),
 };
 
-// On light grounds the roles keep their hue and lose brightness until they stand out at 3 : 1 on every ground.
+// On a light background the role colors keep their hue and darken to a contrast of 3 : 1 on every background color.
 constexpr Palette light{
     .ground = Rgb(0xF4F5F7),
     .raised = Rgb(0xE6E9EE),
@@ -51,7 +51,7 @@ constexpr Palette light{
     .trouble = Rgb(0xE43401),
 };
 
-// A projector washes everything out: white ground, black text, heavier strokes, the roles at 4.5 : 1.
+// Projectors wash out colors: white background, black text, thicker strokes, role colors at 4.5 : 1.
 constexpr Palette projector{
     .ground = Rgb(0xFFFFFF),
     .raised = Rgb(0xE8EBF0),

@@ -1,4 +1,4 @@
-// What is covered and what is pointed out. Read targets.h first.
+// Covered and highlighted targets. Read targets.h first.
 #include "widgets/targets.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 using inner::Box;
 using inner::Px;
 
-constexpr int search_frames = 4;  ///< folded sections open, then what is in them can be scrolled to
+constexpr int search_frames = 4;  ///< folded sections need a frame to open before their content can scroll into view
 
 Targets& Current() {
     return CurrentContext().targets;
@@ -28,7 +28,8 @@ bool IsIn(const std::vector<std::string>& names, std::string_view name) {
     return Any(names, [name](const std::string& whole) { return Contains(whole, name); });
 }
 
-/// Into the middle of its window, where it is not seen wholly; the first one in a window leads.
+/// Scrolls the target to the middle of the window unless it is fully visible. Only the first target in each window
+/// scrolls it.
 void BringIntoView(Targets& targets, ImVec2 min, ImVec2 max) {
     const ImDrawList* window = ImGui::GetWindowDrawList();
     if (targets.frames_of_search <= 0 || ImGui::GetScrollMaxY() <= 0.0F) return;
@@ -38,7 +39,7 @@ void BringIntoView(Targets& targets, ImVec2 min, ImVec2 max) {
     if (min.y < top || max.y > bottom) ImGui::SetScrollFromPosY((min.y + max.y) * 0.5F - top, 0.5F);
 }
 
-/// The screen but for the holes, in bands that lie below each other.
+/// Dims the screen outside the holes, in horizontal bands.
 void DrawDimmed(ImDrawList* draw, ImVec2 screen, const std::vector<Box>& holes, ImU32 color) {
     std::vector<float> edges = {0.0F, screen.y};
     for (const Box& hole : holes) {

@@ -1,7 +1,7 @@
-// Names of what is on screen, such as "matrix:V[2][3]", by which it is covered or pointed out from outside. Who draws a
-// thing asks whether its name is covered, and draws a plate in its place; who has drawn it marks where it is. A name
-// contains those that go on behind it with '.', '[' or, for a kind, ':' ("matrix:V" contains "matrix:V[2][3]").
-// Without names in Targets none of this does anything.
+// Names of parts on screen, such as "matrix:V[2][3]", for covering or highlighting them from outside. Code that draws a
+// part first asks whether its name is covered, and if so draws a plate instead; otherwise it marks the part's place. A
+// name contains longer names that continue with '.', '[' or, after a kind, ':' ("matrix:V" contains "matrix:V[2][3]").
+// Nothing happens while Targets holds no names.
 #pragma once
 
 #include <imgui.h>
@@ -15,14 +15,14 @@
 namespace widgets {
 
 struct Targets {
-    std::vector<std::string> covered;      ///< nothing of these is drawn, told or copied
-    std::vector<std::string> listed;       ///< where there are any, a panel shows controls of these names alone
-    std::vector<std::string> highlighted;  ///< these are marked, brought into view and framed
-    /// Where there are any, even none: the only switches, beside numbers and the steps of what goes step by step. A
-    /// kind by itself ("button") stands for all of it.
+    std::vector<std::string> covered;      ///< not drawn, reported or copied
+    std::vector<std::string> listed;       ///< if not empty, a panel shows only controls with these names
+    std::vector<std::string> highlighted;  ///< marked, scrolled into view and framed
+    /// If set, even if empty: the only switches to offer, besides numbers and step bars. A kind by itself ("button")
+    /// includes all switches of that kind.
     std::optional<std::vector<std::string>> offered;
 
-    /// Where something highlighted is seen in this frame: of all its parts in one window together.
+    /// The visible area of a highlighted target in this frame, with all its parts in one window.
     struct Found {
         std::string name;
         const ImDrawList* window;
@@ -30,55 +30,55 @@ struct Targets {
     };
     std::vector<Found> found;
 
-    // What the library remembers between the calls.
-    std::vector<std::string> sought;  ///< the highlighted ones that are brought into view, for so many frames
+    // Internal state between calls.
+    std::vector<std::string> sought;  ///< highlighted names still to scroll into view, for frames_of_search
     int frames_of_search = 0;
-    std::vector<const ImDrawList*> scrolled;  ///< windows that do so in this frame
-    bool opens_next = false;                  ///< the next Section
+    std::vector<const ImDrawList*> scrolled;  ///< windows that have scrolled in this frame
+    bool opens_next = false;                  ///< opens the next Section
     std::vector<std::vector<std::string>> scopes;
 
     bool empty() const { return covered.empty() && highlighted.empty(); }
 };
 
-/// Whether one name stands for the other, too.
+/// Whether the name `whole` includes `part`.
 bool Contains(std::string_view whole, std::string_view part);
 
 bool IsCovered(std::string_view name);
-/// Whether the name or a part of it is.
+/// Whether the name or a part of it is covered.
 bool IsPartCovered(std::string_view name);
-/// Whether it, what it is a part of, or a part of it is highlighted.
+/// Whether the name, its whole, or a part of it is highlighted.
 bool IsHighlighted(std::string_view name);
-/// Whether something highlighted that these contain has still to be brought into view, so that what folds opens.
+/// Whether a highlighted target inside these names still has to scroll into view, so that folded parts must open.
 bool IsSought(std::span<const char* const> names);
-/// Opens the next Section, whatever it was.
+/// Opens the next Section, whatever its state.
 void OpenNextSection();
 
-/// Whether a panel is to show the thing of this name; where nothing is listed, all.
+/// Whether a panel should show the part with this name. True for all if nothing is listed.
 bool IsListed(std::string_view name);
-/// Whether only what is listed is shown: no headlines, nothing that has no name.
+/// Whether only listed parts are shown: no headlines, no unnamed parts.
 bool IsListing();
 
-/// Whether a switch of this name is drawn: "control:view.shows", "button:show C", "speed".
+/// Whether to draw a switch with this name: "control:view.shows", "button:show C", "speed".
 bool Offers(std::string_view name);
-/// Whether some are left out: what shows something has a title in large type in the place of its switches.
+/// Whether only some switches are offered: views then show a large title instead of their switches.
 bool HasPlainTitles();
 
-/// The last item, or a rectangle of the current window, bears this name.
+/// Gives this name to the last item, or to a rectangle of the current window.
 void MarkTarget(std::string_view name);
 void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// The highlighted names that were found nowhere in this frame.
+/// Returns the highlighted names that were not found in this frame.
 std::vector<std::string> MissingTargets();
 
-/// An item that hides what would stand here: an opaque plate with "?". Recorded under `label` with the text "?".
+/// Draws an opaque plate with "?" that replaces a covered part. Recorded under `label` with the text "?".
 void Plate(const char* label, ImVec2 size);
-/// A control that is covered: a plate so wide, 0: the item width, and its label as usual.
+/// Draws a plate of this width (0: the item width) for a covered control, with the control's usual label.
 void CoveredControl(const char* label, float width = 0.0F);
-/// The same as Plate without an item.
+/// Draws a plate without an item.
 void DrawPlate(ImDrawList* draw, ImVec2 min, ImVec2 max);
 
-/// Inside it a number box is the thing of this name, and the boxes of a row are its components "[0]", "[1]" …, or the
-/// things of these names one by one.
+/// Names the number boxes inside this scope: a single box gets the name itself; the boxes of a row are its components
+/// "[0]", "[1]" …, or get one of `names` each.
 struct TargetScope {
     explicit TargetScope(std::string_view name);
     explicit TargetScope(std::span<const char* const> names);
@@ -87,8 +87,8 @@ struct TargetScope {
     TargetScope& operator=(const TargetScope&) = delete;
 };
 
-/// Frames what was found and dims everything else a little, over all windows that lie below: call it last in a frame.
-/// The pointer goes through. What lies below `bottom`, in pixels, stays as it is.
+/// Frames the highlighted targets and slightly dims everything else, on top of all windows. Call last in a frame. Does
+/// not block the pointer. Leaves the screen below `bottom`, in pixels, unchanged.
 void DrawHighlights(float bottom);
 
 }  // namespace widgets

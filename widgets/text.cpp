@@ -1,4 +1,4 @@
-// Text that is not a control: notes, troubles, values, the label behind a control, tooltips.
+// Text that is not a control: notes, troubles, values, labels beside controls, tooltips.
 #include <algorithm>
 #include <string>
 
@@ -46,10 +46,10 @@ std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& fon
 
 namespace {
 
-/// Wrapped at the window's edge, in one colour, and recorded.
+/// Draws text in one color, wrapped at the window's edge, and records it.
 void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0.0F);  // words that are wider than a line
+    ImGui::PushTextWrapPos(0.0F);  // for words wider than a line
     ImGui::TextUnformatted(BrokenAtBlanks(tr(text), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -88,7 +88,7 @@ void ValueText(const char* text, Role role) {
 
 namespace {
 
-/// Formulas with "; " between them stand below each other.
+/// Draws formulas separated by "; " one below the other.
 void TooltipFormulas(std::string_view formulas, std::span<const LetterRole> roles) {
     constexpr std::string_view between = "; ";
     while (!formulas.empty()) {
@@ -201,17 +201,17 @@ Labelled::~Labelled() {
 namespace {
 
 constexpr float tooltip_gap = 8.0F, tooltip_padding = 11.0F;  ///< design pixels
-constexpr float column_share = 0.5F;                          ///< of the window's width: what is wider is no column
+constexpr float column_share = 0.5F;                          ///< of the window's width; wider windows are not columns
 
-/// Pixels beside the window that is being drawn, on the side where there are more; 0 where it is no column.
+/// Space in pixels beside the current window, on its wider side; 0 if the window is not a column.
 float RoomBesideColumn() {
     const float screen = ImGui::GetIO().DisplaySize.x, left = ImGui::GetWindowPos().x;
     if (ImGui::GetWindowWidth() > column_share * screen) return 0.0F;
     return std::max(left, screen - left - ImGui::GetWindowWidth()) - 2.0F * Px(tooltip_gap);
 }
 
-/// Where a tooltip of this size stands beside what it is about: beside the column, so that neither the item nor the
-/// next ones are covered; in what is too wide for a column, below the item or above it.
+/// Position of a tooltip of this size: beside the column, so that it covers neither the item nor its neighbors; if it
+/// does not fit there, below or above the item.
 ImVec2 TooltipPlace(const ImVec4& item, ImVec2 size) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = Px(tooltip_gap);
@@ -234,7 +234,7 @@ void BeginTooltipWindow() {
     const Editing& editing = CurrentContext().editing;
     const float text_width = TooltipTextWidth();
     ImGui::SetNextWindowPos(TooltipPlace(editing.tooltip_of, editing.tooltip_size));
-    // What a disabled item pushed must not make its explanation pale.
+    // The explanation of a disabled item must not be pale.
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(Px(tooltip_padding), Px(9)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(Px(6), Px(5)));
@@ -247,7 +247,7 @@ void BeginTooltipWindow() {
 void EndTooltipWindow(std::string_view told) {
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
-    // Of what is in it: the window itself takes its size a frame later.
+    // Measure the content: the window's own size is one frame late.
     const ImVec2 content = ImGui::GetItemRectSize(), padding = ImGui::GetStyle().WindowPadding;
     CurrentContext().editing.tooltip_size = {content.x + 2.0F * padding.x, content.y + 2.0F * padding.y};
     const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

@@ -1,7 +1,7 @@
-// A field for text. ImGui takes its steps of undo up again when it is the same field that becomes active once more,
-// whatever has been written into the text meanwhile, and Ctrl+Z then ends the program (an assertion of 1.86): so a
-// field that was left is another one for ImGui when it comes back. What is typed is in the text at once, so there is
-// nothing to be lost on the way out; a text that counts only when it is whole is an EntryField's.
+// A text field. When a field becomes active again, ImGui still has its undo history, even if the text has changed
+// meanwhile, and Ctrl+Z then fails an assertion (ImGui 1.86). So a field that was left gets a new ImGui id when it is
+// used again. Typed text is stored immediately, so nothing is lost when the field is left. EntryField is for text that
+// counts only when complete.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

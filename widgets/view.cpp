@@ -1,4 +1,4 @@
-// Text over a picture: halos, and labels that find their place beside their points.
+// Text over a picture: halos, and labels placed beside their points.
 #include <algorithm>
 #include <cmath>
 

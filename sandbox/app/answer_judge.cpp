@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// All that a verdict rests on, held by itself.
+/// Everything that a verdict depends on, copied so that another thread can judge the answer.
 struct Case {
     std::shared_ptr<const Lesson> lesson;
     std::size_t step = 0;
@@ -24,13 +24,12 @@ struct Case {
     }
 };
 
-/// Reached, but not with what may be changed: which is not.
+/// Rejects a goal that was reached by changing a field that the step does not allow, and names that field.
 Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Params& start, const Params& now) {
     if (!verdict.right || ask.kind != AskKind::goal) return verdict;
     const std::vector<std::string> others = changed_without_leave(start, now, ask.allow);
     if (others.empty()) return verdict;
-    const std::string why =
-        say("Reached, but not with what may be changed here: {field} is not as it was.", "field"_a = others.front());
+    const std::string why = say("Goal met, but {field} must keep its original value here.", "field"_a = others.front());
     return {false, LessonText{{why}}, "", 0, 0};
 }
 

@@ -1,5 +1,6 @@
-// Judges a lesson's answer: when Check is pressed, and a goal whenever its state has changed. What is measured in
-// pictures is judged beside the window, with a sign that it is being checked. Read lesson/judge.h for the verdict.
+// Judges the answers in a lesson: an answer when Check is pressed, and a goal whenever the state changes. Answers that
+// need measured pictures are judged in the background, while the window shows that they are being checked. Read
+// lesson/judge.h for the verdict.
 #pragma once
 
 #include <memory>
@@ -14,35 +15,36 @@ namespace viewing {
 
 class AnswerJudge {
 public:
-    /// `renderer`, the window's, must outlive this: it measures where there can be no other.
+    /// `renderer`, the window's own, must outlive this object. It takes the measurements if no second renderer is
+    /// possible.
     explicit AnswerJudge(Renderer& renderer) : renderer_(renderer) {}
 
     struct Moment {
         bool wants_check = false;  ///< Check was pressed
-        bool is_held = false;      ///< something is moved by hand: what is measured waits for its end
-        bool may_wait = false;     ///< else the verdict is there at once, as a picture has it
+        bool is_held = false;      ///< a drag is in progress: goals wait for its end
+        bool may_wait = false;     ///< if false, update() waits for the verdict: pictures that are written need it
     };
-    /// Called once a frame. Whether what the strip shows has changed.
+    /// Call once a frame. Returns whether the lesson strip has changed.
     bool update(Workbench& workbench, Session& session, const Moment& moment);
 
 private:
-    /// What was asked, and with what.
+    /// A question with the answer or the state that is judged.
     struct Question {
         std::shared_ptr<const Lesson> lesson;
         std::size_t step = 0;
-        Answer answer;                 ///< of a goal none
-        std::optional<Params> params;  ///< of a goal alone
+        Answer answer;                 ///< empty for a goal
+        std::optional<Params> params;  ///< only for a goal
         bool is_of(const LessonRun& run, const Params& now) const;
     };
-    /// What is being judged; asked once more it is judged anew.
+    /// Drops the judgment in progress, so that the next check starts a new one.
     void give_up();
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);
 
     Renderer& renderer_;
     SideRenderer side_;
     std::optional<Question> asked_;
-    /// None: it could not be measured there.
-    BackgroundTask<std::optional<Verdict>> task_;  ///< last: it ends before what it uses
+    /// Holds no verdict if no side renderer could measure.
+    BackgroundTask<std::optional<Verdict>> task_;  ///< declared last, so that it ends before the members it uses
 };
 
 }  // namespace viewing

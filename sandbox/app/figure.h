@@ -1,4 +1,4 @@
-// A picture of a state as vectors: what the user interface draws stays shapes and text.
+// Draws a state as a vector figure: the user interface remains shapes and text.
 #pragma once
 
 #include "app/picture.h"
@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// The same as draw_picture(), of any view. Needs a current context. What GL draws is a picture in it.
+/// Draws any view, like draw_picture(). Needs a current context. Content that GL draws becomes an embedded picture.
 Result<Drawing> draw_figure(Renderer& renderer, const LoadedState& state, const Scene& scene,
                             const PictureRequest& request);
 

@@ -1,4 +1,4 @@
-// What the views and the status bar tell of the buffers: read back when something of it is shown.
+// The buffer values that the views and the status bar show, read back only while one of them is visible.
 #pragma once
 
 #include "app/shown_frame.h"
@@ -13,26 +13,26 @@ class Inspection {
 public:
     explicit Inspection(Renderer& renderer) : renderer_(renderer) {}
 
-    /// The pictures have changed: everything is read again when it is wanted.
+    /// Forgets the values, since the pictures have changed.
     void forget() { inspector_.forget(); }
 
-    /// Reads what the views want of this frame. `at_once`: waits for all of it.
+    /// Reads the values that the views need from this frame. `at_once`: waits for all of them.
     Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
 
-    /// What was read, and of a state at rest, also while something moves by itself, how surfaces fight where that is
-    /// shown. `at_once`: waits for the counts; `is_held`: something is being dragged.
+    /// Returns the values and, if a view shows them, the depth fighting counts of the state at rest, even during
+    /// animation. `at_once`: waits for the counts; `is_held`: something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
-    /// One more pixel of the camera's picture, for the status bar. `at_once`: waits for it; else it may be told some
-    /// frames later, and until then the one before.
+    /// Returns one more pixel of the camera's picture, for the status bar. `at_once`: waits for it. Otherwise it may
+    /// arrive a few frames later; until then, returns the previous one.
     std::optional<PixelReport> at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px, glm::ivec2 pixel,
                                   bool at_once);
-    /// In a frame that tells none.
+    /// Call in a frame whose status bar shows no pixel.
     void leave_pixel() { follows_ = false; }
 
-    /// Whether a pixel is on its way, for the views or the status bar.
+    /// Whether a pixel for the views or the status bar is being read.
     bool reads_back() const { return reads_ || follows_; }
-    /// Whether counting or reading goes on in further frames.
+    /// Whether counting or reading needs more frames.
     bool wants_frames() const { return (tells_fighting_ && fighting_.wants_frames()) || reads_back(); }
 
 private:

@@ -25,7 +25,7 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
     const float small = small_type(arrangement);
     const bool speaks_anew = ui.language != language_;
     if (speaks_anew) {
-        // Another window of the process may speak it already, or another one.
+        // Another window of the process may already have set this language, or a different one.
         const Status spoken = ui.language == spoken_language() ? Status(std::monostate{}) : speak(ui.language);
         trouble_ = spoken ? "" : spoken.error();
         language_ = ui.language;

@@ -1,4 +1,4 @@
-// Theme, scale, language and fonts of the user interface, followed when the state or the monitor changes.
+// Theme, scale, language and fonts of the user interface, which depend on the state and the monitor.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,24 @@
 
 namespace viewing {
 
-/// The fonts of the current ImGui context for a scale, as load_fonts() has them, in its GL backend.
+/// Uploads the fonts from load_fonts() for a scale to the GL backend of the current ImGui context.
 widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
 
 class Looks {
 public:
-    /// Why the language that is wanted is not spoken; "" where it is.
+    /// Returns why the requested language is not available; "" if it is.
     const std::string& trouble() const { return trouble_; }
 
-    /// Needs ImGui's GL backend. `device_scale`: of the monitor. True when something has changed.
+    /// Applies changes. Needs ImGui's GL backend. `device_scale` is the monitor's. Returns whether anything has
+    /// changed.
     bool follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
                 Syllables& korean, widgets::Context& context);
 
 private:
     Theme theme_ = Theme::dark;
     float scale_ = 0.0F, small_type_ = 0.0F;
-    int font_files_ = 0;                ///< that had arrived
-    std::optional<Language> language_;  ///< that was asked for
+    int font_files_ = 0;                ///< number of font files that had arrived at the last upload
+    std::optional<Language> language_;  ///< the last requested language
     std::string trouble_;
 };
 

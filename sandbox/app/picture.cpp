@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// The user interface, or the part of it that is asked for.
+/// Draws the user interface, or the requested part of it.
 Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
                           const PictureRequest& request, std::optional<Color> ground) {
     RestingWindow window(renderer, state, scene, ground);
@@ -21,7 +21,7 @@ Result<Image> draw_on(Renderer& renderer, const LoadedState& state, const Scene&
     return draw_window(renderer, state, scene, request, ground);
 }
 
-/// ImGui's context of the window, out of the way of another studio's.
+/// Sets the window's ImGui context aside while another studio draws.
 class OtherContext {
 public:
     OtherContext() { ImGui::SetCurrentContext(nullptr); }
@@ -53,7 +53,7 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     growth.shows_operations = shown.shows_operations;
     const Studio::Surroundings surroundings{.size_px = size_px, .input = {}};
     for (int frame = 0; frame < most_frames; ++frame) {
-        growth.wants_picture = frame == most_frames - 2;  // everything has its place by then
+        growth.wants_picture = frame == most_frames - 2;  // the layout has settled by then
         const Requests requests = studio.frame(surroundings);
         if (!requests.view_picture) continue;
         const Rect& rect = requests.view_picture->rect;
@@ -89,8 +89,8 @@ Status check_picture_size(PictureView view, glm::ivec2 size_px) {
     if (!is_image_size(size_px.x, size_px.y)) return Error{image_size_rule()};
     const bool is_interface = view == PictureView::window || view > PictureView::observer;
     if (is_interface && (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
-        return Error{"the window and its views have at least " + std::to_string(smallest_window_px.x) + "x" +
-                     std::to_string(smallest_window_px.y) + " pixels; the view camera can be smaller"};
+        return Error{"the window and its views need at least " + std::to_string(smallest_window_px.x) + "x" +
+                     std::to_string(smallest_window_px.y) + " pixels; the camera view can be smaller"};
     return std::monostate{};
 }
 

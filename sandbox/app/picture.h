@@ -1,5 +1,5 @@
-// One picture of a state, without a window: what `snapshot` writes and what tests look at. The same code draws the
-// window on screen.
+// Draws one picture of a state without a window, for `snapshot` and for tests. The same code draws the window on
+// screen.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@
 
 namespace viewing {
 
-/// A step of a lesson as the window shows it.
+/// A step of a lesson, shown as in the window.
 struct LessonPicture {
     Lesson lesson;
-    std::size_t step = 0;  ///< from 0 on
+    std::size_t step = 0;  ///< counted from 0
     bool revealed = false;
-    bool presents = false;  ///< as a room sees it
-    bool has_strip = true;  ///< with its texts
+    bool presents = false;  ///< as the audience sees it
+    bool has_strip = true;  ///< shows the strip with its texts
 };
 
 /// The whole window, the camera's picture or its buffers, and each other view by itself: the matrices, and the topics
-/// of the lower views. `derivation` is the mirror's where the state shows that one, else the shadow's.
+/// of the lower views. `derivation` is the mirror's if the state shows that one, otherwise the shadow's.
 enum class PictureView {
     window,
     camera,
@@ -52,7 +52,7 @@ enum class PictureView {
     lecture_code,
     display_code
 };
-/// In that order.
+/// In the order of PictureView.
 inline constexpr std::array picture_view_names{"window",
                                                "camera",
                                                "depth",
@@ -80,32 +80,33 @@ inline constexpr std::array picture_view_names{"window",
 struct PictureRequest {
     PictureView view = PictureView::window;
     glm::ivec2 size_px{1280, 720};
-    std::optional<int> samples = {};  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
-    std::shared_ptr<const LessonPicture> lesson = {};  ///< of the whole window; the state is then the step's
-    bool labels = false;       ///< of the camera's picture: what the window draws over it, and the picture beside it
-    bool transparent = false;  ///< nothing where there is only ground
-    double dpi = usual_dpi;    ///< type has the same height in points with any of them
+    std::optional<int> samples = {};                   ///< 0 or 4; empty: the state's. Always 0 for depth and stencil.
+    std::shared_ptr<const LessonPicture> lesson = {};  ///< for the whole window; the state is then the step's
+    bool labels = false;       ///< for the camera's picture: adds the window's overlay, and the picture beside it
+    bool transparent = false;  ///< makes the bare background transparent
+    double dpi = usual_dpi;    ///< text has the same height in points at any dpi
 };
 
-/// The state of a step, which `request` then shows: a picture of the window with the lesson itself. Elsewhere a
-/// revealed step is the state after its answer.
+/// Returns the state of a step and sets `request` to show it. A picture of the window shows the lesson itself; for
+/// other views of a revealed step, returns the state after its answer.
 LoadedState show_step(LessonPicture step, PictureRequest& request);
 
-/// The parameters with what the request says itself: its samples, and what its view shows. What a picture carries.
+/// Returns the parameters with the request's samples and with the settings that its view needs. The picture stores
+/// these.
 Params drawn_params(Params params, const PictureRequest& request);
 
-/// Whether the view can be drawn at this size: is_image_size, and the window and its views need room. One sentence, to
-/// be read behind the name of what says the size.
+/// Checks whether the view can be drawn at this size: is_image_size, and enough space for the window and its views. The
+/// error is the end of a sentence that begins with the origin of the size.
 Status check_picture_size(PictureView view, glm::ivec2 size_px);
 
-/// Whether nothing of the user interface is in it.
+/// Whether the picture contains no user interface.
 bool is_drawn_by_gl(const PictureRequest& request);
 
-/// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.
+/// Draws a picture; needs a current context. If it contains user interface, draws frames until two are equal.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);
 
-/// The chart of the costs that a view shows, drawn anew at a size that can be printed: 1920 pixels wide.
+/// Redraws a view's chart of costs at a printable size: 1920 pixels wide.
 Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, const GrowthViewState& shown);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Pictures that a person asks the window for, written beside it: F12's snapshot and a view's Save PNG.
+// Writes the pictures that a person requests in the window to files: F12's snapshot and a view's Save PNG.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace viewing {
 
-/// The camera's view with its state, named by the time, in that folder.
+/// Writes the camera's view with its state into `folder`, in a file named by the time.
 void write_snapshot(const Renderer& renderer, Studio& studio, const std::filesystem::path& folder);
 
-/// The chart of costs as they grow.
+/// Writes the chart of growing costs.
 void write_view_picture(Renderer& renderer, Studio& studio, const std::filesystem::path& file);
 
 }  // namespace viewing

@@ -45,7 +45,7 @@ PresetPicture PresetPictures::of(const std::string& name) {
 
 PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm::ivec2 size_px) {
     if (std::optional<Result<Prepared>> prepared = preparing_.take()) {
-        // What cannot be drawn stays without a picture: opening it says why.
+        // A preset that cannot be drawn gets no picture; opening it reports the reason.
         if (!*prepared || !draw(**prepared)) pictures_[wanted_] = {};
     }
     if (name.empty()) return {};

@@ -1,5 +1,5 @@
-// Small pictures of presets and of steps of lessons, made when they are wanted and kept. Reading a preset and finding
-// what its hidden-surface method finds happens beside the window; of the drawing one picture a frame is done.
+// Thumbnails of presets and lesson steps, made on demand and kept. Loading a preset and running its hidden-surface
+// method happen in the background; one thumbnail per frame is drawn.
 #pragma once
 
 #include <functional>
@@ -21,31 +21,31 @@ class PresetPictures {
 public:
     explicit PresetPictures(Renderer& renderer) : renderer_(renderer) {}
 
-    /// Reads the state of a picture, beside the window.
+    /// Loads the state for a picture, in the background.
     using Load = std::function<Result<LoadedState>()>;
-    /// The picture of a preset, without a texture while it is being made, and where it cannot be. "" wants none.
+    /// Returns a preset's picture; without a texture while it is being made or if that fails. "": no picture.
     PresetPicture of(const std::string& name);
-    /// The same of any state, kept under `name`.
+    /// Does the same for any state, kept under `name`.
     PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
 
-    /// Something is being made: further frames are wanted.
+    /// Whether a picture is being made, which needs more frames.
     bool is_busy() const { return preparing_.is_running(); }
 
 private:
-    /// Everything but the drawing.
+    /// Everything for a picture except the drawing itself.
     struct Prepared {
         std::string name;
         glm::ivec2 size_px{0};
         Params params;
         Scene scene;
         Derived derived;
-        std::shared_ptr<HiddenAnswer> answer;  ///< null where GL's depth buffer draws
+        std::shared_ptr<HiddenAnswer> answer;  ///< null if GL's depth buffer draws
     };
     static Result<Prepared> prepare(const std::string& name, const Load& load, const Viewport& viewport);
     Status draw(Prepared& prepared);
 
     Renderer& renderer_;
-    View view_;  ///< that they are drawn into, one after the other
+    View view_;  ///< all pictures are drawn into this view, one after another
     std::map<std::string, gl::ColorTarget> pictures_;
     std::string wanted_;
     BackgroundTask<Prepared> preparing_;

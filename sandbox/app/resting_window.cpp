@@ -9,12 +9,12 @@
 namespace viewing {
 namespace {
 
-/// Below half of its size type cannot be read any more; beyond twice it is more than a figure wants.
+/// Text is unreadable below half its size; more than twice its size is too much for a figure.
 constexpr double least_size = 0.5, most_size = 2.0;
-/// Of the height: what takes as much is not drawn larger.
+/// Share of the height that counts as full: a view that fills more is not enlarged.
 constexpr double full_share = 0.9;
 
-ViewName maximised(PictureView view) {
+ViewName maximized(PictureView view) {
     if (view == PictureView::window) return ViewName::none;
     if (view == PictureView::matrices) return ViewName::matrices;
     return view == PictureView::camera ? ViewName::camera : ViewName::lower_left;
@@ -25,19 +25,19 @@ void lead(Studio& studio, const LessonPicture& wanted) {
     guide.begin(wanted.lesson, wanted.step, studio.session);
     if (wanted.revealed) {
         guide.reveal(studio.session);
-        guide.next(studio.session);  // at once
+        guide.next(studio.session);  // ends the reveal immediately
     }
     if (wanted.presents) studio.workbench.presenter.begin();
     studio.workbench.arrangement.has_strip = wanted.has_strip;
     studio.session.finish_loading();
 }
 
-/// The window's sentence in the place of what a view shows, or what has to be said beforehand where nobody can click.
+/// Returns the window's sentence for an empty view; if nobody can click, the setting that would fill the view.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
     const bool wants_pixel = view == PictureView::cells || view == PictureView::pixel;
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];
     if (wants_pixel && !params.view.pixel && !params.view.pin)
-        return "the view " + name + " is of a pixel of the camera's picture, and none is pinned: view.pixel=[X,Y]";
+        return "the view " + name + " needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]";
     return "the view " + name + " has nothing to show: " + offered;
 }
 
@@ -47,9 +47,9 @@ std::string size_text(glm::ivec2 size_px) {
 
 }  // namespace
 
-void show(Studio& studio, ViewName maximised) {
-    const bool is_alone = maximised != ViewName::none;
-    studio.workbench.arrangement.maximised = maximised;
+void show(Studio& studio, ViewName maximized) {
+    const bool is_alone = maximized != ViewName::none;
+    studio.workbench.arrangement.maximized = maximized;
     studio.workbench.arrangement.bare = is_alone;
     studio.workbench.widgets.printed = is_alone;
     ImGui::GetIO().MousePos = {-1e6F, -1e6F};
@@ -75,7 +75,7 @@ Status RestingWindow::settle() {
 
 Status RestingWindow::rest(const PictureRequest& request) {
     Workbench& workbench = studio_.workbench;
-    show(studio_, maximised(request.view));
+    show(studio_, maximized(request.view));
     if (request.lesson) lead(studio_, *request.lesson);
 
     surroundings_ = {.size_px = request.size_px, .device_scale = request.dpi / usual_dpi, .input = {}};
@@ -97,21 +97,21 @@ Status RestingWindow::fit() {
     const glm::ivec2 size_px = surroundings_.size_px;
     const double usual = surroundings_.device_scale;
     double& scale = surroundings_.device_scale;
-    // Lines that are broken need fewer of them where they are smaller: at most a tenth at once.
+    // Smaller text needs fewer line breaks, so shrink by at most a tenth at a time.
     while (!fits()) {
         if (scale <= least_size * usual) return Error{too_small(size_px)};
         const double seen = static_cast<double>(studio_.workbench.widgets.seen_share);
         scale = std::max(least_size * usual, scale * std::clamp(seen, 0.9, 0.97));
         if (Status settled = settle(); !settled) return settled;
     }
-    // What leaves room is drawn larger, as long as it still fits.
+    // Enlarge content that leaves space, as long as it still fits.
     for (double used = studio_.workbench.widgets.used_share;
          used > 0.0 && used < full_share && scale < most_size * usual; used = studio_.workbench.widgets.used_share) {
         const double before = scale;
         const std::size_t letters = letter_count(sketch());
         scale = std::min(most_size * usual, scale * std::clamp(full_share / used, 1.05, 1.3));
         if (Status settled = settle(); !settled) return settled;
-        // Some views leave out a column where they are narrow.
+        // Undo an enlargement that makes a view drop a column.
         if (fits() && letter_count(sketch()) >= letters) continue;
         scale = before;
         return settle();
@@ -120,17 +120,16 @@ Status RestingWindow::fit() {
 }
 
 std::string RestingWindow::too_small(glm::ivec2 size_px) {
-    const std::string told =
-        "not all of the view can be seen in " + size_text(size_px) + " pixels, however small it is drawn; ";
+    const std::string told = "the view does not fit in " + size_text(size_px) + " pixels, even at its smallest scale; ";
     constexpr int highest_px = 8192;
     while (!fits() && surroundings_.size_px.y < highest_px) {
-        // What is cut, and does not scroll, says nothing of how much is missing.
+        // The hidden share of content that is cut off without scrolling is unknown, so assume at least a fifth.
         const double seen = std::min(static_cast<double>(studio_.workbench.widgets.seen_share), 0.8);
         surroundings_.size_px.y =
             std::min(highest_px, static_cast<int>(std::ceil(surroundings_.size_px.y / seen / 10.0)) * 10);
         if (!settle()) break;
     }
-    return fits() ? told + size_text(surroundings_.size_px) + " has room for it" : told + "it wants to be wider";
+    return fits() ? told + "it fits in " + size_text(surroundings_.size_px) : told + "it needs more width";
 }
 
 Drawing RestingWindow::record() {

@@ -1,5 +1,4 @@
-// A window without a screen that is drawn until it rests: what pictures and figures of the user interface are taken
-// from.
+// A window without a screen, drawn until nothing changes: the source of pictures and figures with user interface.
 #pragma once
 
 #include "app/picture.h"
@@ -8,11 +7,11 @@
 
 namespace viewing {
 
-/// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
+/// The maximum number of frames until the user interface settles: ImGui lays out in two, sections need one more.
 inline constexpr int most_frames = 12;
 
-/// One view alone, with nothing that can only be pressed, or the whole window; the pointer is nowhere.
-void show(Studio& studio, ViewName maximised);
+/// Shows one view alone, without controls that only make sense on screen, or the whole window; there is no pointer.
+void show(Studio& studio, ViewName maximized);
 
 class RestingWindow {
 public:
@@ -20,33 +19,33 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Draws what is asked for until two frames are equal. Where a view by itself would have to be scrolled or cut,
-    /// everything in it is drawn smaller until all of it is seen, and larger where it leaves room. The error is what
-    /// the window says, or that the size is too small for that and which one is not.
+    /// Draws the requested view until two frames are equal. If a view by itself would have to scroll or be cut off, its
+    /// contents are drawn smaller until all of it is visible; if it leaves space, larger. The error is the window's own
+    /// message, or says that the size is too small and which one would do.
     Status rest(const PictureRequest& request);
 
-    /// Whether nothing is cut off or has to be scrolled.
+    /// Whether everything is visible without cuts or scrolling.
     bool fits() const;
 
     Image read() const { return studio_.read(); }
-    /// The same as shapes, text and pictures; draws it once more.
+    /// Returns the window as shapes, text and pictures; draws it once more.
     Drawing record();
 
 private:
     Status settle();
-    /// What it shows now, without its pictures.
+    /// Returns the current window as shapes and text, without its pictures.
     Drawing sketch() const;
-    /// Finds the size at which all is drawn.
+    /// Finds the scale at which everything fits.
     Status fit();
-    /// Finds the height that has room for all of it.
+    /// Finds the height at which everything fits, and returns the error that names it.
     std::string too_small(glm::ivec2 size_px);
 
     Studio studio_;
-    Studio::Surroundings surroundings_;  ///< in which it rests
+    Studio::Surroundings surroundings_;  ///< size and scale; no input
 };
 
-/// What `draw` makes of the state as the request has it: once, or, where it is to be transparent, on black and on
-/// white, of which what is no ground is left.
+/// Calls `draw` on the state with the request's changes applied: once, or, for a transparent picture, on black and on
+/// white, to remove the background.
 template <typename Draw>
 auto drawn_without_ground(const LoadedState& state, const PictureRequest& request, const Draw& draw)
     -> decltype(draw(state, std::optional<Color>())) {
@@ -60,7 +59,7 @@ auto drawn_without_ground(const LoadedState& state, const PictureRequest& reques
     return without_ground(*on_black, *on_white);
 }
 
-/// The topic of the lower views that a view shows by itself; automatic for all that are none.
+/// Returns the topic of the lower view that `view` shows by itself; automatic for views without one.
 Topic topic_of(PictureView view, const Params& params);
 
 }  // namespace viewing

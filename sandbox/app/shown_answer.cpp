@@ -13,7 +13,7 @@ Status ShownAnswer::update(Renderer& renderer, const Params& params, const Deriv
         is_behind_ = false;
         return std::monostate{};
     }
-    // Quick methods keep up with the camera; slow ones must not hold the window up.
+    // Wait briefly, so that fast methods keep up with the camera and slow ones do not block the window.
     constexpr double a_moment_s = 0.025;
     worker_.ask(*question, session.scene(), session.scene_version());
     worker_.wait(!is_interactive ? -1.0 : is_behind_ ? 0.0 : a_moment_s);
@@ -25,8 +25,8 @@ Status ShownAnswer::update(Renderer& renderer, const Params& params, const Deriv
         return std::monostate{};
     }
     is_behind_ = !answer || answer->question != *question;
-    if (!answer) answer_.reset();  // it was of another scene
-    // GL's part of a difference depends on the depth buffer too, and is made for the camera that is asked for.
+    if (!answer) answer_.reset();  // it belonged to another scene
+    // In a difference, GL's picture also depends on the depth buffer, and must have the requested camera.
     const bool is_shown =
         answer && answer_ && answer->camera == answer_->camera && answer->question == answer_->question;
     if (!answer || (is_shown && depth_ == session.params.depth)) return std::monostate{};

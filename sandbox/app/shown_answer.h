@@ -1,4 +1,4 @@
-// The hidden-surface methods' answer that the camera's view shows, kept up to date while the window stays live. Read
+// The result of the hidden-surface method in the camera's view, kept up to date without blocking the window. Read
 // measure/hidden_worker.h next.
 #pragma once
 
@@ -10,22 +10,23 @@ namespace viewing {
 
 class ShownAnswer {
 public:
-    /// Asks the worker for what the camera's view needs; what is not there in a moment is taken when it comes.
+    /// Requests the result that the camera's view needs from the worker. A result that takes longer than a moment
+    /// appears as soon as it is ready.
     Status update(Renderer& renderer, const Params& params, const Derived& derived, const Session& session,
                   glm::ivec2 camera_px, bool is_interactive);
 
     void cancel() { worker_.cancel(); }
-    /// Begins again on a question that was cancelled.
+    /// Restarts a request that was canceled.
     void restart();
 
     const std::shared_ptr<const HiddenAnswer>& get() const { return answer_; }
-    bool is_behind() const { return is_behind_; }  ///< a newer answer is awaited
+    bool is_behind() const { return is_behind_; }  ///< a newer result is pending
     std::optional<float> fraction() { return worker_.fraction(); }
 
 private:
     HiddenWorker worker_;
     std::shared_ptr<const HiddenAnswer> answer_;
-    DepthParams depth_;  ///< that its difference was made with
+    DepthParams depth_;  ///< for which the difference was computed
     bool is_behind_ = false;
 };
 

@@ -1,5 +1,5 @@
-// What is on screen in one frame: the parameters as they are at the time, and everything that is made from them before
-// a pixel is drawn. Read studio.cpp for how it is made, view_pictures.h for what is made of it.
+// The data for one frame: the parameters at its time, and everything computed from them before a pixel is drawn. Read
+// studio.cpp for how it is made, and view_pictures.h for how it is drawn.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@
 namespace viewing {
 
 struct ShownFrame {
-    Params params;                    ///< the session's, as they are at the time
-    glm::ivec2 camera_px{1280, 720};  ///< of the camera's view when it was shown last
-    Derived derived, before;          ///< `before`: as they were before the latest edit
+    Params params;                    ///< the session's, at the frame's time
+    glm::ivec2 camera_px{1280, 720};  ///< size of the camera's view when it was last shown
+    Derived derived, before;          ///< `before`: before the latest edit
     FramePlan plan;                   ///< of the camera's view
     PinnedPixel pinned;               ///< in the camera's view
-    FramePlan inspected;              ///< the same with its colours, to be read
+    FramePlan inspected;              ///< the same without effects, for reading back
     std::vector<Problem> problems;
-    std::shared_ptr<const HiddenAnswer> hidden;  ///< what the camera's view shows of the hidden-surface methods
+    std::shared_ptr<const HiddenAnswer> hidden;  ///< the hidden-surface method's result in the camera's view
 };
 
 }  // namespace viewing

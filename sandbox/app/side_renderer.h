@@ -1,5 +1,5 @@
-// A software renderer beside the window's own: what is measured in pictures is measured there while the window goes on,
-// and comes out as every command has it, whatever draws the window. Read gl/egl_context.h for its context.
+// A software renderer beside the window's own. It measures pictures while the window stays responsive, and gives the
+// same results as the commands, whichever driver draws the window. Read gl/egl_context.h for its context.
 #pragma once
 
 #include <functional>
@@ -17,9 +17,9 @@ public:
     SideRenderer(const SideRenderer&) = delete;
     SideRenderer& operator=(const SideRenderer&) = delete;
 
-    /// Calls `work` with the renderer, which is made at the first call. The calling thread must have no context; of
-    /// several one has its turn after the other. False: there can be no such renderer here, and nothing was called. The
-    /// error is what GL complains of.
+    /// Calls `work` with the renderer, which the first call creates. The calling thread must have no context; several
+    /// threads take turns. Returns false without calling `work` if no such renderer is possible here. The error is GL's
+    /// message.
     Result<bool> lend(const std::function<void(Renderer&)>& work);
 
 private:

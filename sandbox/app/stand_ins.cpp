@@ -19,7 +19,7 @@ bool is_large(const SceneObject& object) {
 
 Scene with_stand_ins(const Scene& scene) {
     Scene coarse = scene;
-    std::map<const Mesh*, std::shared_ptr<const Mesh>> made;  // objects share their meshes
+    std::map<const Mesh*, std::shared_ptr<const Mesh>> made;  // objects share meshes
     for (SceneObject& object : coarse.objects) {
         if (!is_large(object)) continue;
         std::shared_ptr<const Mesh>& stand_in = made[object.mesh.get()];
@@ -32,7 +32,7 @@ Scene with_stand_ins(const Scene& scene) {
 void StandIns::follow(const Scene& scene, int version) {
     if (auto made = task_.take(); made && *made) {
         scene_ = **std::move(made);
-        sentence_ = say("coarser while it moves: {drawn} of {all} triangles",
+        sentence_ = say("simplified while moving: {drawn} of {all} triangles",
                         "drawn"_a = grouped_number(static_cast<std::int64_t>(scene_->triangle_count())),
                         "all"_a = grouped_number(static_cast<std::int64_t>(triangles_)));
     }

@@ -1,5 +1,5 @@
-// What is drawn while a large scene moves by hand: the same objects with coarser meshes, made beside the window. At
-// rest, and in every picture that is written, the scene itself is drawn.
+// Coarser meshes to draw while a large scene is dragged, made in the background. At rest, and in every picture that is
+// written to a file, the full scene is drawn.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace viewing {
 
-/// The scene with a coarser mesh for each that has more than 150,000 triangles.
+/// Returns the scene with a coarser mesh for each mesh of more than 150,000 triangles.
 Scene with_stand_ins(const Scene& scene);
 
 class StandIns {
 public:
-    /// Begins to make them when the scene is another one and has meshes that are large.
+    /// Starts to make stand-ins if the scene has changed and has large meshes.
     void follow(const Scene& scene, int version);
 
-    /// `is_slow`: frames take long. A scene that was slow once while it was held is drawn coarsely whenever it is held:
-    /// that is what comes back then. Null: draw the scene itself.
+    /// Returns the scene to draw during a drag; null: draw the full scene. `is_slow`: frames take long. Once a scene
+    /// has been slow during a drag, it is drawn coarsely during every drag.
     const Scene* choose(bool is_held, bool is_slow);
 
     /// "40,112 of 1,000,000 triangles", in a sentence.
@@ -26,9 +26,9 @@ public:
 
 private:
     BackgroundTask<Scene> task_;
-    int version_ = -1;  ///< of the scene that they stand for
+    int version_ = -1;  ///< of the scene that the stand-ins replace
     std::optional<Scene> scene_;
-    std::size_t triangles_ = 0;  ///< of the scene that they stand for
+    std::size_t triangles_ = 0;  ///< of the scene that the stand-ins replace
     std::string sentence_;
     bool was_slow_ = false;
 };

@@ -17,9 +17,9 @@
 namespace viewing {
 namespace {
 
-constexpr double slow_ms = 80.0;  // of a frame: what moves by hand does not follow any more
+constexpr double slow_ms = 80.0;  // a frame this slow no longer keeps up with a drag
 
-/// Of two times until a redraw the one that comes first; negative: never.
+/// Returns the earlier of two delays until a redraw; a negative delay means never.
 double sooner(double a_s, double b_s) {
     return a_s < 0.0 || b_s < 0.0 ? std::max(a_s, b_s) : std::min(a_s, b_s);
 }
@@ -36,7 +36,7 @@ Studio::Studio(Renderer& renderer, Session opened)
       judge_(renderer) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // no file is touched that was not named
+    io.IniFilename = nullptr;  // write no file that was not named
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     ImGui_ImplOpenGL3_Init(gl::shader_version());
@@ -53,7 +53,7 @@ void Studio::set_ground(Color color) {
 }
 
 Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_interactive) {
-    // With a scene that is slow to draw, only the view that is being moved follows; the others catch up at rest.
+    // If the scene is slow to draw, update only the view that is being dragged; the others catch up at rest.
     views_are_behind_ = is_interactive && frame_ms_ > slow_ms && is_held();
     camera_is_behind_ = layout.camera.empty() || &scene != &session.scene();
     if (!views_are_behind_) return pictures_.draw(shown_, scene, layout);
@@ -74,7 +74,7 @@ const View& Studio::camera_view() {
 
 Params Studio::shown_params() const {
     Params shown = session.portable(shown_.params);
-    shown.animation.jiggle = shown.animation.light_orbit = false;  // they have moved what they move
+    shown.animation.jiggle = shown.animation.light_orbit = false;  // their motion is already applied
     return shown;
 }
 
@@ -87,9 +87,9 @@ bool Studio::is_held() const {
 }
 
 void Studio::update(const Layout& layout, const Surroundings& surroundings) {
-    if (!layout.camera.empty()) shown_.camera_px = layout.camera.size_px();  // else another view has the whole window
+    if (!layout.camera.empty()) shown_.camera_px = layout.camera.size_px();  // otherwise another view fills the window
     const bool is_interactive = surroundings.shows_time;
-    // A person does not wait for it before the first picture.
+    // Before a person's first picture, measure the driver's depth format only if something depends on it.
     const bool knows_driver = is_interactive && drawn_.scene_version >= 0;
     const Viewport viewport = knows_driver ? renderer_.viewport(shown_.camera_px, shown_.params.depth.format)
                                            : renderer_.viewport(shown_.camera_px, shown_.params, session.scene());
@@ -160,7 +160,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     if (requests.cancel_hidden) answer_.cancel();
     if (requests.restart_hidden) answer_.restart();
     ImGui::Render();
-    // What is frozen stays on the screen; the frame that says so is drawn once.
+    // A frozen picture stays on screen: draw only the first frozen frame, whose message says so.
     const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
     if (was_frozen && is_frozen_) return requests;
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
@@ -204,7 +204,7 @@ double Studio::next_redraw_in_s() const {
     if (workbench.recorder.is_recording()) in_s = sooner(in_s, std::floor(recorded_s) + 1.0 - recorded_s);
     const PresenterMode& presenter = workbench.presenter;
     if (presenter.has_running_clock()) in_s = sooner(in_s, 0.5);
-    if (presenter.is_on()) in_s = sooner(in_s, 60.0 - std::fmod(presenter.presented_s(), 60.0));  // the notes' minute
+    if (presenter.is_on()) in_s = sooner(in_s, 60.0 - std::fmod(presenter.presented_s(), 60.0));  // notes show minutes
     return in_s;
 }
 

@@ -13,7 +13,6 @@ ImTextureID texture_id(const View& view) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(view.texture()));
 }
 
-/// Of several views.
 template <std::size_t count>
 std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views) {
     std::array<ImTextureID, count> ids{};
@@ -21,7 +20,7 @@ std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views)
     return ids;
 }
 
-/// What GL's own methods show of their steps.
+/// Returns the pictures of the steps of GL's own methods.
 HiddenPictures pictures_by_gl(const ShownFrame& shown) {
     const bool has_steps = shown.hidden && is_drawn_by_gl_alone(shown.params.visibility.method);
     return has_steps ? shown.hidden->pictures : HiddenPictures{};
@@ -80,7 +79,7 @@ Status ViewPictures::draw_after_pass(const ShownFrame& shown, const Scene& scene
 }
 
 Status ViewPictures::draw_mirror_ways(const ShownFrame& shown, const Scene& scene) {
-    // Small enough to keep up with a light or a plane that is dragged.
+    // Small enough to keep up while a light or a plane is dragged.
     constexpr int most_px = 480;
     const double shrunk = std::min(1.0, static_cast<double>(most_px) / std::max(shown.camera_px.x, shown.camera_px.y));
     const glm::ivec2 size_px = glm::max(glm::ivec2(glm::dvec2(shown.camera_px) * shrunk), 1);
@@ -112,7 +111,7 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
         case Topic::mirror_ways:
             return draw_mirror_ways(shown, scene);
         default:
-            return std::monostate{};  // drawn by the user interface alone
+            return std::monostate{};  // only the user interface draws it
     }
 }
 

@@ -1,4 +1,4 @@
-// The pictures in the window's views: each topic's, drawn into a view of its own.
+// The pictures in the window's views, each topic with its own View.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ class ViewPictures {
 public:
     explicit ViewPictures(Renderer& renderer) : renderer_(renderer) {}
 
-    /// What is behind everything, in the place of the theme's background.
+    /// Sets the background color, instead of the theme's.
     void set_background(Color color) { background_ = color; }
 
-    /// What cannot be drawn keeps its last picture.
+    /// Draws all visible views. A view that cannot be drawn keeps its last picture.
     Status draw(const ShownFrame& shown, const Scene& scene, const Layout& layout);
-    /// The camera's view alone, or one of those below it: what can be done where the scene is slow to draw.
+    /// Draws only the camera's view, or only one of the views below it, for scenes that are slow to draw.
     Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
-    /// The same though nothing on screen shows it, at the size that it had there last.
+    /// Draws the camera's view at its last size on screen, although it is not visible.
     Status draw_unseen_camera(const ShownFrame& shown, const Scene& scene);
     Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
 
     const View& camera() const { return camera_; }
-    /// The view that a texture of Pictures belongs to; null for another one's.
+    /// Returns the View whose texture in Pictures this is; null for other textures.
     const View* view_of(ImTextureID texture) const;
-    /// As the user interface shows them; what was found for them is left empty.
+    /// Returns the textures for the user interface; leaves the measured results empty.
     Pictures textures() const;
 
 private:
@@ -42,10 +42,10 @@ private:
     Renderer& renderer_;
     std::optional<Color> background_;
     View camera_, beside_;
-    std::array<View, 2> lower_;  ///< of each Slot
+    std::array<View, 2> lower_;  ///< one per Slot
     std::array<View, mirror_way_count> mirror_way_views_;
     std::shared_ptr<const MirrorWays> mirror_ways_;
-    std::array<View, 3> after_pass_;  ///< colour, depth and stencil
+    std::array<View, 3> after_pass_;  ///< color, depth and stencil
 };
 
 }  // namespace viewing

@@ -19,7 +19,7 @@ WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(st
     if (Result<Remembered> read = read_remembered(file_))
         known_ = remembered_ = *read;
     else
-        trouble_ = say("{error}; the window starts as the first time", "error"_a = read.error());
+        trouble_ = say("{error}; the window starts with its defaults", "error"_a = read.error());
 }
 
 void WindowMemory::dress(Params& params) const {
@@ -33,8 +33,8 @@ Status WindowMemory::take_written() {
     const std::optional<Result<Remembered>> ended = writing_.take();
     if (!ended) return std::monostate{};
     if (!*ended) return Error{ended->error()};
-    // What other windows have done is seen here too. Their looks, their student and where they are in a lesson that is
-    // open here are theirs: two windows that took these over from each other would never rest.
+    // Adopt changes by other windows, but not their look, their student, or their step in a lesson that is open here:
+    // two windows that copied these from each other would never come to rest.
     Remembered written = **ended;
     for (auto& [id, progress] : written.lessons)
         if (const auto own = sent_.lessons.find(id); own != sent_.lessons.end()) progress.step = own->second.step;
@@ -78,7 +78,7 @@ Status WindowMemory::follow(const Requests& requests, Workbench& workbench, bool
 }
 
 void WindowMemory::read_again(Workbench& workbench) {
-    is_written_ = false;  // what is written is merged with what is there
+    is_written_ = false;  // the next write merges with the content of the file
     workbench.exercises.read_again();
 }
 
@@ -94,9 +94,9 @@ void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
 Status WindowMemory::finish() {
     writing_.wait(-1.0);
     Status last = take_written();
-    if (is_written_ && remembered_ == known_) return last;  // else it has changed since, or could not be written
+    if (is_written_ && remembered_ == known_) return last;  // otherwise it has changed since, or could not be written
     const Result<Remembered> written = merge_remembered(file_, known_, remembered_);
-    is_written_ = false;  // where the window goes on, follow() takes over what others have added
+    is_written_ = false;  // if the window stays open, follow() adopts additions by others
     if (!written) return Error{written.error()};
     Remembered known = remembered_;
     known.lessons = std::move(known_.lessons);

@@ -1,4 +1,4 @@
-// Theme, scale, language and the window's place as they come back the next time. Read state/person/remembered.h for the
+// Remembers theme, scale, language and the window's place for the next run. Read state/person/remembered.h for the
 // file.
 #pragma once
 
@@ -13,42 +13,42 @@ namespace viewing {
 
 class WindowMemory {
 public:
-    /// Reads what the last time left; `is_fresh`: forgets it instead. What cannot be read is a sentence, and nothing
-    /// is remembered then.
+    /// Reads the file of the last run; `is_fresh`: ignores its content. If the file cannot be read, trouble() says why
+    /// and nothing is remembered.
     WindowMemory(std::filesystem::path file, bool is_fresh);
 
-    /// Of the last time, "" where all went well.
+    /// Returns the problem with the last run's file; "" if there is none.
     const std::string& trouble() const { return trouble_; }
     const Remembered& remembered() const { return remembered_; }
-    /// Nothing was there to be remembered: the first time.
+    /// Whether nothing has been remembered yet, which means that this is the first run.
     bool is_first_time() const { return is_first_time_; }
 
-    /// A state that says nothing of its looks has the remembered ones; the first time it speaks the system's language.
+    /// Gives a state without a look of its own the remembered one; on the first run, sets the system's language.
     void dress(Params& params) const;
 
-    /// Has what has changed written, beside the window: called once a frame it tells what came of it, an error as one
-    /// sentence. While one is being written, the next waits and only the latest is kept.
+    /// Writes changes in the background. Call once a frame; returns the outcome of a write that has ended, an error as
+    /// one sentence. During a write the next one waits, and only the latest is kept.
     Status remember(const Remembered& now);
-    /// Remembers what was chosen in this frame and how far the person is; gives the workbench what other windows have
-    /// added. `keeps_answers`: the exercises are their own, not a hand-in that is looked at.
+    /// Remembers the choices made in this frame and the person's progress, and passes additions by other windows to the
+    /// workbench. `keeps_answers`: the exercises are the person's own, not an opened hand-in.
     Status follow(const Requests& requests, Workbench& workbench, bool keeps_answers);
-    /// Another window may have written: when this one is given the focus, when the page hears of it. follow() and the
-    /// workbench's frame take over what is there.
+    /// Call when another window may have written the file: this window gets the focus, or the page is notified.
+    /// follow() and the workbench's frame then adopt the file's content.
     void read_again(Workbench& workbench);
-    /// Gives a window that opens what it had the last time.
+    /// Restores the remembered progress and answers in a newly opened window.
     void restore(Workbench& workbench, bool keeps_answers) const;
-    /// Waits until all is written.
+    /// Waits until everything is written.
     Status finish();
 
 private:
     Status take_written();
 
     std::filesystem::path file_;
-    Remembered remembered_;   ///< as this window has it
-    Remembered known_;        ///< the same when it was read or written last
-    Remembered sent_;         ///< the same, as it is being written
+    Remembered remembered_;   ///< current values in this window
+    Remembered known_;        ///< as last read or written
+    Remembered sent_;         ///< values being written
     bool is_written_ = true;  ///< or being written
-    bool has_news_ = false;   ///< of other windows, for the workbench
+    bool has_news_ = false;   ///< from other windows, for the workbench
     BackgroundTask<Remembered> writing_;
     std::string trouble_;
     bool is_first_time_ = false;

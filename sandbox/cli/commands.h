@@ -13,12 +13,12 @@ using Arguments = std::vector<std::string>;
 
 struct Command {
     const char* name;
-    const char* synopsis;  ///< what follows the name: "[STATE] [--set PATH=VALUE]…"
+    const char* synopsis;  ///< the arguments after the name: "[STATE] [--set PATH=VALUE]…"
     const char* about;     ///< one line for the list of commands
     const char* details;   ///< a paragraph or two for the command's own --help
-    const char* examples;  ///< a line each, without the program's name
-    const char* statuses;  ///< the digits of the exit statuses that the command has
-    /// Results go to stdout. What goes wrong is thrown as Failure.
+    const char* examples;  ///< one per line, without the program's name
+    const char* statuses;  ///< the digits of the exit statuses that the command can return
+    /// Writes results to stdout; throws Failure.
     ExitStatus (*run)(const Command& self, const Arguments& arguments);
 };
 
@@ -26,10 +26,10 @@ extern const Command open_command, snapshot_command, compare_command, matrices_c
     measure_command, lesson_command, exercises_command, grade_command, suite_command, sweep_command, state_command,
     params_command, presets_command, doctor_command;
 
-/// All of them in the order of --help.
+/// Returns all commands, in the order of --help.
 std::span<const Command* const> commands();
 
-/// The command of a name; nullptr when there is none.
+/// Returns the command with this name, or nullptr.
 const Command* find_command(const std::string& name);
 
 }  // namespace viewing

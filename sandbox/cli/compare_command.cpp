@@ -1,4 +1,4 @@
-// compare: two PNG files.
+// compare: compares two PNG files.
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedCompare {
     std::string a, b;
     std::optional<std::string> output, json;
@@ -21,15 +21,15 @@ struct TypedCompare {
 
 void declare_pictures(Options& options, TypedCompare& typed) {
     options.group("Pictures");
-    options.positional("A.png", typed.a, "The picture that is looked at; - for standard input");
-    options.positional("B.png", typed.b, "What it is compared with; - for standard input");
+    options.positional("A.png", typed.a, "The picture to check; - for standard input");
+    options.positional("B.png", typed.b, "The picture to compare it with; - for standard input");
 }
 
 void declare_outputs(Options& options, TypedCompare& typed) {
     options.group("Output");
     options.text("-o,--output", "DIFF.png", typed.output,
-                 "Writes a picture of the differences: A in faint grey, small differences blue, edges with other "
-                 "samples yellow, those beyond the threshold orange-red, what only one picture has violet");
+                 "Writes a picture of the differences: A in faint gray, small differences blue, edges with other "
+                 "samples yellow, differences beyond the threshold orange-red, areas that only one picture has violet");
     options.text("--json", "FILE|-", typed.json, ending_report_help);
 }
 
@@ -100,12 +100,12 @@ ExitStatus run_compare(const Command& self, const Arguments& arguments) {
 constinit const Command compare_command{
     "compare",
     "A.png B.png [--profile strict|portable] [--mask …] [-o DIFF.png] [--json FILE|-] [OPTIONS]",
-    "how much two PNG files differ, by how much at worst, and where",
-    "Says in one line whether two pictures are equal within thresholds. A pixel counts as different when a channel "
-    "differs by more than --worst levels; the pictures are equal when at most the share --share of the pixels does. "
-    "The portable profile does not count edges seen with other samples, and allows neither a block of five such pixels "
-    "nor a shift of the mean by 0.6 levels in any 16 × 16. Different sizes are a difference. A picture has at most "
-    "16384 pixels a side and 64 million in all.",
+    "compares two PNG files: how much they differ, by how much at worst, and where",
+    "Says in one line whether two pictures are equal within thresholds. A pixel counts as different if a channel "
+    "differs by more than --worst levels; the pictures are equal if at most a share of --share of the pixels does. The "
+    "portable profile does not count edges seen with other samples, and allows neither a block of five different "
+    "pixels nor a shift of the mean by more than 0.6 levels in any 16 × 16 pixels. Pictures of different sizes are "
+    "different. A picture has at most 16384 pixels per side and 64 million in total.",
     "compare mine.png reference.png\n"
     "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png\n"
     "compare mine.png reference.png --profile portable --mask 0,0,120,40 --json report.json\n"

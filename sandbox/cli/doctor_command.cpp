@@ -1,4 +1,5 @@
-// doctor: what GL and EGL there is, step by step. Works where there is nothing, and says what to install.
+// doctor: checks GL and EGL step by step. Works even if they are missing, and says what to install.
+#include <imgui.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,13 +36,13 @@ struct Step {
     const char* name;
     Health health = Health::fine;
     std::string found;
-    std::string advice;  ///< what to do about it; empty when it is fine
+    std::string advice;  ///< the cure; empty if there is no problem
 };
 
 struct Examination {
     std::vector<Step> steps;
     ExitStatus status = ExitStatus::done;
-    Json depth;  ///< by format; null where there is no context
+    Json depth;  ///< by format; null without a context
 };
 
 constexpr const char* install_drivers = "install Debian's packages libegl1, libegl-mesa0 and libgl1-mesa-dri";
@@ -67,8 +68,7 @@ void examine_egl(Examination& examination) {
         devices += (devices.empty() ? "" : "; ") + std::to_string(device.index) + ": " +
                    (device.name.empty() ? "unnamed" : device.name);
     if (devices.empty())
-        examination.steps.push_back(
-            {"devices", Health::remark, "EGL lists none; surfaceless is tried", install_drivers});
+        examination.steps.push_back({"devices", Health::remark, "EGL lists none; trying surfaceless", install_drivers});
     else
         examination.steps.push_back({"devices", Health::fine, devices, ""});
 }
@@ -84,16 +84,16 @@ void examine_capabilities(Examination& examination) {
             {name, there ? Health::fine : Health::remark, there ? "yes" : "no", there ? "" : otherwise});
     };
     add("glClipControl", capabilities.clip_control, "reversed depth keeps the clip range −1 … 1 and gains nothing");
-    add("clip distances", capabilities.clip_distance, "casters and mirror images are cut per pixel");
-    add("multisampling", capabilities.multisampling, "pictures have one sample a pixel, whatever view.samples says");
-    add("debug output", facts.debug_output, "errors are asked for with glGetError after each picture");
+    add("clip distances", capabilities.clip_distance, "casters and mirror images are clipped per pixel");
+    add("multisampling", capabilities.multisampling, "pictures have one sample per pixel, whatever view.samples says");
+    add("debug output", facts.debug_output, "errors are queried with glGetError after each picture");
 }
 
 std::string stored_as_text(const DepthPrecision& precision) {
     return precision.is_float ? "a 32-bit float" : std::to_string(precision.bits) + "-bit integers";
 }
 
-/// What the driver makes of a depth format, and whether it is what its name says.
+/// Reports how the driver stores a depth format, and whether that matches the format's name.
 void add_depth(Examination& examination, const char* name, DepthFormat format, const StoredDepth& stored) {
     const DepthPrecision wanted = precision_of(format);
     const bool is_as_named = stored.precision == wanted;
@@ -104,7 +104,7 @@ void add_depth(Examination& examination, const char* name, DepthFormat format, c
          "stored as " + stored_as_text(stored.precision) + "; a unit of glPolygonOffset is " +
              (stored.unit_codes == 1.0 ? (stored.precision.is_float ? "one step of the float" : "one code")
                                        : unit + codes),
-         is_as_named ? "" : "predictions go by what is stored, lists of codes by " + stored_as_text(wanted)});
+         is_as_named ? "" : "predictions use the stored format, lists of codes use " + stored_as_text(wanted)});
 }
 
 Json depth_as_json(const StoredDepth& stored) {
@@ -129,7 +129,7 @@ void examine_depth(Examination& examination, const gl::Capabilities& capabilitie
     }
 }
 
-/// The names of the variables that are set and that a driver or the library before it listens to.
+/// Returns the names of environment variables that are set and affect a driver or its loader.
 std::string variables_of_drivers() {
     constexpr std::array<std::string_view, 6> beginnings{"MESA_", "LIBGL_", "GALLIUM_", "__EGL_", "EGL_", "LP_"};
     std::vector<std::string> names;
@@ -143,10 +143,13 @@ std::string variables_of_drivers() {
     return joined(names);
 }
 
-/// What to do where there is no context, though there is a driver.
+/// Returns advice for a machine that has a driver but gets no context.
 std::string advice_for_refusal(const std::string& variables) {
-    const std::string half = "the driver is there, but too old or only half installed: see Debian's libgl1-mesa-dri";
-    return variables.empty() ? half : "try without what tells the driver what to do (" + variables + "); else " + half;
+    const std::string half =
+        "there is a driver, but it is too old or only partly installed: see Debian's libgl1-mesa-dri";
+    return variables.empty()
+               ? half
+               : "try without the variables that configure the driver (" + variables + "); otherwise " + half;
 }
 
 void examine_context(Examination& examination) {
@@ -170,7 +173,7 @@ void examine_context(Examination& examination) {
         return;
     }
     examination.steps.push_back({"shaders", Health::missing, renderer ? log.errors().front() : renderer.error(),
-                                 "the driver refuses the program's shaders: a newer libgl1-mesa-dri may help"});
+                                 "the driver rejects the program's shaders: a newer libgl1-mesa-dri may help"});
     examination.status = ExitStatus::gl_error;
 }
 
@@ -179,12 +182,14 @@ void examine_surroundings(Examination& examination) {
     for (const char* font : {"Inter-Regular.otf", "Inter-SemiBold.otf", "JetBrainsMono-Regular.ttf", "DejaVuSans.ttf"})
         font_bytes += embedded_font(font).size();
     examination.steps.push_back(
-        {"fonts", Health::fine, std::to_string(font_bytes / 1024) + " KiB, part of the program", ""});
+        {"fonts", Health::fine,
+         std::to_string(font_bytes / 1024) + " KiB, built into the program; drawn by Dear ImGui " + ImGui::GetVersion(),
+         ""});
 
     if (const std::string problem = assets_problem(); !problem.empty()) {
         examination.steps.push_back({"assets", Health::missing, problem,
-                                     "install the program whole; VIEWING_SANDBOX_ASSETS, which is there for "
-                                     "programs that stand apart from their assets, is best not set at all"});
+                                     "install the complete program; leave VIEWING_SANDBOX_ASSETS unset, which is only "
+                                     "for programs apart from their assets"});
         if (examination.status == ExitStatus::done) examination.status = ExitStatus::bad_input;
     } else {
         examination.steps.push_back({"assets", Health::fine,
@@ -199,19 +204,19 @@ void examine_surroundings(Examination& examination) {
             displays += (displays.empty() ? "" : ", ") + std::string(variable) + "=" + value;
     if (displays.empty())
         examination.steps.push_back({"display", Health::remark, "neither DISPLAY nor WAYLAND_DISPLAY is set",
-                                     "the window needs one (or Debian's package xvfb); every other command does not"});
+                                     "only the window needs one (or Debian's package xvfb)"});
     else
         examination.steps.push_back({"display", Health::fine, displays, ""});
 }
 
-/// What a write that was ended at once has left here.
+/// Reports files that an interrupted write left here.
 void examine_leftovers(Examination& examination) {
     std::string names;
     for (const std::filesystem::path& file : unfinished_files_in("."))
         names += (names.empty() ? "" : ", ") + one_line(file.filename().string());
     if (!names.empty())
-        examination.steps.push_back({"left behind", Health::remark, names,
-                                     "unfinished files of a program that was ended while it wrote: remove them"});
+        examination.steps.push_back(
+            {"left behind", Health::remark, names, "unfinished files of an interrupted program: remove them"});
 }
 
 const char* word(Health health) {
@@ -239,7 +244,7 @@ std::string as_text(const Examination& examination) {
     }
     switch (examination.status) {
         case ExitStatus::done:
-            return text + "Everything needed to draw is there.\n";
+            return text + "Everything needed to draw is available.\n";
         case ExitStatus::bad_input:
             return text + "Pictures can be drawn, but presets and scenes are missing: see above.\n";
         default:
@@ -265,7 +270,7 @@ Json examination_as_json(const Examination& examination) {
 ExitStatus run_doctor(const Command& self, const Arguments& arguments) {
     Options options(self);
     bool json = false;
-    options.flag("--json", json, "The same as JSON");
+    options.flag("--json", json, "Prints JSON instead");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     Examination examination;
@@ -285,13 +290,12 @@ ExitStatus run_doctor(const Command& self, const Arguments& arguments) {
 constinit const Command doctor_command{
     "doctor",
     "[--json]",
-    "what GL and EGL there is, step by step, and what to install if something is missing",
-    "Looks for everything that the program needs to draw without a display, in the order in which it needs it, and "
-    "names the Debian package that helps where something is missing. The context is the one that pictures are drawn "
-    "in. "
-    "Presets, scenes, lessons and exercises come from the folder assets beside the program, else from "
-    "../share/viewing-sandbox; the environment variable VIEWING_SANDBOX_ASSETS names another. Without them the exit "
-    "status is 2. Last it names what a program that was ended while it wrote has left in this folder.",
+    "checks GL and EGL step by step, and says what to install if something is missing",
+    "Checks everything that the program needs to draw without a display, in the order of need, and names the Debian "
+    "package to install for what is missing. The context is the one that pictures are drawn in. Presets, scenes, "
+    "lessons and exercises come from the folder assets beside the program, else from ../share/viewing-sandbox; the "
+    "environment variable VIEWING_SANDBOX_ASSETS names another. Without them the exit status is 2. Finally it lists "
+    "the unfinished files that an interrupted program left in this folder.",
     "doctor\n"
     "doctor --json",
     "023489",

@@ -50,7 +50,7 @@ void EndingReport::tell(const char* name, Json value) {
 
 void EndingReport::finish(Outputs& results, ExitStatus status, const std::string& sentence) {
     if (target_) results.add(*target_, text(status, sentence, seconds_so_far()));
-    // Where a reader keeps us waiting, half of the report may be out already.
+    // If writing blocks, half of the report may already be out.
     if (target_ && !is_plain_file(*target_)) forget_last_words();
     results.write();
     is_written_ = true;
@@ -94,7 +94,7 @@ void EndingReport::write_failure(ExitStatus status, const std::string& sentence)
     } catch (const std::bad_alloc&) {
         say_last_words(static_cast<int>(ExitStatus::internal_error));
     } catch (const std::exception&) {
-        // The command's own failure is what is told.
+        // Let the command's own failure be the one that is reported.
     }
 }
 

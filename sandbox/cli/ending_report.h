@@ -1,4 +1,4 @@
-// --json of the commands that compare: a report that is written however the command ends.
+// --json for the commands that compare: a report that is written however the command ends.
 #pragma once
 
 #include <chrono>
@@ -18,40 +18,38 @@ struct NamedFiles {
     std::vector<FileArgument> outputs, inputs;
 };
 
-/// What --help says of --json.
+/// The help text of --json.
 inline constexpr const char* ending_report_help =
-    "Writes a report as JSON, however the command ends: status, its meaning and the sentence, duration_s, version, "
-    "what "
-    "was named, and what was found so far; - for standard output. After a fault of the driver duration_s is null. "
-    "There is none where FILE cannot be written, is an "
-    "input or another output, or where the process is killed";
+    "Writes a JSON report however the command ends: status with its meaning and sentence, duration_s, version, the "
+    "names given and the results so far; - for standard output. After a driver crash duration_s is null. There is no "
+    "report if FILE cannot be written, is also an input or another output, or the process is killed";
 
 class EndingReport {
 public:
-    /// The clock starts. `target` is what --json says, once options are parsed: none, no report. `files` are asked for
-    /// when they are wanted.
+    /// Starts the clock. `target` holds the value of --json once options are parsed; empty means no report. `files` is
+    /// called when the names are needed.
     EndingReport(const Command& command, const Options& options, const std::optional<std::string>& target,
                  std::function<NamedFiles()> files);
     ~EndingReport();
     EndingReport(const EndingReport&) = delete;
     EndingReport& operator=(const EndingReport&) = delete;
 
-    /// What `work` returns. What it throws is written into the report, and thrown on.
+    /// Returns the result of `work`; writes an exception into the report and rethrows it.
     ExitStatus guard(const std::function<ExitStatus()>& work);
 
-    /// Checks all files (check_outputs); from then on --timeout and faults leave a report too.
+    /// Checks all files (check_outputs); from then on, an expired --timeout or a fault also leaves a report.
     void begin();
-    /// What the report has beside the ending, in this order; what was told by the same name before is replaced.
+    /// Adds a fact to the report, in the order of the calls; replaces an earlier one with the same name.
     void tell(const char* name, Json value);
-    /// Writes the results and with them the report, all or none.
+    /// Writes the results and the report together: all of them or none.
     void finish(Outputs& results, ExitStatus status, const std::string& sentence);
 
 private:
-    /// No duration: nobody knows it.
+    /// Omits the duration if it is unknown.
     std::string text(ExitStatus status, const std::string& sentence, std::optional<double> duration_s) const;
     double seconds_so_far() const;
     void prepare_last_words() const;
-    /// For an ending that nothing else tells of; never throws.
+    /// Writes the report of a failure that has not been reported yet; never throws.
     void write_failure(ExitStatus status, const std::string& sentence);
 
     const Command& command_;
@@ -63,7 +61,7 @@ private:
     bool is_watching_ = false, is_written_ = false;
 };
 
-/// A name that was typed; null where it was left out.
+/// Returns a name as typed; null if it was left out.
 Json name_as_json(const std::optional<std::string>& name);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// exercises: the list, a student's sheet, and the exercises' own tests. Read lesson/exercise.h for what one is.
+// exercises: prints the list, prints a student's sheet, and runs the exercises' own tests. Read lesson/exercise.h next.
 #include <algorithm>
 #include <array>
 
@@ -15,12 +15,13 @@
 #include "report/exercise_check.h"
 #include "report/state_numbers.h"
 #include "state/file/json.h"
+#include "text/catalogue.h"
 #include "text/words.h"
 
 namespace viewing {
 namespace {
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedExercises {
     std::vector<std::string> files;
     std::optional<std::string> student, course, set, format, language, device;
@@ -34,26 +35,27 @@ std::string list_of(const std::vector<Exercise>& exercises) {
     int points = 0;
     for (const Exercise& exercise : exercises) {
         points += exercise.points;
-        lines += exercise.id + " — " + exercise.title.in_english() + " (" + joined(exercise.sets) + "; slides " +
-                 joined(exercise.slides) + "; " + counted(exercise.points, "point") + "; " +
-                 counted(std::ssize(exercise.variants), "variant") + ")\n";
+        lines += exercise.id + " — " + exercise.title.shown() + " (" + joined(exercise.sets) + "; " +
+                 say("slides {slides}", "slides"_a = joined(exercise.slides)) + "; " + points_text(exercise.points) +
+                 "; " + say_count(std::ssize(exercise.variants), "1 variant", "{count} variants") + ")\n";
     }
-    return lines + counted(std::ssize(exercises), "exercise") + ", " + counted(points, "point") + "\n";
+    return lines + say_count(std::ssize(exercises), "1 exercise", "{count} exercises") + ", " + points_text(points) +
+           "\n";
 }
 
 // ---- a student's sheet ---------------------------------------------------------------------------------------------
 
-/// What a sheet says of one exercise.
+/// One exercise on a sheet.
 struct Question {
     const Sheet::Item& item;
     const LessonStep& step;
-    std::string solution;  ///< "" unless it was asked for
+    std::string solution;  ///< "" unless requested
 };
 
 std::string as_text(const Question& question) {
     const Ask& ask = question.step.ask;
-    std::string text = question.item.exercise + " · " + question.item.title.shown() + " · " +
-                       counted(question.item.points, "point") + "\n";
+    std::string text =
+        question.item.exercise + " · " + question.item.title.shown() + " · " + points_text(question.item.points) + "\n";
     text += wrapped(question.step.say.shown(), 2);
     text += wrapped(ask.question.shown(), 2);
     for (std::size_t i = 0; i < ask.choices.size(); ++i)
@@ -106,7 +108,7 @@ Image camera_picture(Headless& headless, const LoadedState& state) {
     return headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
 }
 
-/// A fault that one cannot see is no exercise: with all but one mended the picture must differ from the right one.
+/// Checks that every fault is visible: with all faults but one fixed, the picture must differ from the correct one.
 LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, Headless& headless) {
     LessonFindings findings;
     const auto with = [&](const std::vector<std::string>& settings) {
@@ -120,7 +122,7 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(fault));
         const std::int64_t different_px = compare_images(right, with(others)).different;
         if (different_px < exercise.visible_px)
-            findings.push_back(exercise.id + ", step " + step.id + ": " + step.ask.model[fault] + " alone mends " +
+            findings.push_back(exercise.id + ", step " + step.id + ": " + step.ask.model[fault] + " alone fixes " +
                                std::to_string(different_px) + " pixels, fewer than " +
                                std::to_string(exercise.visible_px));
     }
@@ -145,7 +147,7 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
             failed += check.findings.empty() ? 0 : 1;
         }
         lines += found + exercise.id + ": " + std::to_string(exercise.variants.size()) + " deployed, " +
-                 counted(wrong_answers, "wrong answer") + " told apart, " +
+                 counted(wrong_answers, "wrong answer") + " distinguished, " +
                  counted(failed, "variant fails", "variants fail") + "\n";
         variants += std::ssize(exercise.variants);
         failures += failed;
@@ -154,11 +156,11 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
     if (failures > 0)
         throw Failure(ExitStatus::different,
                       "exercises --test: " + counted(failures, "variant fails", "variants fail"));
-    print(counted(variants, "variant") + ": right accepted, wrong ones refused and told apart\n");
+    print(counted(variants, "variant") + ": right answers accepted, wrong ones refused and distinguished\n");
     return ExitStatus::done;
 }
 
-/// The variants as they go into a file, so that a later version of the program gives the same sheets.
+/// Prints the variants for a course file, so that later versions of the program produce the same sheets.
 void print_deployed(const TypedExercises& typed) {
     for (const std::string& file : typed.files) {
         const std::string text = value_or_end(read_text_file(file));
@@ -174,29 +176,29 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     Options options(self);
     TypedExercises typed;
     options.group("Exercises");
-    options.positionals("FILE|DIR", typed.files, "A lecturer's own exercises; left out, the program's");
+    options.positionals("FILE|DIR", typed.files, "Your own exercises; default: the program's");
     options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only those of a set (camera, hidden, depth, shadow, mirror), or these");
+                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or these");
     options.group("A student's sheet");
-    options.text("--student", "ID", typed.student, "Prints this student's questions, each with numbers of its own");
-    options.text("--course", "C", typed.course, "Another course gives other numbers");
-    options.flag("--solutions", typed.solutions, "With model answers, for the lecturer");
-    options.text("--format", "text|json", typed.format, "Of the sheet; default text");
-    options.text("--language", "en|ko", typed.language, "Of the sheet, or of what --test judges; default en");
-    options.group("For who writes them");
+    options.text("--student", "ID", typed.student, "Prints this student's questions, each with its own numbers");
+    options.text("--course", "C", typed.course, "The course; another course gives other numbers");
+    options.flag("--solutions", typed.solutions, "Adds model answers, for the lecturer");
+    options.text("--format", "text|json", typed.format, "Format of the sheet; default text");
+    options.text("--language", "en|ko", typed.language,
+                 "Language of the sheet, or of the texts that --test checks; default en");
+    options.group("For authors");
     options.flag("--test", typed.test,
-                 "Every deployed variant: the model answer is right, each listed wrong one is refused and told apart, "
-                 "each fault can be seen; 0, or 1 with a line for each thing that fails");
+                 "Tests every deployed variant: the model answer is accepted, each listed wrong one is refused and "
+                 "distinguished, each fault is visible; exits with 0, or 1 and a line per failure");
     options.flag("--deploy", typed.deploy,
-                 "Prints the variants of FILE, to be kept in it: a later version then gives the same sheets");
+                 "Prints the variants of FILE to keep in it, so that later versions give the same sheets");
     add_device_option(options, typed.device);
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (typed.test + typed.deploy + typed.student.has_value() > 1)
-        options.refuse("only one of --student, --test and --deploy");
+        options.refuse("give only one of --student, --test and --deploy");
     if (!typed.student && (typed.solutions || typed.course || typed.format))
         options.refuse("--solutions, --course and --format need --student ID");
-    if (typed.language && !typed.student && !typed.test) options.refuse("--language needs --student ID or --test");
     if (typed.deploy) {
         if (typed.files.empty()) options.refuse("--deploy needs FILE");
         print_deployed(typed);
@@ -218,9 +220,9 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
 constinit const Command exercises_command{
     "exercises",
     "[FILE|DIR…] [--set NAME] [--student ID [--course C] [--solutions]] [--test]",
-    "exercises that check themselves: the list, a student's sheet, their own tests",
-    "Each student has numbers of their own, which the student's number, the course and the exercise say alone: the "
-    "same command gives the same sheet at any time, and grade picks them again.",
+    "lists self-checking exercises, prints a student's sheet, runs their tests",
+    "Each student has their own numbers, derived from only the student number, the course and the exercise: the same "
+    "command always gives the same sheet, and grade derives the same numbers again.",
     "exercises\n"
     "exercises --student 32201234 --course viewing-2026 --set shadow\n"
     "exercises --student 32201234 --solutions --format json\n"

@@ -22,7 +22,7 @@ enum class ExitStatus {
     internal_error = 9
 };
 
-/// What a status means, as --help lists it.
+/// Returns the meaning of a status, as --help lists it.
 inline const char* meaning(ExitStatus status) {
     switch (status) {
         case ExitStatus::done:
@@ -38,19 +38,19 @@ inline const char* meaning(ExitStatus status) {
         case ExitStatus::nan_or_blank:
             return "NaN in the picture, or a blank one with --fail-if-blank";
         case ExitStatus::reference_missing:
-            return "the reference of --compare is missing";
+            return "the --compare reference is missing";
         case ExitStatus::not_repeatable:
-            return "the pictures of --repeat are not byte-equal";
+            return "the --repeat pictures are not byte-identical";
         case ExitStatus::out_of_time:
-            return "the time of --timeout has run out";
+            return "--timeout expired";
         case ExitStatus::internal_error:
             return "an internal error";
     }
     return "";
 }
 
-/// The sentence of std::bad_alloc.
-inline constexpr const char* not_enough_memory = "internal error: there is not enough memory";
+/// The message for std::bad_alloc.
+inline constexpr const char* not_enough_memory = "internal error: out of memory";
 
 /// Ends a command with a status and one sentence for a person. Thrown inside cli/ and caught by run_command_line.
 struct Failure : std::runtime_error {
@@ -59,7 +59,7 @@ struct Failure : std::runtime_error {
     ExitStatus status;
 };
 
-/// The value of a result; its error ends the command.
+/// Returns the value of a result; an error ends the command.
 template <typename T>
 T value_or_end(Result<T> result, ExitStatus status = ExitStatus::bad_input) {
     if (!result) throw Failure(status, result.error());

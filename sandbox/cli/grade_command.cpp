@@ -1,4 +1,4 @@
-// grade: hand-ins judged again, as a table, a page, or for a program. Read report/grading.h for how.
+// grade: judges hand-ins again and writes a table, a page, or JSON. Read report/grading.h next.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -15,6 +15,7 @@
 #include "platform/file.h"
 #include "platform/heap.h"
 #include "report/grading.h"
+#include "state/person/language.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -25,39 +26,40 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> grade_formats{"text", "csv", "json"};
 enum class Format { text, csv, json };
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedGrade {
     std::vector<std::string> files, exercises;
-    std::optional<std::string> format, set, course, html, output, device;
-    bool tags = false;
+    std::optional<std::string> format, set, course, html, output, device, language;
+    bool tags = false, bom = false;
 };
 
 void declare(Options& options, TypedGrade& typed) {
     options.group("Hand-ins");
     options.positionals("FILE|DIR", typed.files,
-                        "What students handed in, or folders of it: the .json files in them and in their folders, "
-                        "by their paths; links are not followed, hidden ones are skipped");
+                        "Hand-ins, or folders of hand-ins: all .json files in them and their subfolders, sorted by "
+                        "path; links are not followed, hidden files are skipped");
     options.text("--course", "C", typed.course,
-                 "The course that students were given their numbers by, in place of what each file says: a file that "
-                 "names another is noted");
+                 "The course from which the students' numbers were derived, instead of the one in each file; a file "
+                 "that names another gets a note");
     options.group("Exercises");
     options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only those of a set (camera, hidden, depth, shadow, mirror), or these; what is not asked for does "
-                 "not count");
+                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or these; others do not count");
     options.texts("--exercises", "FILE|DIR", typed.exercises,
-                  "A lecturer's own exercises in place of the program's; may be given several times");
+                  "Your own exercises instead of the program's; repeatable");
     options.group("Output");
     options.text("--format", "FORMAT", typed.format, "text (default), csv or json");
     options.flag("--tags", typed.tags,
-                 "How many students showed which misconception: below the text's table, in place of the csv's");
-    options.text("-o,--output", "OUT", typed.output, "Where the table goes; default -, standard output");
+                 "Counts the students with each misconception: below the text table, instead of the csv table");
+    options.flag("--bom", typed.bom, "Begins csv with a byte order mark: Excel then reads names as UTF-8");
+    options.text("--language", "en|ko", typed.language, "Of the page, titles and feedback; default en");
+    options.text("-o,--output", "OUT", typed.output, "File for the table; default -, standard output");
     options.text("--html", "REPORT.html", typed.html,
                  "Writes a page for the lecturer: points, misconceptions, every attempt, and pictures of what wrong "
                  "shadow and mirror matrices do");
     add_device_option(options, typed.device);
 }
 
-/// The .json files of a folder by name, or the argument itself.
+/// Returns the .json files in a folder, sorted by name, or the argument itself.
 std::vector<fs::path> files_of(const std::string& argument) {
     std::error_code error;
     if (!fs::is_directory(argument, error)) return {argument};
@@ -109,29 +111,30 @@ bool is_all_right(const StudentGrade& grade) {
     return grade.is_all_right();
 }
 
-/// "3 of 12 hand-ins are"
+/// Returns, for example, "3 of 12 hand-ins are".
 std::string how_many(const std::vector<StudentGrade>& grades, bool (*are)(const StudentGrade&)) {
     return std::to_string(std::count_if(grades.begin(), grades.end(), are)) + " of " + std::to_string(grades.size()) +
            " hand-ins are";
 }
 
-/// Throws Failure unless everything was judged, read and is right. `skipped`: "", or how many files were, and why.
+/// Throws Failure unless all hand-ins were read, judged and found correct. `skipped` says how many files were skipped
+/// and why, or is "".
 void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped) {
     const std::string behind = skipped.empty() ? "" : "; " + skipped;
     if (std::any_of(grades.begin(), grades.end(), is_cut))
         throw Failure(ExitStatus::out_of_time, TimeLimit::sentence() + "; " + how_many(grades, is_cut) +
-                                                   " not judged to the end, and marked" + behind);
+                                                   " not fully judged, and marked as such" + behind);
     const auto is_broken = [](const StudentGrade& grade) { return !grade.error.empty(); };
     const auto first = std::find_if(grades.begin(), grades.end(), is_broken);
     if (first != grades.end()) {
         const auto more = std::count_if(std::next(first), grades.end(), is_broken);
         throw Failure(ExitStatus::bad_input,
                       first->error +
-                          (more > 0 ? "; " + std::to_string(more) + " more cannot be read, as the table says" : "") +
+                          (more > 0 ? "; " + std::to_string(more) + " more cannot be read (see the table)" : "") +
                           behind);
     }
     if (!std::all_of(grades.begin(), grades.end(), is_all_right))
-        throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " all right" + behind);
+        throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " fully correct" + behind);
 }
 
 ExitStatus run_grade(const Command& self, const Arguments& arguments) {
@@ -140,13 +143,15 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     declare(options, typed);
     constexpr unsigned grace_s = 30;
     options.keep_what_is_done(grace_s,
-                              "Judges no further answer after so many seconds, writes what there is, marks the rest "
-                              "as not judged, and exits 8: within 30 seconds more");
+                              "Stops judging after S seconds, writes the results so far, marks the rest as not judged, "
+                              "and exits with status 8 within 30 more seconds");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    if (typed.files.empty()) options.refuse("a hand-in is missing: " + std::string(self.synopsis));
+    if (typed.files.empty()) options.refuse("no hand-in given: " + std::string(self.synopsis));
     const auto format =
         static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), grade_formats));
+    if (typed.bom && format != Format::csv) options.refuse("--bom needs --format csv");
+    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
     const std::string output = typed.output.value_or("-");
     std::vector<FileArgument> outputs{{"-o", output}};
     if (typed.html) outputs.push_back({"--html", *typed.html});
@@ -161,18 +166,19 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     Headless headless(device_option(options, typed.device));
     Grader grader(std::move(exercises), headless.renderer());
     grader.also_know(std::move(known));
-    grader.stop_when(TimeLimit::has_run_out, "the time of --timeout ran out");
+    grader.stop_when(TimeLimit::has_run_out, "--timeout expired");
     const std::vector<StudentGrade> grades = graded(typed, found, grader);
     headless.require_no_errors();
     const std::vector<TagCount> tags = count_tags(grader.exercises(), grades);
     const std::string files = files_in_words(grades, found);
     Outputs results;
-    results.add(output, table(format, typed.tags, grader.exercises(), grades, tags, found));
+    results.add(output,
+                (typed.bom ? "\xEF\xBB\xBF" : "") + table(format, typed.tags, grader.exercises(), grades, tags, found));
     if (typed.html) results.add(*typed.html, grade_report(headless, grader, grades, tags, files));
     results.write();
     const std::string skipped = found.skipped.empty() ? "" : files;
     end_by(grades, skipped);
-    if (format == Format::csv && !skipped.empty())  // the other forms have it in themselves
+    if (format == Format::csv && !skipped.empty())  // the other formats include it
         std::fprintf(stderr, "grade: %s\n", skipped.c_str());
     return ExitStatus::done;
 }
@@ -182,17 +188,17 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
 constinit const Command grade_command{
     "grade",
     "FILE|DIR… [--format text|csv|json] [--set NAME] [--tags] [--html REPORT.html] [OPTIONS]",
-    "hand-ins judged again: points, misconceptions, every attempt",
-    "Trusts a hand-in's student number, answers and changes only: the student's variants are picked again, and every "
-    "answer is judged again. A cell is the points of a right answer, p1 for one that is partly right, w or w:M33 for a "
-    "wrong one and the misconception it shows, - where there is none, v! where it is the answer to a variant that is "
-    "not this student's, ? where it could not be judged. first try counts the exercises that were right at once, of "
-    "those that were tried. Notes are what somebody might look at, and judge nothing: the same times of attempts or "
-    "the same changes in two files, all right within seconds, another student's variant. A file that cannot be read "
-    "costs its own line alone, and one with more answers than one file may cost has the last, the first and the latest "
-    "of the others judged, which its notes say. In csv, first_try is a number and a missing answer an empty cell. The "
-    "exit status is 0 "
-    "when everybody has everything right, 1 when somebody has not, 2 when a file cannot be read.",
+    "judges hand-ins again: points, misconceptions, every attempt",
+    "Trusts only the student number, answers and changes in a hand-in: derives the student's variants again, and "
+    "judges every answer again. A cell is the points of a right answer, p1 for a partly right one, w or w:M33 for a "
+    "wrong one and the misconception it shows, - for a missing one, v! for an answer to a variant that is not this "
+    "student's, ? for one that could not be judged. first try counts the exercises that were right at the first "
+    "attempt, out of those tried. Notes point out what may deserve a look, and judge nothing: the same times of "
+    "attempts or the same changes in two files, everything right within seconds, another student's variant. A file "
+    "that cannot be read costs only its own line. In a file with too many answers, the last, the first and the latest "
+    "that the file marks as right are judged, and its notes say so. In csv, first_try is a number and a missing answer "
+    "an empty cell. "
+    "The exit status is 0 if everybody has everything right, 1 if somebody has not, 2 if a file cannot be read.",
     "grade hand-ins\n"
     "grade hand-ins --set shadow --tags\n"
     "grade hand-ins --course viewing-2026 --format csv -o grades.csv --html report.html\n"

@@ -10,10 +10,9 @@ namespace viewing {
 
 void require_threads() {
     if (!can_start_threads(threads_of_a_driver()))
-        throw Failure(
-            ExitStatus::internal_error,
-            "no further threads can be started here, and the graphics driver needs some, with memory for each; "
-            "ulimit -u, ulimit -v and the limits of the container tell how many there may be");
+        throw Failure(ExitStatus::internal_error,
+                      "cannot start the threads that the graphics driver needs, or allocate their memory; check ulimit "
+                      "-u, ulimit -v and the container's limits");
 }
 
 Result<gl::EglContext> context_for_pictures(const std::string& device) {
@@ -58,16 +57,15 @@ ExitStatus status_of_trouble(PictureView view) {
 }
 
 void add_device_option(Options& options, std::optional<std::string>& device) {
-    options.text(
-        "--device", "N|auto", device,
-        "The EGL device that draws: its number (viewing-sandbox doctor), or auto for the first hardware device "
-        "that works; left out: software, whose pictures repeat");
+    options.text("--device", "N|auto", device,
+                 "EGL device to draw with: its number (viewing-sandbox doctor), or auto for the first hardware device "
+                 "that works; default: software, whose pictures are reproducible");
 }
 
 std::string device_option(const Options& options, const std::optional<std::string>& device) {
     if (!device || *device == "auto") return device.value_or("");
     const auto count = static_cast<int>(gl::egl_devices().size());
-    if (count == 0) throw Failure(ExitStatus::no_context, "--device " + *device + ": EGL knows no devices here");
+    if (count == 0) throw Failure(ExitStatus::no_context, "--device " + *device + ": EGL lists no devices here");
     whole_option(options, "--device", *device, 0, count - 1);
     return *device;
 }

@@ -1,4 +1,4 @@
-// A context without a display and a renderer in it: what every command that draws starts with.
+// A context without a display and its renderer, for every command that draws.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,16 @@
 
 namespace viewing {
 
-/// Throws Failure where the driver could not start its threads: it would wait for them for ever.
+/// Throws Failure if the driver could not start its threads, for which it would wait forever.
 void require_threads();
 
-/// What every picture is drawn in, made after require_threads(). `device` as EglContext::make takes it.
+/// Returns the context for all pictures, made after require_threads(). `device` is passed to EglContext::make.
 Result<gl::EglContext> context_for_pictures(const std::string& device);
 
 class Headless {
 public:
-    /// `device` as EglContext::make takes it. Throws Failure: no context, or a driver that refuses a shader.
+    /// `device` is passed to EglContext::make. Throws Failure if there is no context, or if the driver rejects a
+    /// shader.
     explicit Headless(const std::string& device);
 
     Renderer& renderer() { return *renderer_; }
@@ -29,17 +30,17 @@ public:
 
     gl::DebugLog& log() { return log_; }
 
-    /// Throws Failure with GL's own words when it has reported an error so far.
+    /// Throws Failure with GL's message if GL has reported an error.
     void require_no_errors();
 
-    /// The value of a drawing; its error, or one that GL reported, ends the command.
+    /// Returns the value of a drawing. Its error, or one that GL reported, ends the command.
     template <typename T>
     T drawn(Result<T> result, ExitStatus status_of_its_error = ExitStatus::gl_error) {
         require_no_errors();
         return value_or_end(std::move(result), status_of_its_error);
     }
 
-    /// Where leave() takes down nothing, this is not taken down either. For the last one of a command.
+    /// Keeps a command's last object of this class until the process exits, if leave() skips destructors.
     static void keep_to_the_end(std::unique_ptr<Headless> last);
 
 private:
@@ -48,19 +49,19 @@ private:
     std::optional<Renderer> renderer_;
 };
 
-/// Refuses a --size that the view cannot have (check_picture_size).
+/// Refuses a --size that is not possible for the view (check_picture_size).
 void check_size(const Options& options, const PictureRequest& request);
 
-/// Throws Failure where a hidden-surface method does not take the scene on: before anything is spent on it.
+/// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// What an error of draw_picture is without one of GL: a view by itself that has nothing to show, or no room for it.
+/// Returns the status for an error of draw_picture without a GL error: a single view may be empty, or not fit.
 ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.
 void add_device_option(Options& options, std::optional<std::string>& device);
 
-/// The wish for EglContext::make; refuses what is neither "auto" nor the index of a device.
+/// Returns the argument for EglContext::make; refuses anything but "auto" and the index of a device.
 std::string device_option(const Options& options, const std::optional<std::string>& device);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// inspect: what is at one pixel, read back from the buffers, and every surface that was sent there.
+// inspect: reads one pixel back from the buffers, and lists every surface drawn there.
 #include <iostream>
 #include <sstream>
 
@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// A file's pixels, one "X,Y" a line; empty lines are skipped.
+/// Returns the pixels in a file, one "X,Y" per line; skips empty lines.
 std::vector<std::string> lines_of(const std::string& file) {
     std::istringstream lines(value_or_end(file == "-" ? read_text(std::cin, "standard input") : read_text_file(file)));
     std::vector<std::string> pixels;
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& file) {
     return pixels;
 }
 
-/// The one that the state chose, as a person would type it; none where it chose none.
+/// Returns the pixel pinned by the state, in the form that --pixel takes; nothing if it pins none.
 std::optional<std::string> pixel_of_state(const Params& params, const Derived& derived, const Scene& scene,
                                           glm::ivec2 size_px) {
     const PinnedPixel pinned = pinned_pixel(params, derived, plan(params, derived), scene, size_px);
@@ -43,8 +43,8 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
     std::optional<std::string> file, size_text, device_text;
     options.group("Pixel");
     options.texts("--pixel", "X,Y", pixel_texts,
-                  "Which one; 0,0 is the top left; as often as wanted; default: the state's view.pin or view.pixel");
-    options.text("--pixels", "FILE|-", file, "Those of a file, one X,Y a line, after --pixel");
+                  "The pixel; 0,0 is the top left; repeatable; default: the state's view.pin or view.pixel");
+    options.text("--pixels", "FILE|-", file, "Adds the pixels of a file, one X,Y per line, after --pixel");
     options.text("--size", "WxH", size_text, size_help);
     add_device_option(options, device_text);
     if (!options.parse(arguments)) return ExitStatus::done;
@@ -76,22 +76,19 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
 constinit const Command inspect_command{
     "inspect",
     "[STATE] [--set PATH=VALUE]… --pixel X,Y… [--pixels FILE] [--size WxH] [--device N|auto]",
-    "colour, depth, stencil, object and all fragments at one pixel, as JSON",
-    "Draws the camera view without multisampling and reads one pixel back, or several: then it prints an array. The "
-    "colour is that of snapshot --view camera --samples 0, so it is what view.shows makes of the pixel; what else is "
-    "said is the surface's: the depth as stored and as it is in the eye's space, the width of one stored code there "
-    "(step) and what can be told apart there, which for a float is often more (resolvable_step), the stencil value, "
-    "and "
-    "whose surface it is. \"object\" is null for the background, \"plane\" for the plane's patch and \"plane 2\" for a "
-    "further one's; eye_z, step and world are null where the depth is that of a cleared buffer. \"fragments\" are all "
-    "surfaces on the pixel's ray in drawing order, computed: the code that each stores, how far GL's may be from it, "
-    "in "
-    "codes or a float's last places (within), whether it passes the tests at its turn and whether its colour is drawn; "
-    "the last one drawn is what is seen. \"culled\", \"tie\" (the same code as the one it is compared with) and "
-    "\"rounding\" (surfaces so close that GL's rounding decides, not the codes) stand only where they are true. Mirror "
-    "image and shadows are left out. \"raster\" stands only where visibility.raster makes a picture of few large "
-    "pixels: its size and the one of its pixels that this one shows, whose middle then is what the fragments are "
-    "about; "
+    "prints color, depth, stencil, object and all fragments at one pixel, as JSON",
+    "Draws the camera view without multisampling and reads back one pixel, or several: then it prints an array. The "
+    "color is that of snapshot --view camera --samples 0, so it depends on view.shows; the other values describe the "
+    "surface: its depth as stored and in eye space, the width of one depth code there (step) and the smallest distance "
+    "that can be resolved there, which for a float is often larger (resolvable_step), the stencil value, and the "
+    "object it belongs to. \"object\" is null for the background, \"plane\" for the patch of the plane and \"plane 2\" "
+    "for that of another one; eye_z, step and world are null if the depth is that of a cleared buffer. \"fragments\" "
+    "lists all surfaces on the ray of the pixel in drawing order, computed: the code that each one stores, how far the "
+    "code of GL may be from it, in codes or last places of a float (within), whether it passes the tests at its turn "
+    "and whether its color is drawn; the last one drawn is visible. \"culled\", \"tie\" (the same code as the one it "
+    "is compared with) and \"rounding\" (surfaces so close that the rounding of GL decides, not the codes) appear only "
+    "if true. Mirror image and shadows are left out. \"raster\" appears only if visibility.raster makes a picture of "
+    "few large pixels: its size and the pixel of it that this one shows, whose center the fragments then refer to; "
     "null beside the picture.",
     "inspect --pixel 640,360\n"
     "inspect --pixel 640,360 --pixel 100,50\n"

@@ -1,4 +1,5 @@
-// lesson: the window in a lesson; or, without a window, its own tests and the names that its expressions may use.
+// lesson: opens the window in a lesson; or, without a window, prints handouts, runs the lessons' tests, or lists the
+// names that expressions may use.
 #include <algorithm>
 
 #include "app/picture.h"
@@ -13,12 +14,13 @@
 #include "lesson/names.h"
 #include "report/lesson_check.h"
 #include "state/scene.h"
+#include "text/catalogue.h"
 #include "text/words.h"
 
 namespace viewing {
 namespace {
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedLesson {
     std::vector<std::string> lessons;
     std::optional<std::string> device, step, notes, handout, language;
@@ -28,13 +30,15 @@ struct TypedLesson {
 std::string list_of_lessons() {
     std::string lines;
     for (const LessonFile& file : lessons()) {
-        lines += file.id + " — " + file.title.in_english() + " (slides " + joined(file.slides) + "; " +
-                 std::to_string(file.minutes) + " min; " + counted(file.steps, "step") + ")\n";
+        lines += file.id + " — " + file.title.shown() + " (" +
+                 say("slides {slides}; {minutes} min; {steps}", "slides"_a = joined(file.slides),
+                     "minutes"_a = file.minutes, "steps"_a = say_count(file.steps, "one step", "{count} steps")) +
+                 ")\n";
     }
     return lines;
 }
 
-/// Both pictures of a step, as a test that they can be drawn at all.
+/// Tests that both pictures of a step can be drawn.
 LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless& headless) {
     LessonFindings findings;
     for (const Params* const params : {&step.start.params, &step.revealed}) {
@@ -42,7 +46,7 @@ LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless&
         state.params = *params;
         const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
                                                {.origin = state.scene_origin, .reach = state.reach});
-        if (!scene) return findings;  // check_step has said so
+        if (!scene) return findings;  // check_step has reported the error
         PictureRequest request;
         request.view = PictureView::camera;
         request.size_px = {640, 360};
@@ -80,7 +84,7 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     }
     if (findings.empty()) {
         print(counted(std::ssize(read), "lesson") + ", " + counted(steps, "step") +
-              ": claims hold, answers are judged right, all are drawn\n");
+              ": claims hold, answers are judged correctly, every step can be drawn\n");
         return ExitStatus::done;
     }
     print(findings);
@@ -88,7 +92,7 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     throw Failure(ExitStatus::different, "lesson --check: " + counted(count, "finding"));
 }
 
-/// Those that are no lessons of the program.
+/// Returns the lessons given as files, without the built-in ones.
 std::vector<FileArgument> lesson_files(const TypedLesson& typed) {
     std::vector<FileArgument> files;
     for (const std::string& lesson : typed.lessons) add_file_if_there(files, "the lesson", lesson);
@@ -108,7 +112,7 @@ ExitStatus write_handout(const Options& options, const TypedLesson& typed) {
     return ExitStatus::done;
 }
 
-/// The window in the lesson; without one named, with the page of all.
+/// Opens the window in the lesson, or on the page of all lessons if none is named.
 ExitStatus show_lesson(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
     WindowMemory memory(remembered_file(), false);
@@ -141,35 +145,33 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     Options options(self);
     TypedLesson typed;
     options.group("Lesson");
-    options.positionals("ID|FILE", typed.lessons,
-                        "A lesson's name (--list), or a file of one's own; --check takes several");
-    options.text("--step", "N", typed.step, "Begins there, counted from 1; else where one was the last time");
-    options.flag("--present", typed.presents, "In front of a room: full screen, in large type, by a clicker's keys");
+    options.positionals("ID|FILE", typed.lessons, "A lesson's name (--list) or your own file; --check takes several");
+    options.text("--step", "N", typed.step, "Step to begin with, counted from 1; default: where you left off");
+    options.flag("--present", typed.presents, "For a lecture room: full screen, large type, a clicker's keys");
     options.text("--notes", "terminal|window|FILE", typed.notes,
-                 "The lecturer's notes while the room sees the step: in this terminal, in a window of their own, or "
-                 "written to a "
-                 "file whenever they change");
+                 "Shows the lecturer's notes while the room sees the step: in this terminal, in a separate window, or "
+                 "in a file rewritten at each change");
     options.text("--language", "en|ko", typed.language,
-                 "Of the window or the handout; left out: the one chosen the last time, and English on paper");
+                 "Language of the window or the handout; default: the one last chosen, English for a handout");
     options.group("Without a window");
     options.text("--handout", "OUT.html", typed.handout,
-                 "The lesson on paper: a page for each step; - for standard output");
-    options.flag("--answers", typed.answers, "With the answers");
-    options.flag(
-        "--check", typed.check,
-        "Tests lessons, all of the program's where none is named: claims, model answers, wrong answers, and that "
-        "every step can be drawn; 0, or 1 with a line for each thing that fails");
+                 "Writes the lesson for printing, a page per step; - for standard output");
+    options.flag("--answers", typed.answers, "Adds the answers");
+    options.flag("--check", typed.check,
+                 "Tests the named lessons, or all of the program's: claims, model answers, wrong answers, and that "
+                 "every step can be drawn; exits with 0, or 1 and a line per failure");
     options.flag("--names", typed.names, "Prints the names that expressions may use");
-    options.flag("--list", typed.list, "Prints the lessons that come with the program, a line each");
+    options.flag("--list", typed.list, "Prints the lessons that come with the program, one per line");
     add_device_option(options, typed.device);
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    if (typed.check + typed.names + typed.list > 1) options.refuse("only one of --check, --names and --list");
+    if (typed.check + typed.names + typed.list > 1) options.refuse("give only one of --check, --names and --list");
     if (typed.names) {
         print(expression_names_as_text());
         return ExitStatus::done;
     }
     if (typed.list) {
+        if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
         print(list_of_lessons());
         return ExitStatus::done;
     }
@@ -183,10 +185,9 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
 
 constinit const Command lesson_command{"lesson",
                                        "[ID|FILE] [--step N] [--present] [--notes terminal|window|FILE] [OPTIONS]",
-                                       "the window in a guided lesson: each step asks before it shows",
-                                       "A lesson is a JSON file of steps, each with its whole state, a question, the "
-                                       "answers that people give, and what is "
-                                       "shown then.",
+                                       "opens the window in a guided lesson: each step asks before it shows",
+                                       "A lesson is a JSON file of steps, each with a full state, a question, the "
+                                       "answers that people give, and what to show afterwards.",
                                        "lesson view-is-the-inverse\n"
                                        "lesson depth-fighting --present\n"
                                        "lesson --list\n"

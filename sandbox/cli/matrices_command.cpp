@@ -1,4 +1,4 @@
-// matrices: every matrix of the lecture with its numbers, no GL needed.
+// matrices: prints every matrix of the lecture with its numbers. Needs no GL.
 #include <array>
 #include <utility>
 
@@ -21,15 +21,15 @@ constexpr std::array formats{MatrixFormat::text, MatrixFormat::latex, MatrixForm
 
 constexpr int most_digits = 17;
 
-/// What is printed, and how.
+/// The matrices to print, and their format.
 struct TypedMatrices {
     std::vector<ChosenMatrix> matrices;
-    int digits = 0;  ///< significant ones; 0: all
+    int digits = 0;  ///< significant digits; 0: all
     bool is_symbolic = false;
 };
 
 std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>& problems, MatrixFormat format) {
-    // What stands between $ and $ has no empty lines.
+    // Math between $ and $ must not contain empty lines.
     const std::string between = format == MatrixFormat::latex ? "\\quad\n" : "\n";
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
     for (const ChosenMatrix& chosen : wish.matrices) {
@@ -61,7 +61,7 @@ Json symbols_as_json(const MatrixSymbols& symbols) {
     return rows;
 }
 
-/// `all` is what is printed where nothing is chosen.
+/// Returns the chosen matrices, or `all` if none is chosen.
 Json listed_as_json(const TypedMatrices& wish, const Json& all, bool is_chosen) {
     Json json = is_chosen ? Json::object() : all;
     for (const ChosenMatrix& chosen : wish.matrices) {
@@ -80,18 +80,17 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
     TypedMatrices wish;
     options.group("Output");
     options.text("--size", "WxH", size,
-                 "Size of the picture in pixels, whose aspect the projection has; default 1280x720");
-    options.text(
-        "--format", "FORMAT", format,
-        "json (default), text, latex, numpy, matlab: rows as on the slides; glm, glsl: columns first, as their "
-        "constructors take them. LaTeX's stands between $ and $");
+                 "Size of the picture in pixels, which sets the aspect ratio of the projection; default 1280x720");
+    options.text("--format", "FORMAT", format,
+                 "json (default), text, latex, numpy, matlab: rows as on the slides; glm, glsl: columns first, as "
+                 "their constructors expect. LaTeX output goes between $ and $");
     options.text("--only", "LIST", only,
-                 "The chosen ones, in this order: C, V, P, PV, S, R of the first plane and light, S[2,1] of the second "
-                 "plane and the first light, R[2] of the second plane: --only V,S[2,1],R");
-    options.text("--digits", "N", digits, "So many significant digits, 1 to 17; left out, all that there are");
+                 "Only these matrices, in this order: C, V, P, PV, and S, R of the first plane and light, S[2,1] of "
+                 "the second plane and the first light, R[2] of the second plane: --only V,S[2,1],R");
+    options.text("--digits", "N", digits, "Number of significant digits, 1 to 17; default: all");
     options.flag("--symbolic", wish.is_symbolic,
-                 "What stands in each place, as under the numbers in the window; numbers where there is no such form: "
-                 "PV, and what was entered by hand");
+                 "Prints symbols instead of numbers, as in the window; numbers where there is no symbolic form: PV, "
+                 "and matrices entered by hand");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), matrix_formats);
@@ -113,11 +112,11 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
 constinit const Command matrices_command{
     "matrices",
     "[STATE] [--set PATH=VALUE]… [--only LIST] [--digits N] [--symbolic] [--format FORMAT] [OPTIONS]",
-    "V, P, S and R with their facts, in the format of your choice",
-    "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S (uploaded "
-    "is shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S and R² = I) "
-    "and sentences about what is wrong; followed has the followed point p: shadow_homogeneous is S p as it comes, "
-    "shadow what it is after the division by w, or null, mirrored R p. Needs no GL.",
+    "prints V, P, S and R with their facts, in the format of your choice",
+    "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S "
+    "(shadow_sign · S is uploaded), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
+    "and R² = I) and sentences about problems; followed has the followed point p: shadow_homogeneous is S p, shadow is "
+    "S p after the division by w, or null, and mirrored is R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
     "matrices --only S,R --digits 4 --format latex\n"

@@ -1,5 +1,5 @@
-// measure: numbers measured in a frame, or on more and more polygons. Read report/visibility_report.h
-// and report/fighting_report.h next.
+// measure: measures a frame, or the costs of methods with growing polygon counts. Read report/visibility_report.h and
+// report/fighting_report.h next.
 #include <array>
 #include <limits>
 
@@ -25,7 +25,7 @@ constexpr std::array<const char*, 5> quantities{"visibility", "growth", "fightin
 constexpr std::array<const char*, 3> polygon_kinds{"small", "large", "scene"};
 constexpr std::array<const char*, 2> measure_formats{"json", "csv"};
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedMeasure {
     std::optional<std::string> what, size, device, max, polygons, format;
     bool no_times = false;
@@ -35,26 +35,24 @@ void declare(Options& options, TypedMeasure& typed) {
     options.group("Measurement");
     options.text(
         "--what", "QUANTITY", typed.what,
-        "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
-        "costs on more and more polygons; fighting: where depth fights, counted and predicted; mirror: the "
-        "mirror image in four ways, compared; order: who hides whom, and whether whole polygons have an order");
+        "visibility: runs each hidden-surface method on the scene from the camera; growth: the cost of each on more "
+        "and more polygons; fighting: depth fighting, counted and predicted; mirror: the mirror image drawn in four "
+        "ways, compared; order: which polygon hides which, and whether whole polygons can be ordered");
     options.text("--size", "WxH", typed.size,
                  "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 4 million pixels; default "
                  "1280x720, for growth 320x240");
-    options.flag("--no-times", typed.no_times,
-                 "Leave out what a clock says: the same numbers whenever they are measured, byte for byte");
-    options.group("Of visibility, fighting and mirror");
+    options.flag("--no-times", typed.no_times, "Leaves out times, so that every run gives the same bytes");
+    options.group("For visibility, fighting and mirror");
     add_device_option(options, typed.device);
-    options.group("Of growth");
+    options.group("For growth");
     options.text("--max", "N", typed.max, "The largest number of polygons, 1 to 1000000; default 10000");
-    options.text(
-        "--polygons", "KIND", typed.polygons,
-        "small (default): random triangles; large: random triangles that run through one another; scene: those "
-        "of STATE from its camera");
+    options.text("--polygons", "KIND", typed.polygons,
+                 "small (default): random triangles; large: random triangles that intersect each other; scene: the "
+                 "polygons of STATE from its camera");
     options.text("--format", "FORMAT", typed.format, "json (default) or csv");
 }
 
-/// What only growth takes is refused elsewhere, and the other way round.
+/// Refuses options that only another --what uses.
 void refuse_strangers(const Options& options, const TypedMeasure& typed) {
     const bool grows = typed.what == "growth", draws = !grows && typed.what != "order";
     if (!grows && typed.max) options.refuse("--max needs --what growth");
@@ -65,7 +63,7 @@ void refuse_strangers(const Options& options, const TypedMeasure& typed) {
                        " draws nothing with GL");
 }
 
-/// The counts of the list below the largest one, and that one.
+/// Returns the usual counts below `max`, then `max`.
 std::vector<int> counts_up_to(int max) {
     std::vector<int> counts = GrowthRequest{}.counts;
     std::erase_if(counts, [max](int count) { return count >= max; });
@@ -78,7 +76,7 @@ GrowthRequest growth_request(const Options& options, const TypedMeasure& typed) 
     request.counts = counts_up_to(typed.max ? whole_option(options, "--max", *typed.max, 1, 1'000'000) : 10'000);
     const std::string kind = typed.polygons.value_or(polygon_kinds.front());
     request.scene = static_cast<GrowthScene>(choice_option(options, "--polygons", kind, polygon_kinds));
-    if (typed.no_times) {  // so that counts alone stop a method
+    if (typed.no_times) {  // only counts limit a method
         request.time_budget_ms = std::numeric_limits<double>::infinity();
         request.max_pairs = 100'000'000;
     }
@@ -175,34 +173,32 @@ ExitStatus run_measure(const Command& self, const Arguments& arguments) {
 constinit const Command measure_command{
     "measure",
     "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror|order [--size WxH] [OPTIONS]",
-    "hidden-surface methods, depth fighting, mirror images, who hides whom: JSON or CSV",
-    "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
-    "and culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "
-    "triangles sees nowhere within a pixel. A number that a method does not have is null; problem is a sentence when "
-    "it stopped at a budget. painter_keys has the wrong pixels of each sort key. culling counts fronts and backs by "
-    "the eye's side of each plane and by the winding on the screen, as GL does, and what culling leaves. growth runs "
-    "the methods on more and more polygons; summary says who does fewest operations where, times how long they took. "
-    "time_ms is without painting_ms for visibility (in the order that a method has found), for growth with it. "
-    "fighting counts, for every pair of flat "
-    "objects that are nearly coplanar (parallel to a degree, a tenth of their size apart at most), the pixels where GL "
-    "shows the wrong one, beside what the formulas predict: step is the width of a depth code in eye distance, "
-    "quantisation one code along the pair's normal, arithmetic what float32 adds, predicted_onset_gap their sum, below "
-    "which fighting begins. elsewhere has the wrong pixels outside the pairs: what a polygon offset that is too large "
-    "lets through (bleeding) and what has the cleared code (vanished). predicted_wrong_fraction is an interval that "
-    "holds whatever arithmetic does, or null; trembling_wrong_fraction is counted from 12 cameras that tremble by a "
-    "thousandth of the target's distance. minimum_gap is found by drawing quads nearer and nearer to each other at the "
-    "target's distance; "
-    "null when no gap is wide enough. mirror draws the mirror image with clip distance, without clipping, with an "
-    "oblique near plane, and with the camera mirrored in place of the scene: different counts the pixels without a "
-    "like within 2 levels next to them in the first one's picture, worst is their largest difference, and the depths "
-    "are those that the image leaves in the buffer before its mirror covers it: distinct_depths counts the codes in "
-    "use, which is no measure of how finely they tell surfaces apart. order compares every polygon with every other "
-    "one (at most 20000): a pair [a, b] says that a has to be painted before b, which hides a part of it; two that run "
-    "through each other are in it both ways round. polygons has the numbers of triangles, object whose each one is, "
-    "objects the same for whole objects by name. exists says whether an order of whole ones obeys all pairs; then "
-    "order "
-    "is one, from back to front, else cycle names a few of which each must come before the next, the last before the "
-    "first. painter_keys has how many pairs each sort key puts the wrong way round.",
+    "measures hidden-surface methods, depth fighting, mirror images, occlusion: JSON or CSV",
+    "visibility runs every hidden-surface method on the scene from the camera, with the state's sort key, splitter, "
+    "epsilon and culling: counters, times in milliseconds, and wrong_pixels, which show a surface that ray casting "
+    "with triangles sees nowhere within the pixel. A number that a method does not have is null; problem is a sentence "
+    "if it stopped at a budget. painter_keys has the wrong pixels of each sort key. culling counts front and back "
+    "faces by the eye's side of each plane and by the winding on the screen, as GL does, and the faces that culling "
+    "leaves. growth runs the methods on more and more polygons; summary says which method needs the fewest operations "
+    "where, times how long the methods took. time_ms excludes painting_ms for visibility (in the order that a method "
+    "has found), and includes it for growth. fighting counts, for every pair of flat objects that are nearly coplanar "
+    "(parallel within a degree, at most a tenth of their size apart), the pixels where GL shows the wrong one, beside "
+    "the predictions of the formulas: step is the width of a depth code in eye distance, quantisation one code along "
+    "the pair's normal, arithmetic the error that float32 adds, predicted_onset_gap their sum, below which fighting "
+    "begins. elsewhere has the wrong pixels outside the pairs: bleeding counts the pixels that a too large polygon "
+    "offset lets through, vanished those with the cleared code. predicted_wrong_fraction is an interval that holds for "
+    "any arithmetic, or null; trembling_wrong_fraction is counted from 12 cameras, jittered by a thousandth of the "
+    "target's distance. minimum_gap is found by drawing quads closer and closer together at the target's distance; "
+    "null if no gap is wide enough. mirror draws the mirror image with clip distance, without clipping, with an "
+    "oblique near plane, and with the camera mirrored instead of the scene: different counts the pixels without a "
+    "match within 2 levels among their neighbors in the first picture, worst is their largest difference, and the "
+    "depths are those that the image leaves in the buffer before its mirror covers it: distinct_depths counts the "
+    "codes in use, which does not measure how finely they resolve surfaces. order compares every polygon with every "
+    "other one (at most 20000): a pair [a, b] says that a must be painted before b, which hides a part of it; two "
+    "polygons that intersect are in it both ways. polygons has the number of triangles, object the object of each one, "
+    "objects the same for whole objects by name. exists says whether an order of whole polygons obeys all pairs; if "
+    "so, order is one, from back to front, else cycle names a few of which each must come before the next, and the "
+    "last before the first. painter_keys has the number of pairs that each sort key puts in the wrong order.",
     "measure --what visibility\n"
     "measure painter-cycle --what visibility --size 640x360\n"
     "measure bunny.obj --set visibility.splitter=balanced --what visibility --timeout 60\n"

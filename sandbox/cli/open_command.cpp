@@ -1,4 +1,4 @@
-// open: the window on screen.
+// open: opens the window on screen.
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/state_arguments.h"
@@ -8,10 +8,10 @@
 namespace viewing {
 namespace {
 
-/// The window with the sheet of the student who handed this in.
+/// Opens the window with the sheet of the student who handed this in.
 ExitStatus show_hand_in(const Options& options, const StateArguments& arguments, const std::string& exercise,
                         bool replays, WindowMemory& memory) {
-    if (arguments.as_typed().empty()) options.refuse("--exercise needs a hand-in");
+    if (arguments.as_typed().empty()) options.refuse("--exercise needs a hand-in as STATE");
     WindowStart start;
     start.hand_in = value_or_end(load_hand_in(arguments.as_typed()));
     const std::vector<Exercise> all = value_or_end(load_exercises({}));
@@ -30,13 +30,13 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
     bool is_fresh = false;
     options.group("Window");
     options.flag("--fresh", is_fresh,
-                 "Forgets the theme, the scale and the window's size and place of the last time, which are remembered "
-                 "in $XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config where that is not set)");
+                 "Forgets the last theme, scale, window size and position, which are remembered in "
+                 "$XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config if that is not set)");
     std::optional<std::string> exercise;
     bool replays = false;
     options.group("Exercise");
-    options.text("--exercise", "ID", exercise, "STATE is a hand-in: shows what was made of this exercise");
-    options.flag("--replay", replays, "And plays the changes that led there");
+    options.text("--exercise", "ID", exercise, "For a hand-in as STATE: shows the student's work on this exercise");
+    options.flag("--replay", replays, "Also plays the changes that led there");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (replays && !exercise) options.refuse("--replay needs --exercise ID");
@@ -47,11 +47,12 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
     WindowStart start;
     if (std::optional<LinkedStep> linked = state_arguments.linked_step()) {
         if (!state_arguments.say_only_looks())
-            options.refuse("a lesson's step has its own state, so no --mesh, and --set of ui.… alone");
+            options.refuse(
+                "a lesson's step has its own state, so --mesh is not allowed and --set takes only ui.… fields");
         start.lesson = LessonPicture{std::move(linked->lesson), linked->step, false, false, true};
     }
     start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
-    // What is wrong with the scene is said before there is a window, unless it takes long to find out.
+    // Report errors in the scene before opening the window, unless loading takes long.
     constexpr double patience_s = 0.5;
     Session session = value_or_end(Session::begin(state, patience_s));
     return show_window(std::move(session), start, memory);
@@ -61,7 +62,7 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
 
 constinit const Command open_command{"open",
                                      "[STATE] [--set PATH=VALUE]… [--fresh] [--exercise ID [--replay]]",
-                                     "the window: panel, views, matrices (what happens without a command)",
+                                     "opens the window with panel, views and matrices (the default command)",
                                      "Opens the window with a state. The word open may be left out.",
                                      "\n"
                                      "open mine.json\n"

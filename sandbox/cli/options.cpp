@@ -15,17 +15,18 @@ namespace {
 constexpr std::size_t help_width = 100;
 constexpr std::size_t names_width = 28;
 
-/// Where a command writes what it takes in place of doing anything; of the thread, since it is asked for by a call.
+/// If set, a command lists its options here instead of running. A thread-local global, since run() has no parameter for
+/// it.
 thread_local std::vector<OptionDescription>* wanted_descriptions = nullptr;
 
-/// "-o, --output OUT.png"
+/// Returns, for example, "-o, --output OUT.png".
 std::string shown_names(const OptionDescription& option) {
     std::string shown;
     for (const std::string& name : option.names) shown += (shown.empty() ? "" : ", ") + name;
     return shown + (option.value_name.empty() ? "" : " " + option.value_name);
 }
 
-/// Not "-" alone, "--" or a number.
+/// Whether a word is an option: not "-" alone, "--" or a number.
 bool is_option(const std::string& word) {
     const std::size_t name = word.starts_with("--") ? 2 : 1;
     return word.starts_with('-') && word.size() > name && std::isalpha(static_cast<unsigned char>(word[name])) != 0;
@@ -98,9 +99,9 @@ struct Options::Parser {
     std::vector<std::string> names;  ///< of all options
     std::vector<Option> options;
     std::vector<Positional> positionals;
-    std::size_t taken = 0;                        ///< how many of them have their word
-    std::vector<std::string>* further = nullptr;  ///< takes all that stand behind those
-    std::vector<Leftover> leftovers;              ///< what no option and no positional took
+    std::size_t taken = 0;                        ///< number of filled positionals
+    std::vector<std::string>* further = nullptr;  ///< takes all arguments after the positionals
+    std::vector<Leftover> leftovers;              ///< arguments that fit neither an option nor a positional
 };
 
 std::string Options::Parser::help() const {
@@ -130,8 +131,8 @@ std::string Options::Parser::help() const {
 void Options::Parser::take_positional(const std::string& word, const Options& owner) {
     const bool is_wanted = taken < positionals.size();
     if (word.empty())
-        owner.refuse((is_wanted ? positionals[taken].name : "an argument") + " is empty; see viewing-sandbox " +
-                     command.name + " --help for what may stand there");
+        owner.refuse((is_wanted ? positionals[taken].name : "an argument") +
+                     " is empty; for allowed values see viewing-sandbox " + command.name + " --help");
     if (is_wanted)
         *positionals[taken++].target = word;
     else if (further != nullptr)
@@ -140,8 +141,8 @@ void Options::Parser::take_positional(const std::string& word, const Options& ow
         leftovers.push_back({word, false});
 }
 
-/// Words to targets: "--name value", "--name=value", "-n value" and "-nvalue". An option takes the word after it,
-/// whatever it looks like; after "--" there are no options.
+/// Assigns words to targets: "--name value", "--name=value", "-n value" and "-nvalue". An option takes the next word as
+/// its value, whatever it looks like; "--" ends the options.
 void Options::Parser::take(const Arguments& arguments, const Options& owner) {
     bool has_options = true;
     for (auto word = arguments.begin(); word != arguments.end(); ++word) {
@@ -170,8 +171,7 @@ void Options::Parser::take(const Arguments& arguments, const Options& owner) {
             value = word->substr(end + (is_long ? 1 : 0));
         } else {
             if (++word == arguments.end())
-                owner.refuse(option->names.back() + ": its value is missing; see viewing-sandbox " + command.name +
-                             " --help");
+                owner.refuse(option->names.back() + ": needs a value; see viewing-sandbox " + command.name + " --help");
             value = *word;
         }
         if (auto* const* texts = std::get_if<std::vector<std::string>*>(&option->target)) {
@@ -191,7 +191,7 @@ void Options::Parser::check_leftovers(const Options& owner) const {
             const std::string hint = name.starts_with("--") ? suggestion(name, names) : "";
             owner.refuse(name + ": no such option" + hint + "; see viewing-sandbox " + command.name + " --help");
         }
-        owner.refuse("\"" + one_line(left) + "\": one argument too many; usage: viewing-sandbox " + command.name + " " +
+        owner.refuse("\"" + one_line(left) + "\": unexpected argument; usage: viewing-sandbox " + command.name + " " +
                      command.synopsis);
     }
 }
@@ -238,7 +238,7 @@ bool Options::parse(const Arguments& arguments) {
         *wanted_descriptions = parser_->entries;
         return false;
     }
-    // A wish for help comes before whatever else may be wrong.
+    // Help takes precedence over any error.
     const auto last = std::find(arguments.begin(), arguments.end(), "--");
     const bool asks =
         std::find(arguments.begin(), last, "--help") != last || std::find(arguments.begin(), last, "-h") != last;

@@ -60,7 +60,8 @@ void Outputs::add(WholeFolder folder) {
 }
 
 void Outputs::write() {
-    // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
+    // Files get their names only when complete, so stop the clock before writing them; keep it running for a pipe,
+    // which may block.
     if (std::all_of(outputs_.begin(), outputs_.end(),
                     [](const Output& output) { return is_plain_file(output.target); }))
         TimeLimit::lift();
@@ -76,7 +77,7 @@ void Outputs::write() {
 
 void check_output(const std::string& target) {
     if (target == "-") return;
-    if (target.empty()) throw Failure(ExitStatus::bad_input, "an output needs a file name, and this one is empty");
+    if (target.empty()) throw Failure(ExitStatus::bad_input, "an output file name must not be empty");
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
     if (there.type() == fs::file_type::none) cannot_write(target, error.message());

@@ -1,4 +1,4 @@
-// params: every field of the state, from the one list of fields.
+// params: prints every field of the state, from the one list of fields.
 #include <array>
 
 #include "cli/commands.h"
@@ -16,8 +16,8 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
     Options options(self);
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
-                 "json (default) for programs, text to read; schema: the JSON Schema of a state file, which editors "
-                 "complete and check by; scene-schema, suite-schema: those of scenes and suites");
+                 "json (default) for programs, text for people; schema: the JSON Schema of a state file, by which "
+                 "editors complete and check; scene-schema, suite-schema: the schemas of scenes and suites");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     constexpr std::array formats{"json", "text", "schema", "scene-schema", "suite-schema"};
@@ -32,9 +32,9 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
 
 constinit const Command params_command{"params",
                                        "[--format json|text|schema|scene-schema|suite-schema]",
-                                       "every parameter: path, type, unit, range, default, what it does",
-                                       "Lists every field of the state file, and so everything that --set can change. "
-                                       "A state or a scene may name a schema in a member \"$schema\".",
+                                       "lists every parameter: path, type, unit, range, default, what it does",
+                                       "Lists every field of the state file, which is everything that --set can "
+                                       "change. A state or scene may name its schema in \"$schema\".",
                                        "params --format text\n"
                                        "params --format schema > state.schema.json\n"
                                        "params | jq '.[].path'",

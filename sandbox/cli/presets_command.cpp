@@ -1,29 +1,40 @@
-// presets: the presets and scenes that come with the program, a line each.
+// presets: lists the presets and scenes that come with the program, one per line.
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/values.h"
 #include "state/file/document.h"
+#include "state/person/language.h"
 #include "state/presets.h"
 #include "state/scene.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
 
 std::string line(const NamedFile& file, const char* mark) {
-    return file.name + mark + " — " + file.title + (file.about.empty() ? "" : ": " + file.about) + "\n";
+    return file.name + mark + " — " + tr(file.title.c_str()) +
+           (file.about.empty() ? "" : ": " + std::string(tr(file.about.c_str()))) + "\n";
 }
 
 Json preset_as_json(const NamedFile& file, const char* kind) {
-    return {{"name", file.name}, {"title", file.title}, {"about", file.about}, {"group", file.group}, {"kind", kind}};
+    return {{"name", file.name},
+            {"title", tr(file.title.c_str())},
+            {"about", tr(file.about.c_str())},
+            {"group", file.group},
+            {"kind", kind}};
 }
 
 ExitStatus run_presets(const Command& self, const Arguments& arguments) {
     Options options(self);
     bool json = false;
-    options.flag("--json", json, "The same as JSON: name, title, about, group and kind (preset or scene) of each");
+    std::optional<std::string> typed_language;
+    options.flag("--json", json, "Prints JSON instead: name, title, about, group and kind (preset or scene) of each");
+    options.text("--language", "en|ko", typed_language, "Of titles and sentences; default en");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (assets_directory().empty()) throw Failure(ExitStatus::bad_input, "presets: " + assets_problem());
+    if (const auto language = language_option(options, typed_language)) value_or_end(speak(*language));
     std::string lines;
     Json list = Json::array();
     const auto add = [&](const std::vector<NamedFile>& files, const char* kind, const char* mark) {
@@ -42,10 +53,10 @@ ExitStatus run_presets(const Command& self, const Arguments& arguments) {
 
 constinit const Command presets_command{
     "presets",
-    "[--json]",
-    "the presets and scenes that come with the program, a line each",
-    "A preset is a whole state and can stand wherever STATE does. A scene is only the objects: --set scene=NAME. Some "
-    "names are both: as STATE such a name is the preset, behind scene= the scene.",
+    "[--json] [--language en|ko]",
+    "lists the presets and scenes that come with the program",
+    "A preset is a complete state and can be used wherever STATE can. A scene has only objects: --set scene=NAME. Some "
+    "names are both: as STATE such a name is the preset, after scene= the scene.",
     "presets\n"
     "presets --json\n"
     "open --set scene=teapot",

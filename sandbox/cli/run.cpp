@@ -1,4 +1,4 @@
-// Read commands.h for what a command is, then snapshot_command.cpp for the longest of them.
+// Lists all commands and runs one. commands.h declares them; snapshot_command.cpp is the longest.
 #include "cli/run.h"
 
 #include <array>
@@ -13,6 +13,7 @@
 #include "cli/output.h"
 #include "gl/egl_context.h"
 #include "state/presets.h"
+#include "text/manual.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -25,7 +26,7 @@ constexpr std::array all_commands{&open_command,     &lesson_command,  &exercise
 
 std::string main_help() {
     std::string text =
-        "viewing-sandbox: camera, hidden surfaces, planar shadow and reflection to try out\n\n"
+        "viewing-sandbox: experiment with cameras, hidden surfaces, planar shadows and reflections\n\n"
         "Usage: viewing-sandbox [COMMAND] [ARGUMENTS…]\n"
         "       viewing-sandbox [STATE] [--set PATH=VALUE]…      the same as open\n\nCommands:\n";
     for (const Command* command : all_commands) {
@@ -34,22 +35,21 @@ std::string main_help() {
     }
     text += "\n";
     text += wrapped(
-        "STATE is a path to a .json file, the name of a preset, a Wavefront .obj file to look at, or - for "
-        "standard input; left out, it is the opening preset. --set changes it field by field, in the order "
-        "given; viewing-sandbox params lists the fields. Results go to standard output, messages to "
-        "standard error.",
+        "STATE is a .json file, the name of a preset, a Wavefront .obj file to view, or - for standard input; the "
+        "default is the opening preset. --set changes its fields in the order given; viewing-sandbox params lists "
+        "them. Results go to standard output, messages to standard error.",
         0);
-    text += "\n" +
-            wrapped(
-                "Limits: a state or scene has 16 MiB, a mesh file 4 GiB, a scene 50 million triangles of which "
-                "the hidden-surface methods take 400,000 and the BSP tree 100,000; a picture has 16 million pixels. "
-                "What is "
-                "beyond is refused before it is begun. A state names scenes and meshes in its own folder and among the "
-                "program's; others need --allow-outside, or a yes in the window.",
-                0);
+    text +=
+        "\n" + wrapped(
+                   "Limits: 16 MiB for a state or scene, 4 GiB for a mesh file, 50 million triangles for a scene "
+                   "(400,000 for the hidden-surface methods, 100,000 for the BSP tree), 16 million pixels for a "
+                   "picture. Anything larger is refused before work begins. A state may name scenes and meshes in its "
+                   "own folder and among the program's; others need --allow-outside, or your permission in the window.",
+                   0);
+    text += "\n" + wrapped("Topics (viewing-sandbox help TOPIC): " + joined(manual_topics()) + ".", 0);
     return text +
            "\nOptions:\n"
-           "  -h, --help       this text, or behind a command all about it\n"
+           "  -h, --help       this text, or after a command that command's help\n"
            "  --version        the program's version\n"
            "\nExamples:\n"
            "  viewing-sandbox\n"
@@ -61,7 +61,7 @@ std::string main_help() {
            exit_status_table("0123456789");
 }
 
-/// A first word that is no command is a STATE, unless there is none of that name and a command nearly has it.
+/// Refuses a first word that looks like a misspelled command: any other such word is a STATE.
 void refuse_misspelt_command(const std::string& word) {
     std::vector<std::string> names;
     for (const Command* command : all_commands) names.emplace_back(command->name);
@@ -70,17 +70,25 @@ void refuse_misspelt_command(const std::string& word) {
     if (!meant || std::filesystem::exists(word, error)) return;
     for (const NamedFile& preset : presets())
         if (preset.name == word) return;
-    throw Failure(
-        ExitStatus::bad_input,
-        one_line(word) + ": neither a command, a file nor a preset; did you mean the command " + *meant + "?");
+    throw Failure(ExitStatus::bad_input,
+                  one_line(word) + ": not a command, a file or a preset; did you mean the command " + *meant + "?");
 }
 
-/// What is named here is named in results as well, and these are UTF-8.
+/// Requires UTF-8, since results repeat the arguments and are UTF-8 themselves.
 void refuse_what_is_not_utf8(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i)
         if (!is_utf8(arguments[i]))
             throw Failure(ExitStatus::bad_input, "argument " + std::to_string(i + 1) + ": " + one_line(arguments[i]) +
-                                                     ": not UTF-8, as all results are; give a file another name");
+                                                     ": not UTF-8, which all results use; rename the file");
+}
+
+/// Returns a topic of the manual.
+std::string help_on(const std::string& topic) {
+    const std::string text = manual_text(topic);
+    if (!text.empty()) return text;
+    const std::span<const char* const> topics = manual_topics();
+    throw Failure(ExitStatus::bad_input,
+                  one_line(topic) + ": no such command or topic; the topics are " + joined(topics));
 }
 
 ExitStatus dispatch(const Arguments& arguments) {
@@ -88,6 +96,10 @@ ExitStatus dispatch(const Arguments& arguments) {
     const Arguments rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
     if (first == "help" && !rest.empty() && find_command(rest.front()) != nullptr)
         return dispatch({rest.front(), "--help"});
+    if (first == "help" && !rest.empty()) {
+        print(help_on(rest.front()));
+        return ExitStatus::done;
+    }
     if (first == "--help" || first == "-h" || first == "help") {
         print(main_help());
         return ExitStatus::done;

@@ -1,4 +1,4 @@
-// The command line's entry: which command is meant, and what its end means for the caller.
+// The entry point of the command line: runs a command and returns its exit status.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace viewing {
 
-/// Runs the program with the arguments behind its name; the result is the exit status (exit_status.h). Nothing is
-/// thrown: one sentence on stderr says what went wrong.
+/// Runs the program with the arguments after its name and returns the exit status (exit_status.h). Never throws; one
+/// sentence on stderr reports an error.
 int run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace viewing

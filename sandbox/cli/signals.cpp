@@ -25,7 +25,7 @@ void end_at_fault(int) {
 }
 
 void catch_faults() {
-    // Of its own, since a stack that has run out is a fault too.
+    // Use a separate stack, since a stack overflow is a fault, too.
     static std::array<char, 64U << 10U> stack_bytes;
     stack_t stack{};
     stack.ss_sp = stack_bytes.data();

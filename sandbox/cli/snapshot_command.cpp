@@ -1,5 +1,5 @@
-// snapshot: a picture of a state into a PNG file, without a display. Bad input is refused before GL is touched.
-// What is drawn is app/picture.h; read headless.h for the context.
+// snapshot: draws a state into a PNG, SVG or PDF file, without a display. Refuses bad input before it uses GL. Drawing
+// is in app/picture.h, the context in headless.h.
 #include <array>
 #include <memory>
 #include <utility>
@@ -24,7 +24,7 @@
 namespace viewing {
 namespace {
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedSnapshot {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
@@ -32,7 +32,7 @@ struct TypedSnapshot {
     bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
 };
 
-/// The same, checked.
+/// The checked options.
 struct SnapshotWish {
     PictureRequest picture;
     std::string view;
@@ -41,7 +41,7 @@ struct SnapshotWish {
     bool is_vector = false;
 };
 
-/// What was drawn, and by whom.
+/// The picture, and the device and driver that drew it.
 struct Drawn {
     DrawnPicture picture;
     std::string device, renderer, gl_version;
@@ -49,47 +49,45 @@ struct Drawn {
 
 void declare(Options& options, TypedSnapshot& typed) {
     options.group("Picture");
-    options.text(
-        "-o,--output", "OUT.png", typed.output,
-        "The file to write; - for standard output. OUT.svg and OUT.pdf hold shapes and text in place of pixels "
-        "(with what GL draws as a picture in them), and like a .png the state that they show");
-    options.text(
-        "--view", "VIEW", typed.view,
-        "window (default): everything as on screen; camera: the picture alone; depth, stencil: the camera's "
-        "buffers made visible; observer: the scene from outside; and each other view by itself: matrices "
-        "(those that view.layout.matrices lists, or all), derivation, tree, order, precision, codes, histogram, "
-        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code. "
-        "What would have to be scrolled is drawn smaller until all of it is seen");
-    options.flag("--labels", typed.labels,
-                 "With --view camera: and what the window draws over it, handles, names, legends, and the picture "
-                 "beside it (view.beside)");
-    options.flag("--transparent", typed.transparent, "Nothing where there is only background");
+    options.text("-o,--output", "OUT.png", typed.output,
+                 "File to write; - for standard output. OUT.svg and OUT.pdf contain shapes and text instead of pixels "
+                 "(with GL's part as an embedded image). All formats carry the state that they show");
+    options.text("--view", "VIEW", typed.view,
+                 "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
+                 "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
+                 "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
+                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code. A "
+                 "view that would need scrolling is scaled down to fit");
+    options.flag(
+        "--labels", typed.labels,
+        "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");
+    options.flag("--transparent", typed.transparent, "Makes the background transparent");
     options.text(
         "--dpi", "N", typed.dpi,
-        "Dots per inch, 24 to 1200, default 96: type is as high in print with any, and the file says how large "
-        "it is");
+        "Dots per inch, 24 to 1200, default 96; stored in the file. Text has the same size in print at any value");
     options.text("--size", "WxH", typed.size, size_help);
     options.text("--samples", "0|4", typed.samples, samples_help);
     add_device_option(options, typed.device);
     options.group("Lesson");
     options.text("--lesson", "ID|FILE", typed.lesson,
-                 "A step of a lesson in place of STATE (viewing-sandbox lesson --list)");
-    options.text("--step", "N", typed.step, "Which one, counted from 1; default 1");
-    options.flag("--revealed", typed.revealed, "After its answer");
-    options.flag("--present", typed.presents, "As a room sees it");
+                 "Draws a step of this lesson instead of STATE (viewing-sandbox lesson --list)");
+    options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
+    options.flag("--revealed", typed.revealed, "Shows the step after its answer");
+    options.flag("--present", typed.presents, "Shows the step as in a lecture room");
     options.group("Exercise");
-    options.text("--exercise", "ID", typed.exercise,
-                 "In place of STATE: how an exercise begins for --student, or with a hand-in as STATE how it ended");
-    options.text("--student", "ID", typed.student, "Whose variant; left out, nobody's");
-    options.text("--course", "C", typed.course, "Of the student");
+    options.text(
+        "--exercise", "ID", typed.exercise,
+        "Draws an exercise instead of STATE: its beginning for --student, or, with a hand-in as STATE, its end");
+    options.text("--student", "ID", typed.student, "The student whose variant is shown; default: none");
+    options.text("--course", "C", typed.course, "The student's course");
     options.group("Checks");
     options.text("--repeat", "N", typed.repeat,
-                 "Draws N times, each in a new context; exit 7 unless all are byte-equal");
-    options.flag("--fail-if-blank", typed.fail_if_blank, "Exit 5 when all pixels have the same colour");
-    options.text(
-        "--compare", "REF.png", typed.compare,
-        "Compares with a reference: exit 1 when different, 6 when there is none; the picture is written all the same");
-    options.text("--diff", "D.png", typed.diff, "Writes the picture of the differences from it, as compare -o does");
+                 "Draws N times, each in a new context; exits with status 7 unless all are byte-identical");
+    options.flag("--fail-if-blank", typed.fail_if_blank, "Exits with status 5 if all pixels have the same color");
+    options.text("--compare", "REF.png", typed.compare,
+                 "Compares with a reference: exits with status 1 if different, 6 if there is none; the picture is "
+                 "written anyway");
+    options.text("--diff", "D.png", typed.diff, "Writes a picture of the differences, as compare -o does");
 }
 
 std::vector<FileArgument> outputs_of(const TypedSnapshot& typed) {
@@ -111,7 +109,7 @@ std::vector<FileArgument> inputs_of(const TypedSnapshot& typed, const StateArgum
 
 SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const ThresholdOptions& thresholds,
                      const StateArguments& state_arguments) {
-    if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
+    if (!typed.output && !typed.compare) options.refuse("-o OUT.png or --compare REF.png is required");
     if (thresholds.given() && !typed.compare)
         options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
     if (typed.diff && !typed.compare) options.refuse("--diff needs --compare REF.png");
@@ -131,28 +129,29 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
-    if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
+    if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty string");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
     if (wish.is_vector && (typed.compare || typed.repeat || typed.fail_if_blank))
-        options.refuse("--compare, --repeat and --fail-if-blank are for pictures of pixels: -o OUT.png");
+        options.refuse("--compare, --repeat and --fail-if-blank need a picture of pixels: -o OUT.png");
     if (typed.output && !wish.is_vector) check_picture_name(options, "-o", *typed.output);
     if (typed.diff) check_picture_name(options, "--diff", *typed.diff);
     return wish;
 }
 
-/// The step that the options name, or STATE's link.
+/// Returns the step that the options name, or the one that STATE links to.
 std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& typed,
                                   const StateArguments& state_arguments) {
     std::optional<LinkedStep> linked = typed.exercise ? std::nullopt : state_arguments.linked_step();
-    if (linked && (typed.lesson || typed.step)) options.refuse("STATE links to a lesson's step already");
+    if (linked && (typed.lesson || typed.step)) options.refuse("STATE already links to a lesson's step");
     if (!typed.lesson) return linked;
     return lesson_step(options, *typed.lesson, typed.step);
 }
 
-/// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
+/// Returns the state of a student's exercise at its start, with the question; or, if STATE is a hand-in, the state at
+/// its end.
 LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, const StateArguments& arguments,
                           SnapshotWish& wish) {
-    if (typed.lesson) options.refuse("--lesson and --exercise cannot both be");
+    if (typed.lesson) options.refuse("--lesson and --exercise cannot be combined");
     HandIn hand_in{.program = {},
                    .course = typed.course.value_or(""),
                    .student = typed.student.value_or(""),
@@ -160,7 +159,8 @@ LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, co
                    .items = {}};
     const std::string file = arguments.as_typed();
     if (!file.empty()) {
-        if (typed.student || typed.course) options.refuse("a hand-in says itself whose it is");
+        if (typed.student || typed.course)
+            options.refuse("--student and --course cannot be given with a hand-in, which names both");
         hand_in = value_or_end(load_hand_in(file));
     }
     const UiParams looks = arguments.looks();
@@ -168,7 +168,7 @@ LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, co
     ExercisePicture shown = value_or_end(exercise_picture(hand_in, *typed.exercise, headless.renderer()));
     headless.require_no_errors();
     LoadedState state = show_step({std::move(shown.lesson), 0, false, false, true}, wish.picture);
-    if (!file.empty()) wish.picture.lesson = nullptr;  // how it ended has no question
+    if (!file.empty()) wish.picture.lesson = nullptr;  // at the end, there is no question to show
     state.params = shown.params;
     state.params.ui = looks;
     return state;
@@ -201,7 +201,7 @@ Drawn draw(const SnapshotWish& wish, const LoadedState& state, const Scene& scen
         const CompareReport report = compare_images(again.picture.image, first.picture.image, {0, 0.0});
         throw Failure(ExitStatus::not_repeatable, "not repeatable: drawing " + std::to_string(i) + " of " +
                                                       std::to_string(wish.repeat) +
-                                                      " is not the first one: " + sentence(report));
+                                                      " differs from the first: " + sentence(report));
     }
     return first;
 }
@@ -211,7 +211,7 @@ int samples_of(const SnapshotWish& wish, const Params& params) {
     return is_buffer ? 0 : wish.picture.samples.value_or(params.view.samples);
 }
 
-/// What is wanted, and null for what is not known yet.
+/// Adds the request to the report, and null for facts that are not known yet.
 void tell_typed(EndingReport& report, const TypedSnapshot& typed, const StateArguments& state,
                 const ThresholdOptions& thresholds) {
     report.tell("state", state.as_typed().empty() ? Json() : name_as_json(state.as_typed()));
@@ -239,7 +239,7 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
     report.tell("blank", drawn.picture.is_blank());
 }
 
-/// The state that is shown, by whatever way it was named.
+/// Returns the state to show, whether a lesson, an exercise or STATE names it.
 LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                      SnapshotWish& wish) {
     LoadedState state;
@@ -251,7 +251,9 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
         state = state_arguments.load();
     if (std::optional<LinkedStep> step = step_of(options, typed, state_arguments)) {
         if (!state_arguments.say_only_looks())
-            options.refuse("--lesson: a step has its own state, so no STATE, no --mesh, and --set of ui.… alone");
+            options.refuse(
+                "--lesson: a step has its own state, so STATE and --mesh are not allowed and --set takes only ui.… "
+                "fields");
         const UiParams looks = state.params.ui;
         state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true}, wish.picture);
         state.params.ui = looks;
@@ -259,7 +261,7 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
     return state;
 }
 
-/// `scene_files` takes the files of the state's scene as they become known: none of them may be written.
+/// Stores the files that the state's scene uses in `scene_files` as they become known: none of them may be overwritten.
 ExitStatus take(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                 const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
     report.begin();
@@ -283,7 +285,7 @@ ExitStatus take(const Options& options, const TypedSnapshot& typed, const StateA
     const Drawn drawn = draw(wish, state, scene);
     tell_drawn(report, drawn);
     if (typed.fail_if_blank && drawn.picture.is_blank())
-        throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
+        throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same color");
 
     Outputs outputs;
     if (typed.output)
@@ -320,10 +322,10 @@ ExitStatus run_snapshot(const Command& self, const Arguments& arguments) {
 constinit const Command snapshot_command{
     "snapshot",
     "[STATE] [--set PATH=VALUE]… -o OUT.png [--view VIEW] [--size WxH] [OPTIONS]",
-    "a picture of a state into a PNG file, without a display",
-    "Draws one picture through EGL alone: no display, no X. The same state gives a byte-equal file, always. Every "
-    "picture is drawn under GL's debug output, and an error ends the command with exit 4. Unless the exit status is 0, "
-    "1 or 6, no file is touched but the report of --json.",
+    "draws a state into a PNG file, without a display",
+    "Draws one picture through EGL, without a display or X. The same state always gives a byte-identical file. GL's "
+    "debug output is on, and an error ends the command with status 4. Unless the exit status is 0, 1 or 6, no file is "
+    "touched except the report of --json.",
     "snapshot -o window.png\n"
     "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"

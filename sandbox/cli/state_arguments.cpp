@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* scene_file = "a file of the scene";
 constexpr const char* piped_name = "standard input";
 
-/// The files that a scene names, its own among them.
+/// Returns the files that a scene names, including its own.
 std::set<std::string> files_named_by(const SceneSource& source) {
     if (const auto* name = std::get_if<std::string>(&source)) return {*name};
     std::set<std::string> files;
@@ -36,7 +36,8 @@ bool sets_scene(const std::string& setting) {
            std::string_view("=.[").find(setting[path.size()]) != std::string_view::npos;
 }
 
-/// Makes the working directory what the scene's relative files are relative to, in place of the state's folder.
+/// Changes the scene's relative file names, which are relative to the state's folder, so that they are relative to the
+/// working directory.
 void rebase_to_working_directory(LoadedState& loaded) {
     if (auto* scene = std::get_if<SceneDescription>(&loaded.params.scene)) {
         for (ObjectDescription& object : scene->objects)
@@ -49,20 +50,18 @@ void rebase_to_working_directory(LoadedState& loaded) {
 
 StateArguments::StateArguments(Options& options) : options_(options) {
     options.group("State");
-    options.positional(
-        "STATE", state_,
-        "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
-        "at, a link that state --link printed, or - for either on standard input; left out: the opening preset. A "
-        "flight that the window recorded "
-        "is its start");
-    options.text("--at", "SECONDS", at_, "STATE is a flight: the picture that it shows then");
+    options.positional("STATE", state_,
+                       "A .json file, the name of a preset (viewing-sandbox presets), an .obj file to view, a link "
+                       "printed by state --link, or - for a state or link on standard input; default: the opening "
+                       "preset. A recorded flight shows its start");
+    options.text("--at", "SECONDS", at_, "For a flight as STATE: the picture at this time");
     options.texts("--set", "PATH=VALUE", settings_,
-                  "Sets one field, a group or an element after STATE was read, as often as wanted, in order: "
-                  "projection.near=0.01, light.position=[2,5,1,0], depth.func=always (viewing-sandbox params)");
-    options.text("--mesh", "FILE.obj", mesh_, "Shows this Wavefront mesh in place of the state's scene");
+                  "Sets one field, a group or an element of STATE; repeatable, applied in order: projection.near=0.01, "
+                  "light.position=[2,5,1,0], depth.func=always (viewing-sandbox params)");
+    options.text("--mesh", "FILE.obj", mesh_, "Shows this Wavefront mesh instead of the state's scene");
     options.flag("--allow-outside", allows_outside_,
-                 "Lets STATE name scenes and meshes outside its own folder and the program's; what is named here on "
-                 "the command line needs no leave");
+                 "Lets STATE name scenes and meshes outside its own folder and the program's; files named on the "
+                 "command line need no permission");
 }
 
 const std::string& StateArguments::text() const {
@@ -85,7 +84,7 @@ LoadedState StateArguments::loaded() const {
 
 LoadedState StateArguments::load() const {
     const bool state_is_mesh = is_obj_file(state_);
-    if (mesh_ && state_is_mesh) options_.refuse("--mesh: STATE is a mesh already");
+    if (mesh_ && state_is_mesh) options_.refuse("--mesh: STATE is already a mesh");
     if (mesh_ && !is_obj_file(*mesh_))
         options_.refuse("--mesh: " + one_line(*mesh_) + " must be a Wavefront .obj file");
 
@@ -96,7 +95,7 @@ LoadedState StateArguments::load() const {
         loaded.base.clear();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
         loaded.reach.add(mesh_.value_or(state_));
-        loaded.preset.reset();  // its sentence tells of other objects
+        loaded.preset.reset();  // its description is about other objects
     }
     if (std::any_of(settings_.begin(), settings_.end(), sets_scene)) {
         rebase_to_working_directory(loaded);
@@ -124,7 +123,7 @@ std::vector<FileArgument> StateArguments::files() const {
 
 void StateArguments::take_picture_at(LoadedState& loaded) const {
     const std::shared_ptr<const Flight> flight = std::exchange(loaded.flight, nullptr);
-    if (!flight) options_.refuse("--at needs a flight as STATE: a file that the window recorded");
+    if (!flight) options_.refuse("--at needs a flight as STATE: a file recorded in the window");
     const double at_s = number_option(options_, "--at", *at_, 0.0, flight->seconds);
     loaded.params = value_or_end(FlightWalk(flight).at(flight->picture_at(at_s)));
 }
@@ -140,7 +139,8 @@ bool StateArguments::say_only_looks() const {
 }
 
 UiParams StateArguments::looks() const {
-    if (!set_only_looks()) options_.refuse("an exercise has its own state, so no --mesh, and --set of ui.… alone");
+    if (!set_only_looks())
+        options_.refuse("an exercise has its own state, so --mesh is not allowed and --set takes only ui.… fields");
     return value_or_end(apply_settings(Params{}, settings_)).ui;
 }
 

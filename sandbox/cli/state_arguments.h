@@ -1,4 +1,4 @@
-// STATE, --at, --mesh and --set: what every command takes that looks at a state.
+// STATE, --at, --mesh and --set: the arguments shared by all commands that read a state.
 #pragma once
 
 #include <optional>
@@ -15,35 +15,35 @@ namespace viewing {
 
 class StateArguments {
 public:
-    /// Declares them under the title "State".
+    /// Declares these arguments under the title "State".
     explicit StateArguments(Options& options);
     StateArguments(const StateArguments&) = delete;
     StateArguments& operator=(const StateArguments&) = delete;
 
-    /// STATE, of a lesson's link the state of its step, of a flight the picture that --at says, then the mesh in place
-    /// of its scene, then the settings in order. Relative files in STATE are relative to its folder, those in settings
-    /// to the working directory; they are written back as given, except that an inline scene which settings change has
-    /// all its files relative to the working directory. Within reach are STATE's folder and what was typed here;
-    /// everything with --allow-outside. Of a flight without
-    /// --at mesh and settings are those of its start. Throws Failure.
+    /// Loads STATE (for a link to a lesson, the state of the step; for a flight, the picture at --at), then replaces
+    /// its scene with the mesh, then applies the settings in order. File names in STATE are relative to its folder,
+    /// those in settings to the working directory. They are written back as given; but if settings change an inline
+    /// scene, all its file names are then relative to the working directory. Files in STATE's folder and those named on
+    /// the command line may be read; with --allow-outside, all files. For a flight without --at, mesh and settings
+    /// apply to its start. Throws Failure.
     LoadedState load() const;
-    /// The step that STATE links to; none where it is anything else. Throws Failure.
+    /// Returns the step that STATE links to; nothing if STATE is not such a link. Throws Failure.
     std::optional<LinkedStep> linked_step() const;
-    /// The files that were typed: STATE, unless it is a preset, and --mesh.
+    /// Returns the files named on the command line: STATE, unless it is a preset, and --mesh.
     std::vector<FileArgument> files() const;
-    /// STATE by itself, "" where it was left out.
+    /// Returns STATE alone, "" if left out.
     const std::string& as_typed() const { return state_; }
-    /// What --set says of theme, scale and language. Throws Failure: it says more, or --mesh was typed.
+    /// Returns theme, scale and language from --set. Throws Failure if --set changes anything else or --mesh was given.
     UiParams looks() const;
-    /// Whether any of them was typed.
+    /// Whether any of these arguments was given.
     bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_ || at_; }
-    /// Whether what was typed says no more than how the window looks: theme, scale, language; a lesson's link aside.
+    /// Whether the arguments, apart from a lesson's link, only set how the window looks: theme, scale, language.
     bool say_only_looks() const;
 
 private:
     bool set_only_looks() const;
     void take_picture_at(LoadedState& loaded) const;
-    /// STATE, or what standard input holds where it is "-".
+    /// Returns STATE, or the text of standard input if STATE is "-".
     const std::string& text() const;
     LoadedState loaded() const;
 
@@ -51,17 +51,17 @@ private:
     std::string state_;
     std::vector<std::string> settings_;
     std::optional<std::string> at_, mesh_;
-    mutable std::optional<std::string> piped_;  ///< what standard input held: it can be read once
+    mutable std::optional<std::string> piped_;  ///< the text of standard input, which can be read once
     bool allows_outside_ = false;
 };
 
-/// The step that --lesson and --step say, the first where it is left out. Throws Failure.
+/// Returns the step named by --lesson and --step, by default the first. Throws Failure.
 LinkedStep lesson_step(const Options& options, const std::string& lesson, const std::optional<std::string>& number);
 
-/// The scene of a state with its meshes; what was left out of them goes to stderr. Throws Failure.
+/// Loads the scene of a state with its meshes; prints a note on stderr if parts were skipped. Throws Failure.
 Scene scene_of(const LoadedState& state);
 
-/// The files that a state's scene names, and all that were read for it.
+/// Return the files that a state's scene names, or the files that were read for a scene.
 std::vector<FileArgument> files_of(const LoadedState& state);
 std::vector<FileArgument> files_of(const Scene& scene);
 

@@ -1,4 +1,4 @@
-// state: the whole resolved state, alone, as a link, or with the files it needs.
+// state: prints the complete state, as JSON or as a link, or writes it together with the files it needs.
 #include <algorithm>
 
 #include "cli/commands.h"
@@ -30,7 +30,7 @@ void print_link(const Linking& linking, const LoadedState& state, const Scene& s
     const bool has_meshes = described && std::any_of(described->objects.begin(), described->objects.end(),
                                                      [](const ObjectDescription& one) { return !one.file.empty(); });
     if (!scene.file.empty() || has_meshes)
-        note("state: the link only names the scene's files, it does not carry them; --bundle DIR does");
+        note("state: the link names the scene's files but does not contain them; use --bundle DIR to pack them");
 }
 
 ExitStatus run_state(const Command& self, const Arguments& arguments) {
@@ -39,28 +39,28 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
     std::optional<std::string> bundle, lesson, step_number;
     options.group("Output");
     options.text("--bundle", "DIR", bundle,
-                 "Writes a new folder to be given to somebody: state.json, the scene's file, the meshes and their "
-                 "material libraries, with names that fit; prints the path of its state.json");
+                 "Writes a new folder to share: state.json, the scene's file, the meshes and their material libraries, "
+                 "under matching names; prints the path of its state.json");
     Linking linking;
-    options.flag(
-        "--link", linking.is_wanted,
-        "Prints a link in place of the JSON: an address, # and what differs from the defaults. Every STATE may "
-        "be one. It carries no files");
+    options.flag("--link", linking.is_wanted,
+                 "Prints a link instead of the JSON: an address, # and the differences from the defaults. Any STATE "
+                 "may be a link. It contains no files");
     options.text("--base", "ADDRESS", linking.base,
-                 "What stands before the #; default $VIEWING_SANDBOX_LINK_BASE, else viewing-sandbox.html");
+                 "Address before the #; default $VIEWING_SANDBOX_LINK_BASE, else viewing-sandbox.html");
     options.group("Lesson");
-    options.text("--lesson", "ID|FILE", lesson,
-                 "A step of a lesson in place of STATE; with --link a link that leads through the lesson from there");
-    options.text("--step", "N", step_number, "Which one, counted from 1; default 1");
+    options.text(
+        "--lesson", "ID|FILE", lesson,
+        "A step of this lesson instead of STATE; with --link, a link that leads through the lesson from there");
+    options.text("--step", "N", step_number, "Number of the step, counted from 1; default 1");
     if (!options.parse(arguments)) return ExitStatus::done;
-    if (bundle && linking.is_wanted) options.refuse("--bundle and --link cannot both be");
+    if (bundle && linking.is_wanted) options.refuse("--bundle and --link cannot be combined");
     if (linking.base && !linking.is_wanted) options.refuse("--base needs --link");
     if (linking.base && linking.base->find_first_of("# \t\r\n") != std::string::npos)
-        options.refuse("--base: an address without # and blanks is wanted");
+        options.refuse("--base: must be an address without # or blanks");
 
     if (step_number && !lesson) options.refuse("--step needs --lesson");
     if (lesson && state_arguments.are_given())
-        options.refuse("--lesson: a step has its own state, so no STATE, --set, --mesh and --at");
+        options.refuse("--lesson: a step has its own state, so STATE, --set, --mesh and --at are not allowed");
 
     std::optional<LinkedStep> step;
     if (lesson) step = lesson_step(options, *lesson, step_number);
@@ -69,7 +69,7 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
         return ExitStatus::done;
     }
     const LoadedState state = step ? step->lesson.steps[step->step].start : state_arguments.load();
-    const Scene scene = scene_of(state);  // a state whose scene cannot be shown is a bad one
+    const Scene scene = scene_of(state);  // refuses a state whose scene cannot be loaded
     if (bundle)
         print(write_bundle(*bundle, state, scene) + "\n");
     else if (linking.is_wanted)
@@ -84,10 +84,10 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
 constinit const Command state_command{
     "state",
     "[STATE | --lesson ID --step N] [--set PATH=VALUE]… [--bundle DIR | --link]",
-    "the whole state as JSON, every field with its value",
-    "Prints what STATE and --set come to: what the file says about itself (title, about, group), then every field, in "
-    "the order of the documentation. Reading it back gives the same state exactly. Scenes and meshes are named as they "
-    "were given: those of a file relative to it, those of the command line to the working directory.",
+    "prints the whole state as JSON, every field with its value",
+    "Prints the state that STATE and --set result in: title, about and group of the file, then every field, in the "
+    "order of the documentation. Reading it back gives exactly the same state. Scenes and meshes keep the names given: "
+    "relative to the file that names them, or to the working directory on the command line.",
     "state > mine.json\n"
     "state mine.json --set shadow.opacity=0.8\n"
     "state mine.json --bundle to-give-away\n"

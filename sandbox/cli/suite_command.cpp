@@ -1,5 +1,5 @@
-// suite: many states drawn, computed and held against references in one run, with a report to look at. What an entry
-// is and how it is judged is suite/; this is the command around it.
+// suite: draws and measures many states and compares them with references in one run, with a report to look at. suite/
+// defines entries and how they are judged; this file is the command around them.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 using Clock = std::chrono::steady_clock;
 
-/// The options as they were typed; the first word is what is done.
+/// The options as typed; the first of the words is the action.
 struct TypedSuite {
     std::vector<std::string> words, only;
     std::optional<std::string> jobs, shard, times, entry_timeout, device;
@@ -45,25 +45,24 @@ struct Shard {
 
 void declare(Options& options, TypedSuite& typed) {
     options.group("What to do");
-    options.positionals(
-        "run|accept|merge", typed.words,
-        "run SUITE…: draws and compares, and leaves SUITE's report; accept SUITE [NAME…]: what the last "
-        "run found becomes the reference, of these entries or of all that are different; merge SUITE "
-        "REPORT…: the reports of shards as one. SUITE is a .json file, or a folder of states");
-    options.group("Of run");
-    options.texts("--only", "NAME", typed.only, "This entry alone; as often as wanted");
-    options.flag("--accept-new", typed.accept_new, "Entries that had no reference are no reason for exit 1");
-    options.text("--jobs", "N", typed.jobs, "So many processes draw, 1 to 256; default 1");
+    options.positionals("run|accept|merge", typed.words,
+                        "run SUITE…: draws, compares, and writes SUITE's report; accept SUITE [NAME…]: makes the "
+                        "results of the last run the references, for these entries or all that are different; merge "
+                        "SUITE REPORT…: merges the reports of shards. SUITE is a .json file, or a folder of states");
+    options.group("For run");
+    options.texts("--only", "NAME", typed.only, "Runs only this entry; repeatable");
+    options.flag("--accept-new", typed.accept_new, "Entries without a reference do not cause exit status 1");
+    options.text("--jobs", "N", typed.jobs, "Number of processes that draw, 1 to 256; default 1");
     options.text("--entry-timeout", "S", typed.entry_timeout,
-                 "An entry that is not done after so many seconds has failed; default 60");
-    options.flag("--cache", typed.cache,
-                 "Entries that passed are not drawn again while state, scene, references, program and driver are the "
-                 "same");
-    options.text("--shard", "I/N", typed.shard, "The I-th of N parts, with a report of its own (merge joins them)");
-    options.text("--times", "REPORT", typed.times,
-                 "The folder of an earlier report, by whose times shards are made equally long; without, by their "
-                 "number");
-    options.flag("--github", typed.github, "Also prints what is not as it should be as GitHub's annotations");
+                 "Fails an entry that takes longer than S seconds; default 60");
+    options.flag(
+        "--cache", typed.cache,
+        "Does not draw entries again that passed if state, scene, references, program and driver are unchanged");
+    options.text("--shard", "I/N", typed.shard, "Runs the I-th of N parts, with its own report (merge joins them)");
+    options.text(
+        "--times", "REPORT", typed.times,
+        "Folder of an earlier report, whose times balance the shards; without it, they have equally many entries");
+    options.flag("--github", typed.github, "Also prints entries that did not pass as GitHub's annotations");
     add_device_option(options, typed.device);
     options.flag("--allow-outside", typed.allow_outside,
                  "Lets states name scenes and meshes outside their own folder and the program's");
@@ -74,7 +73,7 @@ void declare(Options& options, TypedSuite& typed) {
 Shard shard_option(const Options& options, const std::optional<std::string>& text) {
     if (!text) return {};
     const std::size_t slash = text->find('/');
-    if (slash == std::string::npos) options.refuse("--shard: must be I/N, the I-th of N parts: 2/5");
+    if (slash == std::string::npos) options.refuse("--shard: must be I/N, the I-th of N parts, such as 2/5");
     constexpr int most = 10'000;
     Shard shard;
     shard.of = whole_option(options, "--shard", text->substr(slash + 1), 1, most);
@@ -118,7 +117,7 @@ std::map<std::string, std::string> known_keys(const Suite& suite) {
 std::vector<std::string> worker_of(const Suite& suite, const TypedSuite& typed) {
     if (own_program().empty())
         throw Failure(ExitStatus::internal_error,
-                      "a suite starts this program again, whose file is not known: /proc is missing");
+                      "cannot find the file of this program, which a suite starts again: /proc is missing");
     std::vector<std::string> words{own_program(), "suite", "worker", suite.argument.string()};
     if (typed.device) words.insert(words.end(), {"--device", *typed.device});
     if (typed.allow_outside) words.emplace_back("--allow-outside");
@@ -126,7 +125,7 @@ std::vector<std::string> worker_of(const Suite& suite, const TypedSuite& typed) 
     return words;
 }
 
-/// "64/s, 2 min 20 s left"
+/// Returns, for example, "64/s, 2 min 20 s left".
 std::string pace(std::size_t done, std::size_t of, double seconds) {
     if (seconds <= 0.0 || done == 0) return "";
     const double rate = static_cast<double>(done) / seconds;
@@ -136,7 +135,8 @@ std::string pace(std::size_t done, std::size_t of, double seconds) {
     return figures(rate) + "/s, " + left + " left";
 }
 
-/// A line that is drawn anew on a terminal; elsewhere a line for each tenth, and one for all that is not as it was.
+/// Prints a progress line, redrawn on a terminal; otherwise, a new line for each tenth. Each entry that did not pass
+/// also gets a line.
 class Progress {
 public:
     Progress(std::size_t of, std::size_t kept_for_shown) : of_(of), step_(std::max<std::size_t>(kept_for_shown, 1)) {}
@@ -162,7 +162,7 @@ private:
     bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
 };
 
-/// As GitHub's workflow commands have them.
+/// Returns a result in the format of GitHub's workflow commands.
 std::string annotation(const Suite& suite, const EntryResult& entry) {
     const auto plain = [](const std::string& text, bool is_property) {
         std::string safe;
@@ -178,17 +178,17 @@ std::string annotation(const Suite& suite, const EntryResult& entry) {
            "::" + plain(reasons_in_lines(entry), false) + "\n";
 }
 
-/// A shard has a report of its own.
+/// Gives each shard its own report.
 Suite with_report_of(Suite suite, const Shard& shard) {
     if (shard.of > 1) suite.report += "-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.of);
     return suite;
 }
 
-/// How one suite's run ended.
+/// The outcome of running one suite.
 struct RunEnd {
     bool is_good = true;
     std::int64_t not_drawn = 0;
-    int ended_by = 0;  ///< the signal, where it ended early
+    int ended_by = 0;  ///< the signal that ended it early, else 0
 };
 
 RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, const RunWish& like) {
@@ -198,7 +198,7 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
     wish.worker = worker_of(suite, typed);
     if (shard.of > 1) wish.worker.insert(wish.worker.end(), {"--shard", *typed.shard});
     if (typed.cache) wish.known_keys = known_keys(suite);
-    if (!typed.only.empty() && wish.chosen.empty()) return {};  // they are another shard's
+    if (!typed.only.empty() && wish.chosen.empty()) return {};  // the entries belong to another shard
     value_or_end(prepare_report(suite));
     Progress progress(wish.chosen.size(), wish.chosen.size() / 10);
     wish.tell = [&](const EntryResult& entry, std::size_t done) { progress.tell(entry, done); };
@@ -233,8 +233,8 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
     return {run.is_good(typed.accept_new), static_cast<std::int64_t>(run.count(Outcome::not_drawn)), gathered.ended_by};
 }
 
-/// One suite after the other. A signal and the end of --timeout end it early, with reports of what was drawn; then the
-/// process ends as it would have without them.
+/// Runs one suite after another. A signal or --timeout ends the run early, with reports of the entries drawn so far;
+/// then the process ends as the signal or --timeout would have ended it.
 ExitStatus run_all(const std::vector<Suite>& suites, const TypedSuite& typed, const Shard& shard, const RunWish& like) {
     RunEnd all;
     {
@@ -245,7 +245,7 @@ ExitStatus run_all(const std::vector<Suite>& suites, const TypedSuite& typed, co
         }
     }
     if (all.ended_by == 0) return all.is_good ? ExitStatus::done : ExitStatus::different;
-    const std::string rest = ": " + counted(all.not_drawn, "entry is not drawn", "entries are not drawn");
+    const std::string rest = ": " + counted(all.not_drawn, "entry was not drawn", "entries were not drawn");
     if (const std::string out_of_time = TimeLimit::sentence(); is_timeout(all.ended_by))
         throw Failure(ExitStatus::out_of_time, out_of_time + rest);
     std::fputs(("ended by " + std::string(name_of_ending_signal(all.ended_by)) + rest + "\n").c_str(), stderr);
@@ -263,16 +263,16 @@ ExitStatus run_suites(const Options& options, const TypedSuite& typed, const std
     for (const Suite& suite : suites) {
         const fs::path report = fs::absolute(suite.report).lexically_normal();
         if (std::find(reports.begin(), reports.end(), report) != reports.end())
-            throw Failure(ExitStatus::bad_input, one_line(suite.argument.string()) +
-                                                     ": another suite of this run has the "
-                                                     "same folder for its report; \"report\" names one");
+            throw Failure(ExitStatus::bad_input,
+                          one_line(suite.argument.string()) +
+                              ": another suite of this run has the same report folder; name another with \"report\"");
         reports.push_back(report);
     }
     for (const Suite& suite : suites) value_or_end(check_masks(suite));
     return run_all(suites, typed, shard, like);
 }
 
-// ---- the others ----------------------------------------------------------------------------------------------------
+// ---- the other actions ---------------------------------------------------------------------------------------------
 
 ExitStatus accept(const Suite& suite, const std::vector<std::string>& names) {
     const std::size_t count = value_or_end(accept_results(suite, names));
@@ -288,11 +288,11 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
     return run.is_good(false) ? ExitStatus::done : ExitStatus::different;
 }
 
-/// Not for people: run starts it.
+/// The worker process. Internal: started by run.
 ExitStatus work(const Options& options, const TypedSuite& typed, const Suite& whole) {
     const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
     Headless headless(device_option(options, typed.device));
-    // By the program's own bytes another build draws anew.
+    // Hash the program, so that results cached by another build are not used.
     const std::string program = typed.cache ? std::to_string(fnv1a(all_bytes(own_program()))) : "";
     serve_entries(suite, {typed.allow_outside, typed.cache, "", program}, headless.renderer(), headless.log(), std::cin,
                   stdout);
@@ -305,14 +305,13 @@ ExitStatus run_suite(const Command& self, const Arguments& arguments) {
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
     constexpr std::array verbs{"run", "accept", "merge", "worker"};
-    if (typed.words.size() < 2)
-        options.refuse("what to do and with which suite is missing: " + std::string(self.synopsis));
+    if (typed.words.size() < 2) options.refuse("an action and a suite are required: " + std::string(self.synopsis));
     const std::string verb = typed.words.front();
     const std::size_t choice = choice_option(options, "suite", verb, verbs);
     const std::vector<std::string> rest(typed.words.begin() + 2, typed.words.end());
     if (verb != "run" && verb != "worker" &&
         (!typed.only.empty() || typed.jobs || typed.shard || typed.times || typed.cache || typed.github))
-        options.refuse(verb + " takes no options of run");
+        options.refuse(verb + " does not take options of run");
     if (verb == "run") {
         std::vector<Suite> suites;
         for (std::size_t i = 1; i < typed.words.size(); ++i) suites.push_back(value_or_end(load_suite(typed.words[i])));
@@ -331,16 +330,14 @@ ExitStatus run_suite(const Command& self, const Arguments& arguments) {
 constinit const Command suite_command{
     "suite",
     "run|accept|merge SUITE… [OPTIONS]",
-    "many states held against their references, with a report to look at",
-    "A suite is a .json file, or a folder of states with all defaults. run draws every entry in one process (--jobs: "
-    "in "
-    "several), computes what is asked for, and holds both against the references in the folder that the suite names; "
-    "one that was not there is written, and told as new. A reference that is there is never changed by a run: accept "
-    "does that. report/index.html shows each entry with what was expected, what was drawn, and where they differ; "
-    "junit.xml and report.json beside it are for programs. An entry that crashes, has a GL error or takes too long "
-    "fails alone. A run that a signal or --timeout ends early writes its report too, with the rest as not drawn. The "
-    "exit "
-    "status is 1 when an entry is not as it was, new (without --accept-new) or has failed.",
+    "checks many states against their references, with a report to look at",
+    "A suite is a .json file, or a folder of states with default settings. run draws every entry in one process "
+    "(--jobs: in several), computes the requested numbers, and compares both with the references in the folder that "
+    "the suite names; a missing reference is written, and its entry reported as new. A run never changes an existing "
+    "reference: accept does that. report/index.html shows each entry with the expected picture, the actual one, and "
+    "where they differ; junit.xml and report.json beside it are for programs. An entry that crashes, has a GL error or "
+    "takes too long fails alone. A run that a signal or --timeout ends early writes its report too, with the rest as "
+    "not drawn. The exit status is 1 if an entry is different, new (without --accept-new) or failed.",
     "suite run states\n"
     "suite run suite.json --jobs 4 --cache\n"
     "suite accept suite.json opening shadow-without-stencil\n"

@@ -1,5 +1,5 @@
-// sweep: one or two fields of a state on their way through values, or a flight that the window recorded, as a film, a
-// sheet, a folder of pictures, or a table of numbers. Each picture is the one that snapshot draws.
+// sweep: varies one or two fields of a state, or replays a recorded flight, and writes a film, a sheet, a folder of
+// pictures, or a table of numbers. Each picture is the same that snapshot draws.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,10 +35,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array ease_names{"linear", "smooth"};
-constexpr std::size_t fewest_digits = 4;  // of a picture's number
+constexpr std::size_t fewest_digits = 4;  // in the number of a picture
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
-/// The options as they were typed.
+/// The options as typed.
 struct TypedSweep {
     std::optional<std::string> output, csv, view, size, samples, fps, ease, columns, device;
     std::vector<std::string> vary, values;
@@ -59,28 +59,27 @@ struct SweepPlan {
 
 void declare(Options& options, TypedSweep& typed) {
     options.group("Sweep");
-    options.texts(
-        "--vary", "PATH=FROM:TO:COUNT", typed.vary,
-        "A field on its way from a value to another in so many pictures; further values may stand in between, "
-        "all at equal distances: light.position[0]=-3:3:61, camera.position=[0,1,8]:[4,3,5]:[0,6,0]:90. A "
-        "second one makes rows: each picture of the first with each of the second");
-    options.flag("--together", typed.together, "Two fields side by side, a picture for each pair; counts alike");
+    options.texts("--vary", "PATH=FROM:TO:COUNT", typed.vary,
+                  "Varies a field from one value to another in COUNT pictures; more values may come in between, evenly "
+                  "spaced: light.position[0]=-3:3:61, camera.position=[0,1,8]:[4,3,5]:[0,6,0]:90. A second --vary "
+                  "makes rows: each value of the first with each of the second");
+    options.flag("--together", typed.together,
+                 "Varies two fields in step, a picture for each pair; the counts must be equal");
     options.text("--ease", "linear|smooth", typed.ease, "smooth begins and ends at rest; default linear");
-    options.flag("--back", typed.back, "And the same way back, so that a film has no jump where it begins again");
+    options.flag("--back", typed.back, "Adds the way back, so that a looping film does not jump");
     options.group("Result");
-    options.text(
-        "-o,--output", "OUT", typed.output,
-        ".mp4, .gif or .webp: a film (ffmpeg); .png: a sheet with each picture's values; a folder's name: a .png "
-        "for each; the folder is new, empty or an earlier sweep's, which it replaces as a whole");
+    options.text("-o,--output", "OUT", typed.output,
+                 ".mp4, .gif or .webp: a film (ffmpeg); .png: a sheet with each picture's values; a folder's name: a "
+                 ".png for each; the folder must be new, empty or an earlier sweep's, and is replaced as a whole");
     options.text("--fps", "N", typed.fps,
-                 "Pictures a second of a film, 1 to 120; default 30. Of a flight also those of a sheet, a folder or a "
-                 "table, which else have all that were recorded");
-    options.text("--columns", "N", typed.columns, "Of a sheet; default: the second field's count, else a square");
-    options.text("--csv", "FILE|-", typed.csv, "A row for each picture: its values, and those of --value");
-    options.texts(
-        "--value", "EXPRESSION", typed.values,
-        "A column of the table, an expression as lessons have them (viewing-sandbox lesson --names): S[0][3], "
-        "facts.plane_dot_light, fighting().wrong_fraction");
+                 "Pictures per second of a film, 1 to 120; default 30. With a flight, also of a sheet, a folder or a "
+                 "table, which otherwise have every recorded picture");
+    options.text("--columns", "N", typed.columns,
+                 "Columns of a sheet; default: the second field's count, else a square");
+    options.text("--csv", "FILE|-", typed.csv, "Writes a row for each picture: its values, and those of --value");
+    options.texts("--value", "EXPRESSION", typed.values,
+                  "Adds a column to the table, an expression as in lessons (viewing-sandbox lesson --names): S[0][3], "
+                  "facts.plane_dot_light, fighting().wrong_fraction");
     options.group("Picture");
     options.text("--view", "VIEW", typed.view, "camera (default), window, depth, stencil, observer");
     options.text("--size", "WxH", typed.size, size_help);
@@ -92,7 +91,7 @@ void declare(Options& options, TypedSweep& typed) {
     throw Failure(ExitStatus::bad_input, "--value " + one_line(expression) + ": " + why);
 }
 
-// ---- what is wanted ------------------------------------------------------------------------------------------------
+// ---- the request ---------------------------------------------------------------------------------------------------
 
 Kind kind_of(const std::string& output, std::string& ending) {
     ending = fs::path(output).extension().string();
@@ -106,7 +105,7 @@ std::string file_of_picture(std::size_t index, std::size_t count) {
     return std::string(digits - number.size(), '0') + number + ".png";
 }
 
-/// What is written beside a folder's pictures.
+/// Returns the outputs that are not a folder of pictures.
 std::vector<FileArgument> outputs_of(const TypedSweep& typed, const SweepPlan& wish) {
     std::vector<FileArgument> outputs;
     if (typed.output && wish.kind != Kind::folder) outputs.push_back({"-o", *typed.output});
@@ -114,7 +113,7 @@ std::vector<FileArgument> outputs_of(const TypedSweep& typed, const SweepPlan& w
     return outputs;
 }
 
-/// A picture of an earlier sweep: a number, and in it the state that it shows.
+/// Whether a file is a picture from an earlier sweep: its name is a number, and it contains the state that it shows.
 bool is_own_picture(const fs::path& file) {
     const std::string stem = file.stem().string();
     const bool is_number = stem.size() >= fewest_digits && stem.find_first_not_of("0123456789") == std::string::npos;
@@ -123,7 +122,7 @@ bool is_own_picture(const fs::path& file) {
     return note && !note->empty();
 }
 
-/// Refuses an output that is an input or another one; a folder of pictures takes the place of all that is in it.
+/// Refuses an output that is also an input or another output; a folder of pictures replaces everything in it.
 void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish,
                 std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
@@ -131,17 +130,17 @@ void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan
     if (typed.csv) inputs.push_back({"--csv", *typed.csv});
     for (const FileArgument& input : inputs)
         if (input.file != "-" && are_same_file(folder_of(input.file), *typed.output))
-            options.refuse("-o: the folder is replaced as a whole, and " + input.option +
+            options.refuse("-o: the whole folder would be replaced, and " + input.option +
                            " is in it: " + one_line(input.file));
     value_or_end(check_folder_free(*typed.output, is_own_picture));
 }
 
-/// A flight goes its own way; everything else needs a field to vary.
+/// Checks that there is something to vary: a flight varies by itself, any other state needs a field.
 void check_way(const Options& options, const TypedSweep& typed, bool is_flight) {
     if (!is_flight && (typed.vary.empty() || typed.vary.size() > 2))
-        options.refuse("--vary PATH=FROM:TO:COUNT is wanted once or twice; only a flight needs none");
+        options.refuse("--vary PATH=FROM:TO:COUNT is required once or twice; only a flight needs none");
     if (is_flight && !typed.vary.empty())
-        options.refuse("--vary: STATE is a flight, which varies itself; --at SECONDS takes one picture of it");
+        options.refuse("--vary: STATE is a flight, which varies by itself; use --at SECONDS to vary one picture of it");
     if (is_flight && (typed.ease || typed.back)) options.refuse("--ease and --back need --vary; STATE is a flight");
 }
 
@@ -151,9 +150,9 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     for (const std::string& text : typed.vary) wish.variations.push_back(value_or_end(Variation::parse(text)));
     if (typed.together && wish.variations.size() != 2) options.refuse("--together needs two --vary");
     if (typed.together && wish.variations[0].count != wish.variations[1].count)
-        options.refuse("--together: the two have " + std::to_string(wish.variations[0].count) + " and " +
-                       std::to_string(wish.variations[1].count) + " pictures; the counts must be alike");
-    if (!typed.output && !typed.csv) options.refuse("-o OUT is missing (or --csv FILE)");
+        options.refuse("--together: the two fields have " + std::to_string(wish.variations[0].count) + " and " +
+                       std::to_string(wish.variations[1].count) + " pictures; the counts must be equal");
+    if (!typed.output && !typed.csv) options.refuse("-o OUT or --csv FILE is required");
     if (!typed.csv && !typed.values.empty()) options.refuse("--value needs --csv FILE");
     for (const std::string& expression : typed.values)
         if (const Status fine = check_expression(expression); !fine) refuse_expression(expression, fine.error());
@@ -169,25 +168,25 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.ending == ".mp4" && (size_px.x % 2 != 0 || size_px.y % 2 != 0))
-        options.refuse("--size: the sides of an .mp4 are even; .webp takes any");
+        options.refuse("--size: an .mp4 needs even sides; .webp takes any");
     check_outputs(options, outputs_of(typed, wish));
     return wish;
 }
 
-/// One picture: of a variation what is set, of a flight which one it is, with its time as "t=0.5".
+/// One picture: the settings of a variation, or a flight's time as "t=0.5" with the index of its recorded picture.
 struct Stop {
     std::vector<std::string> settings;
     std::size_t of_flight = 0;
 };
 
-/// How many a variation has, which may be more than can be made.
+/// Returns the number of pictures in a variation, which may exceed the limit.
 std::int64_t count_of(const SweepPlan& wish, bool together, bool back) {
     std::int64_t count = wish.variations.front().count;
     if (wish.variations.size() == 2 && !together) count *= wish.variations.back().count;
     return back && count > 2 ? 2 * count - 2 : count;
 }
 
-/// Those of a variation, in order.
+/// Returns the stops of a variation, in order.
 std::vector<Stop> stops_of(const SweepPlan& wish, bool together, bool back) {
     std::vector<Stop> all;
     const Variation& first = wish.variations.front();
@@ -206,7 +205,7 @@ std::vector<Stop> stops_of(const SweepPlan& wish, bool together, bool back) {
     return all;
 }
 
-/// Those of a flight: all that were recorded, or what it shows at k / fps seconds.
+/// Returns the stops of a flight: all recorded pictures, or those at k / fps seconds.
 std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
     std::vector<Stop> all;
     const auto add = [&all](double t_s, std::size_t picture) {
@@ -214,7 +213,7 @@ std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
     };
     if (!fps)
         for (std::size_t i = 0; i < flight.picture_count(); ++i) add(flight.time_s(i), i);
-    else  // one too many where there are too many
+    else  // collects at most one more than the limit
         for (int k = 0; k / *fps <= flight.seconds && k <= Variation::most_frames; ++k)
             add(k / *fps, flight.picture_at(k / *fps));
     return all;
@@ -222,7 +221,7 @@ std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
 
 // ---- pictures and numbers ------------------------------------------------------------------------------------------
 
-/// The state of each picture; scenes are loaded again only where they change.
+/// Produces the state of each picture; reloads the scene only when it changes.
 class Steps {
 public:
     Steps(LoadedState state, const std::vector<Stop>& stops)
@@ -251,7 +250,7 @@ private:
     const std::vector<Stop>& stops_;
     std::optional<FlightWalk> walk_;
     Scene scene_;
-    Params loaded_;  ///< whose scene it is
+    Params loaded_;  ///< the parameters whose scene is loaded
 };
 
 std::string cell(const Json& value) {
@@ -282,7 +281,8 @@ std::string row(const TypedSweep& typed, const std::vector<std::string>& setting
     return line + "\n";
 }
 
-/// "light.position[0] = −2.9", then with the last name of the path, then the value alone.
+/// Returns captions from long to short: "light.position[0] = −2.9", the same with only the last name of the path, and
+/// the value alone.
 std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
     std::vector<std::string> captions(3);
     for (const std::string& setting : settings) {
@@ -312,15 +312,15 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     SweepPlan wish = checked(options, typed, start.flight != nullptr);
     if (!start.flight)
         if (const std::int64_t count = count_of(wish, typed.together, typed.back); count > Variation::most_frames)
-            options.refuse("--vary: " + std::to_string(count) + " pictures are more than " +
+            options.refuse("--vary: " + std::to_string(count) + " pictures exceed the limit of " +
                            std::to_string(Variation::most_frames));
     const bool resamples = typed.fps || wish.kind == Kind::film;
     const std::vector<Stop> stops = start.flight
                                         ? stops_of(*start.flight, resamples ? std::optional(wish.fps) : std::nullopt)
                                         : stops_of(wish, typed.together, typed.back);
     if (start.flight && stops.size() > static_cast<std::size_t>(Variation::most_frames))
-        options.refuse("--fps: the flight of " + shortest_number(start.flight->seconds) + " s has more than " +
-                       std::to_string(Variation::most_frames) + " pictures so");
+        options.refuse("--fps: at this rate the flight of " + shortest_number(start.flight->seconds) +
+                       " s has more than " + std::to_string(Variation::most_frames) + " pictures");
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.kind == Kind::sheet) {
         wish.columns = columns_of(options, typed, wish, stops.size());
@@ -332,7 +332,7 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     keep_apart(options, typed, wish, state_arguments.files());
     Steps steps(start, stops);
     std::vector<fs::path> read;
-    for (std::size_t i = 0; i < steps.count(); ++i) {  // what is wrong is said before anything is drawn
+    for (std::size_t i = 0; i < steps.count(); ++i) {  // report errors before drawing anything
         const LoadedState state = steps.at(i);
         if (steps.scene().read != read) {
             read = steps.scene().read;
@@ -381,14 +381,12 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
 constinit const Command sweep_command{
     "sweep",
     "[STATE] --vary PATH=FROM:TO:COUNT [--vary …] | FLIGHT.json -o OUT.mp4|gif|webp|png|DIR [OPTIONS]",
-    "a field on its way through values, or a flight: a film, a sheet of pictures, a table",
-    "Every picture is the one that snapshot draws of the state with that value. Numbers and lists of numbers go evenly "
-    "from "
-    "value to value, everything else (a format, a name) stays until the next. With two fields a sheet has a row for "
-    "each "
-    "value of the first and a column for each of the second. A flight (F9 in the window) needs no --vary: a folder, a "
-    "sheet or a table has a picture for its start and for each change that was recorded, a film what was on the screen "
-    "at each of its times. Films are made by ffmpeg, where that is installed.",
+    "varies a field, or replays a flight: a film, a sheet of pictures, a table",
+    "Every picture is the one that snapshot draws of the state with that value. Numbers and lists of numbers change "
+    "evenly from value to value, everything else (a format, a name) stays until the next value. With two fields a "
+    "sheet has a row for each value of the first and a column for each of the second. A flight (F9 in the window) "
+    "needs no --vary: a folder, a sheet or a table has a picture for its start and for each recorded change, a film "
+    "shows the screen at each time. Films are encoded by ffmpeg, if it is installed.",
     "sweep --vary light.position[0]=-3:3:61 -o light.mp4 --ease smooth --back\n"
     "sweep depth-fighting --vary projection.near=0.01:1:9 --size 320x180 -o near.png\n"
     "sweep --vary light.position[1]=1:6:4 --vary shadow.opacity=0.25:1:4 --size 320x180 -o sheet.png\n"

@@ -11,15 +11,15 @@ namespace viewing {
 ThresholdOptions::ThresholdOptions(Options& options) : options_(options) {
     options.group("Thresholds");
     options.text("--profile", "strict|portable", profile_,
-                 "Default strict, for pictures of one driver; portable is for those of another driver, whose edges may "
-                 "have other samples, but no five pixels together may differ otherwise, nor 16 × 16 on average by more "
-                 "than 0.6 levels");
+                 "strict (default) for pictures of the same driver; portable for pictures of another driver: edges may "
+                 "be sampled differently, but no block of five pixels may differ otherwise, and no 16 × 16 mean by "
+                 "more than 0.6 levels");
     options.text("--worst", "N", worst_,
-                 "Levels of 255 that a channel may differ by, 0 to 255; default 2, of portable 3");
+                 "Largest allowed difference of a channel, 0 to 255 levels; default 2, with portable 3");
     options.text("--share", "F", share_,
-                 "Share of the pixels that may differ by more, 0 to 1; default 0, of portable 0.002");
+                 "Share of the pixels that may differ by more, 0 to 1; default 0, with portable 0.002");
     options.texts("--mask", "X,Y,WIDTH,HEIGHT|MASK.png", masks_,
-                  "Leaves a rectangle out, or what is white in a picture of the same size; as often as wanted");
+                  "Leaves out a rectangle, or the white pixels of a picture of the same size; repeatable");
 }
 
 CompareOptions ThresholdOptions::values() const {
@@ -40,8 +40,8 @@ MaskSource ThresholdOptions::mask() const {
         const std::vector<std::string> numbers = split_outside_brackets(mask, ',');
         if (numbers.size() != 4)
             options_.refuse(
-                "--mask: must be X,Y,WIDTH,HEIGHT in pixels, such as 0,0,120,40, or a picture's name that "
-                "ends in .png, got \"" +
+                "--mask: must be X,Y,WIDTH,HEIGHT in pixels, such as 0,0,120,40, or the name of a .png picture, got "
+                "\"" +
                 one_line(mask) + "\"");
         std::array<int, 4> sides{};
         for (std::size_t i = 0; i < 4; ++i)

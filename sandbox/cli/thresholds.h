@@ -1,4 +1,4 @@
-// How two pictures are compared: --profile, --worst, --share and --mask.
+// Options for comparing two pictures: --profile, --worst, --share and --mask.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ namespace viewing {
 
 class ThresholdOptions {
 public:
-    /// Declares them under the title "Thresholds".
+    /// Declares these options under the title "Thresholds".
     explicit ThresholdOptions(Options& options);
     ThresholdOptions(const ThresholdOptions&) = delete;
     ThresholdOptions& operator=(const ThresholdOptions&) = delete;
 
     bool given() const { return profile_ || worst_ || share_ || !masks_.empty(); }
-    /// Those of the profile, with what was typed in their place. Throws Failure.
+    /// Returns the profile's thresholds, overridden by the given options. Throws Failure.
     CompareOptions values() const;
-    /// Pictures are read when they are wanted (mask_of). Throws Failure.
+    /// Returns the masks; those that are pictures are read later (mask_of). Throws Failure.
     MaskSource mask() const;
-    /// The masks that are pictures.
+    /// Returns the masks that are pictures.
     std::vector<FileArgument> files() const;
-    /// The masks as they were typed.
+    /// Returns the masks as typed.
     Json masks_as_json() const;
 
 private:

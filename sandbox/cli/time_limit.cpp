@@ -18,7 +18,7 @@
 namespace viewing {
 namespace {
 
-std::string last_line;  // made beforehand: a signal handler may not allocate
+std::string last_line;  // prepared in advance, because a signal handler must not allocate
 double limit_s = 0.0;
 volatile std::sig_atomic_t run_out = 0;
 volatile std::sig_atomic_t grace_left_s = 0;
@@ -51,10 +51,10 @@ TimeLimit::TimeLimit(double seconds, unsigned grace_s) {
     limit_s = seconds;
     run_out = 0;
     grace_left_s = static_cast<int>(grace_s);
-    last_line = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
+    last_line = "out of time: not finished within the " + format_number(seconds) + " s of --timeout\n";
     struct sigaction action {};
     action.sa_handler = end_at_time_limit;
-    action.sa_flags = SA_RESTART;  // in the time of grace a file is read and written on
+    action.sa_flags = SA_RESTART;  // reads and writes continue during the grace period
     ::sigaction(SIGALRM, &action, nullptr);
     sigset_t alarm;
     ::sigemptyset(&alarm);

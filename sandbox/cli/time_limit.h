@@ -1,13 +1,14 @@
-// --timeout: ends the process when its time has run out, wherever it hangs, or has it write what is done.
+// --timeout: ends the process when time is up, wherever it hangs, or lets it write its results so far.
 #pragma once
 
 #include <string>
 
 namespace viewing {
 
-/// From construction until lift() or the end of the object: when `seconds` are over, one sentence on stderr and exit
-/// status 8. With `grace_s` above 0 has_run_out() is true from then on, and the process ends so many seconds later. One
-/// at a time per process; uses SIGALRM, so that it needs no thread and works inside a driver.
+/// A time limit, active from construction until lift() or destruction. After `seconds`, prints one sentence on stderr
+/// and exits with status 8. If `grace_s` is above 0, has_run_out() becomes true instead, and the process ends `grace_s`
+/// seconds later. A process can have only one limit at a time. Uses SIGALRM, which needs no thread and works even
+/// inside a driver.
 class TimeLimit {
 public:
     explicit TimeLimit(double seconds, unsigned grace_s = 0);
@@ -15,12 +16,12 @@ public:
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
 
-    /// The one that there is, if any.
+    /// Lifts the current limit, if any.
     static void lift();
 
     static bool has_run_out();
 
-    /// What is said when it is over, and after how long; "" and 0 where there is none.
+    /// Return the message for an expired limit, and the limit in seconds; "" and 0 without a limit.
     static std::string sentence();
     static double seconds();
 };

@@ -8,6 +8,7 @@
 
 #include "image/image_size.h"
 #include "image/png.h"
+#include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -21,7 +22,7 @@ std::optional<int> parse_int(std::string_view text) {
     return number;
 }
 
-/// Two whole numbers with a sign between them.
+/// Parses two whole numbers separated by `between`.
 std::optional<glm::ivec2> parse_pair(const std::string& text, char between) {
     const std::size_t at = text.find(between);
     if (at == std::string::npos) return std::nullopt;
@@ -98,6 +99,10 @@ std::optional<int> samples_option(const Options& options, const std::optional<st
     if (!text) return std::nullopt;
     constexpr std::array choices{"0", "4"};
     return choice_option(options, "--samples", *text, choices) == 0 ? 0 : 4;
+}
+
+std::string points_text(int points) {
+    return say_count(points, "1 point", "{count} points");
 }
 
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text) {

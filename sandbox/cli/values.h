@@ -1,4 +1,4 @@
-// Values of options, from the text a person typed. Every refusal names the option and what is allowed.
+// Parses the values of options. Every error message names the option and the allowed values.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,37 +12,40 @@
 
 namespace viewing {
 
-/// The size of a picture when --size is left out.
+/// The default of --size.
 inline constexpr glm::ivec2 default_size_px{1280, 720};
 
-/// "1280x720": sides 1 … 16384, at most `most_pixels`. Left out: the default.
+/// Parses "1280x720": sides from 1 to 16384, at most `most_pixels`. Returns the default if left out.
 glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text,
                        int most_pixels = most_drawn_pixels);
 
-/// "X,Y" inside a picture of that size.
+/// Parses "X,Y", which must be inside a picture of that size.
 glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px);
 
-/// A whole number, or any finite number, between two limits, both allowed.
+/// Parse a whole number, or any finite number, from `min` to `max` inclusive.
 int whole_option(const Options& options, const char* name, const std::string& text, int min, int max);
 double number_option(const Options& options, const char* name, const std::string& text, double min, double max);
 
-/// The index of a name; a misspelt one gets the nearest.
+/// Returns the index of a name; the error message for a misspelled name suggests the nearest one.
 std::size_t choice_option(const Options& options, const char* name, const std::string& text,
                           std::span<const char* const> names);
 
-/// Whether a name ends in .png, in capitals or not.
+/// Whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::string& name);
 
-/// The name of a picture that is written: it ends in .png, or is "-", or that of a device or a pipe.
+/// Refuses the name of an output picture unless it ends in .png, is "-", or names a device or a pipe.
 void check_picture_name(const Options& options, const char* name, const std::string& target);
 
-/// The value of --samples, 0 or 4; none where it was left out.
+/// Returns the value of --samples, 0 or 4; nothing if left out.
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);
 
-/// The value of --language; none where it was left out.
+/// Returns, for example, "3 points", in the current language.
+std::string points_text(int points);
+
+/// Returns the value of --language; nothing if left out.
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text);
 
-/// What --help says about --samples and --size.
+/// The help texts of --samples and --size.
 inline constexpr const char* samples_help = "Multisampling; default: view.samples of the state";
 inline constexpr const char* size_help =
     "Width and height of the picture in pixels, 1x1 to 16384x16384 and at most 16 million pixels; default 1280x720";

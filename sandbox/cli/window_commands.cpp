@@ -8,7 +8,7 @@ namespace viewing {
 
 ExitStatus show_window(Session session, const WindowStart& start, WindowMemory& memory) {
     require_threads();
-    // For tests: a context that checks every call is slower.
+    // For tests: a context that checks every call is slower, so this is not the default.
     const bool checks_gl = std::getenv("VIEWING_SANDBOX_CHECK_GL") != nullptr;
     std::vector<std::string> gl_errors;
     value_or_end(run_window(std::move(session), start, memory, static_cast<int>(ExitStatus::no_context),

@@ -1,4 +1,4 @@
-// What the commands that open a window share.
+// Shared by the commands that open a window.
 #pragma once
 
 #include "app/desktop/window.h"
@@ -6,7 +6,8 @@
 
 namespace viewing {
 
-/// Until it is closed. Throws Failure: no display, no GL, or an error of GL where VIEWING_SANDBOX_CHECK_GL asks for it.
+/// Shows the window until it is closed. Throws Failure without a display or GL, and, if VIEWING_SANDBOX_CHECK_GL is
+/// set, for a GL error.
 ExitStatus show_window(Session session, const WindowStart& start, WindowMemory& memory);
 
 }  // namespace viewing

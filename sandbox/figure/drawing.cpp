@@ -14,7 +14,7 @@ Ink cut(const Ink& on_black, const Ink& on_white) {
     return {rgba[0], rgba[1], rgba[2], static_cast<std::uint8_t>(rgba[3] * on_black.a / 255)};
 }
 
-/// Of two marks of one kind; how each becomes what is left of the first.
+/// Removes the background from the first of two marks of the same kind.
 struct Cutter {
     void operator()(Shape& shape, const Shape& on_white) const { shape.ink = cut(shape.ink, on_white.ink); }
     void operator()(Shade& shade, const Shade& on_white) const {
@@ -63,7 +63,7 @@ bool has_cut_text(const Drawing& drawing) {
 
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white) {
     if (on_black.marks.size() != on_white.marks.size())
-        return Error{"two drawings of the same differ in more than their ground"};
+        return Error{"two drawings of the same differ in more than their background"};
     Drawing left = on_black;
     for (std::size_t i = 0; i < left.marks.size(); ++i)
         std::visit(Cutter{}, left.marks[i].what, on_white.marks[i].what);

@@ -1,5 +1,5 @@
-// What is drawn, as shapes, text and pictures in the order in which they cover each other: what vectors are written
-// from. Lengths are pixels, y goes down, colours are sRGB. Pure.
+// A drawing as shapes, text and pictures from back to front: the source of SVG and PDF. Lengths are in pixels, y points
+// down, colors are sRGB. Pure.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// Not premultiplied.
+/// A color, not premultiplied.
 struct Ink {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
     bool operator==(const Ink&) const = default;
@@ -25,44 +25,44 @@ struct DrawingBox {
     bool operator==(const DrawingBox&) const = default;
 };
 
-using Ring = std::vector<glm::vec2>;  ///< closed by itself
+using Ring = std::vector<glm::vec2>;  ///< closed implicitly
 
-/// What its rings go round, however often.
+/// The area inside the rings, by the nonzero winding rule.
 struct Shape {
     std::vector<Ring> rings;
     Ink ink;
 };
 
-/// A rectangle whose colour goes from one edge to the opposite one.
+/// A rectangle whose color changes from one edge to the opposite one.
 struct Shade {
     DrawingBox box;
-    bool is_vertical = false;  ///< from the top to the bottom, else from left to right
+    bool is_vertical = false;  ///< from top to bottom, else from left to right
     Ink from, to;
 };
 
-/// Characters of one face on one line, each in its own place.
+/// Characters of one font on one line, each at its own position.
 struct Line {
     std::string face;    ///< file name of the font
-    float em_px = 0.0F;  ///< size of its em
+    float em_px = 0.0F;  ///< font size
     float baseline_px = 0.0F;
     std::vector<float> lefts_px;  ///< of each character's origin
     std::u32string characters;
     Ink ink;
-    Ink halo{0, 0, 0, 0};  ///< of a rim around the characters, which keeps them apart from what is behind
-    float halo_px = 0.0F;  ///< its width
+    Ink halo{0, 0, 0, 0};  ///< of an outline around the characters, which separates them from the background
+    float halo_px = 0.0F;  ///< width of the outline
 };
 
-/// The part `from` of a picture, pixels from its upper left corner, stretched over `box`; where there are rings, only
-/// what they go round.
+/// The part `from` of a picture, in pixels from its upper left corner, stretched over `box`; if there are rings, only
+/// the area inside them.
 struct Inset {
     std::shared_ptr<const Image> image;
     DrawingBox from, box;
     std::vector<Ring> rings;
-    Ink tint;  ///< multiplies the picture
+    Ink tint;  ///< multiplies the picture's colors
 };
 
 struct Mark {
-    DrawingBox clip;  ///< nothing of it is seen outside
+    DrawingBox clip;  ///< nothing is visible outside it
     std::variant<Shape, Shade, Line, Inset> what;
 };
 
@@ -71,16 +71,16 @@ struct Drawing {
     std::vector<Mark> marks;
 };
 
-/// How many characters are written, blanks apart.
+/// Returns the number of characters, not counting blanks.
 std::size_t letter_count(const Drawing& drawing);
 
-/// Whether a part of a text lies outside what is seen of it: its capitals' height, from the first origin to the middle
-/// of the last character.
+/// Whether part of a text is outside its clip. Checks the capital height, and the width from the first character's
+/// origin to the middle of the last character.
 bool has_cut_text(const Drawing& drawing);
 
-/// What both drawings of the same on black and on white ground have, without the ground: what is black in one and white
-/// in the other is left out, what shows some of it is so much less opaque. Both have the same marks in the same order;
-/// the error says that they have not.
+/// Removes the background from two drawings of the same content, one on black and one on white: omits marks that are
+/// black in one and white in the other, and makes marks through which the background is visible less opaque. Fails
+/// unless both drawings have the same marks in the same order.
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white);
 
 }  // namespace viewing

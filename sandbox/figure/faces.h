@@ -1,4 +1,4 @@
-// The fonts of a drawing: which characters of each are in it, and files that have those alone.
+// The fonts in a drawing: the characters that it uses from each, and font files that contain only those.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace viewing {
 
-/// The characters of each font, by its file's name.
+/// Returns the characters used from each font, by file name.
 std::map<std::string, std::set<char32_t>> characters_of(const Drawing& drawing);
 
-/// A font file with the outlines of these characters and nothing that would put others in their place. The whole file
-/// where it cannot be made smaller.
+/// Returns a font file with the outlines of these characters only, and without rules that would substitute other
+/// glyphs; the whole file if it cannot be made smaller.
 std::vector<std::uint8_t> subset(std::span<const std::byte> file, const std::set<char32_t>& characters);
 
-/// UTF-8.
+/// Returns a character in UTF-8.
 std::string utf8(char32_t character);
 
 }  // namespace viewing

@@ -23,7 +23,7 @@ Moment advanced(Moment moment, const Params& params, double dt_s) {
 Params animated(const Params& params, const Moment& moment) {
     Params now = params;
     if (params.animation.jiggle) {
-        // Two tones that never meet again: it does not look like a pendulum.
+        // Two frequencies that rarely line up, so that the motion does not look like a pendulum's.
         const double tau = 2.0 * std::numbers::pi;
         const double away = 0.5 * (std::sin(0.61 * tau * moment.time_s) + std::sin(0.97 * tau * moment.time_s));
         const glm::dmat3 world_from_view(rotation_from_angles(params.camera.angles()));

@@ -1,24 +1,24 @@
-// What moves by itself: the parameters as they are at a time.
+// Computes everything that moves by itself: the parameters at a given time.
 #pragma once
 
 #include "state/params.h"
 
 namespace viewing {
 
-/// How long something has been moving, and how far the light has turned meanwhile: speeds change while it turns.
+/// Elapsed time and the light's total rotation, which is added up because the speed may change during the motion.
 struct Moment {
     double time_s = 0.0;
     double light_turn_deg = 0.0;
 };
 
-/// Whether anything moves.
+/// Returns whether anything moves.
 bool is_animated(const Params& params);
 
-/// So much later.
+/// Returns the moment `dt_s` later.
 Moment advanced(Moment moment, const Params& params, double dt_s);
 
-/// At the beginning they are the parameters themselves. The camera's tremor is a thousandth of the target's distance,
-/// sideways. The light turns about the world's y axis, counter-clockwise seen from above.
+/// Returns the parameters at `moment`; at time 0 they equal `params`. The camera jitters, mostly sideways, by up to a
+/// thousandth of the target's distance. The light rotates about the world's y axis, counterclockwise seen from above.
 Params animated(const Params& params, const Moment& moment);
 
 }  // namespace viewing

@@ -1,35 +1,35 @@
-// What values a linear form takes in a box, rounding included. Part of box_tree.h's questions.
+// Bounds the values of a linear form over a box, including rounding errors. Queries of a BoxTree use it.
 #pragma once
 
 #include "geometry/mesh.h"
 
 namespace viewing {
 
-/// The form a·(p, 1) of points p of a space, for boxes of a model in that space.
+/// The linear form a·(p, 1) of a point p in some space, for boxes in a model's own space.
 class BoxForm {
 public:
-    /// `summed`: the sizes of the terms that `form` has been added up from, where they are larger than its own.
+    /// `summed`: the magnitudes of the terms that were summed to get `form`, if they exceed those of `form` itself.
     BoxForm(const glm::dvec4& form, const glm::dmat4& space_from_model, const glm::dvec4& summed = glm::dvec4(0.0))
         : form_(form * space_from_model) {
         for (int column = 0; column < 4; ++column)
             sizes_[column] = glm::dot(glm::max(glm::abs(form), summed), glm::abs(space_from_model[column]));
     }
 
-    /// No point of the box has a lesser value, nor does it get one when it is computed.
+    /// Conservative bounds: no point of the box has a value beyond them, neither the exact value nor the computed one.
     double least(const Bounds& box) const { return middle(box) - reach(box); }
     double greatest(const Bounds& box) const { return middle(box) + reach(box); }
 
 private:
     double middle(const Bounds& box) const { return glm::dot(form_, glm::dvec4(box.center(), 1.0)); }
     double reach(const Bounds& box) const {
-        constexpr double rounding = 1e-13;  // some hundreds of units in the last place
+        constexpr double rounding = 1e-13;  // a few hundred units in the last place
         const glm::dvec3 half = 0.5 * box.size();
         return glm::dot(glm::abs(glm::dvec3(form_)), half) +
                rounding * (glm::dot(glm::dvec3(sizes_), glm::abs(box.center()) + half) + sizes_.w);
     }
 
     glm::dvec4 form_;
-    glm::dvec4 sizes_;  ///< of the terms of a value
+    glm::dvec4 sizes_;  ///< magnitudes of the terms that form a value
 };
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Sorting along Hilbert's curve puts what is near in space near in the list: it never jumps, so that no run of
-// neighbours has a box across the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
+// Sorts items along a Hilbert curve, which keeps neighbors in space close in the list. The curve never jumps, so no run
+// of neighbors has a box across the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
 #include "frame/box_tree.h"
 
 #include <array>
@@ -10,13 +10,13 @@
 namespace viewing {
 namespace {
 
-constexpr int bits = 10;  ///< of each coordinate
+constexpr int bits = 10;  ///< per coordinate
 using Cell = std::array<std::uint32_t, 3>;
 
-/// Turns the coordinates of a cell into the digits of its place along the curve: one bit of each of the three, the
-/// first of them the highest, make a digit.
+/// Converts the coordinates of a cell to the digits of its position along the curve. Each digit takes one bit from each
+/// of the three; the first coordinate's bit is the highest.
 Cell digits_on_curve(Cell cell) {
-    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // turn the octants inside the octants
+    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // rotate the octants inside the octants
         const std::uint32_t below = half - 1;
         for (std::uint32_t& axis : cell) {
             if ((axis & half) != 0) {
@@ -28,7 +28,7 @@ Cell digits_on_curve(Cell cell) {
             }
         }
     }
-    cell[1] ^= cell[0];  // from Gray's code
+    cell[1] ^= cell[0];  // Gray code
     cell[2] ^= cell[1];
     std::uint32_t turned = 0;
     for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1)
@@ -37,9 +37,9 @@ Cell digits_on_curve(Cell cell) {
     return cell;
 }
 
-/// The place of a point along the curve through the bounds; what is not finite is at the beginning.
+/// Returns a point's position along the curve through the bounds; a point that is not finite comes first.
 std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
-    const glm::dvec3 share = (point - bounds.min) / bounds.size();  // not a number where there is no extent
+    const glm::dvec3 share = (point - bounds.min) / bounds.size();  // NaN along an axis without extent
     Cell cell{};
     for (int axis = 0; axis < 3; ++axis) {
         constexpr double cells = 1 << bits;
@@ -53,7 +53,7 @@ std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
     return place;
 }
 
-/// Trees of meshes, each as long as its mesh lives.
+/// Keeps the trees of meshes, each for as long as its mesh lives.
 class KeptTrees {
 public:
     template <typename Make>
@@ -74,7 +74,7 @@ private:
 
 template <typename BoundsOf>
 BoxTree BoxTree::made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item) {
-    std::vector<std::uint64_t> sorted(count);  // place on the curve, then number
+    std::vector<std::uint64_t> sorted(count);  // position on the curve, then index
     for (std::size_t i = 0; i < count; ++i) sorted[i] = place_on_curve(bounds_of_item(i).center(), whole) << 32U | i;
     std::sort(sorted.begin(), sorted.end());
 

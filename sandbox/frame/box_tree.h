@@ -1,6 +1,6 @@
-// A mesh's vertices or triangles in runs of neighbours with a box around each, eight of these in a larger box, and so
-// on up to the whole: a question about a large mesh passes over most of it. Found once for a mesh and kept as long as
-// it. Read planes/object_reach.h next, which asks.
+// A box tree over a mesh's vertices or triangles: each run of neighbors has a box, eight boxes share a larger one, and
+// so on up to the whole mesh. A query on a large mesh skips most of the tree. Built once per mesh and kept as long as
+// the mesh. Read object_reach.h next, which queries it.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,18 @@ namespace viewing {
 
 class BoxTree {
 public:
-    /// Of vertices, by their number; all boxes are in model space.
+    /// Builds a tree over the vertices, by index; all boxes are in model space.
     static BoxTree of_vertices(const Mesh& mesh);
-    /// Of triangles, by their number.
+    /// Builds a tree over the triangles, by index.
     static BoxTree of_triangles(const Mesh& mesh);
 
-    /// Whether is_so(item) for an item in boxes for which may_hold(box); every such item is asked until one says so.
+    /// Returns whether is_so(item) holds for any item in boxes that pass may_hold(box); stops at the first.
     template <typename MayHold, typename IsSo>
     bool any(MayHold may_hold, IsSo is_so) const {
         return !levels_.empty() && any_below(levels_.size() - 1, 0, may_hold, is_so);
     }
 
-    /// Visits every item in boxes for which may_hold(box).
+    /// Visits every item in boxes that pass may_hold(box).
     template <typename MayHold, typename Visit>
     void each(MayHold may_hold, Visit visit) const {
         any(may_hold, [&](std::uint32_t item) {
@@ -36,8 +36,8 @@ public:
         });
     }
 
-    /// Visits items, those in boxes with the least `key` first. Boxes with a key of at least limit() are passed over:
-    /// visits lower it.
+    /// Visits items; boxes with the smallest `key` come first. Skips boxes whose key is at least limit(), which may
+    /// shrink with each visit.
     template <typename Key, typename Limit, typename Visit>
     void least_first(Key key, Limit limit, Visit visit) const;
 
@@ -47,7 +47,7 @@ private:
     template <typename BoundsOf>
     static BoxTree made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item);
 
-    /// Of a box, the boxes below it; on level 0, the items of a run.
+    /// Visits the indices of the boxes below a box; on level 0, of the items of a run.
     template <typename Each>
     void each_below(std::size_t level, std::size_t index, Each each) const {
         const std::size_t length = level == 0 ? run_length : fan;
@@ -66,7 +66,7 @@ private:
     }
 
     std::vector<std::uint32_t> items_;         ///< each once, along a space-filling curve
-    std::vector<std::vector<Bounds>> levels_;  ///< of the runs; of `fan` of these; … the last one has one box
+    std::vector<std::vector<Bounds>> levels_;  ///< boxes of runs, then of `fan` of these, …; the last level has one box
 };
 
 template <typename Key, typename Limit, typename Visit>
@@ -94,7 +94,7 @@ void BoxTree::least_first(Key key, Limit limit, Visit visit) const {
     }
 }
 
-/// Those of a mesh, found when they are asked for first. Safe to call from several threads.
+/// Return a mesh's trees, built on first use. Safe to call from several threads.
 std::shared_ptr<const BoxTree> vertex_tree(const std::shared_ptr<const Mesh>& mesh);
 std::shared_ptr<const BoxTree> triangle_tree(const std::shared_ptr<const Mesh>& mesh);
 

@@ -1,5 +1,5 @@
-// Params in, every number out. Matrices multiply from right to left: clip ← view ← world.
-// Read plan.cpp next: what is done with these numbers.
+// Computes every number from the parameters. Matrices multiply from right to left: clip ← view ← world. Read plan.cpp
+// next, which uses these numbers.
 #include "frame/derive.h"
 
 #include <algorithm>
@@ -32,12 +32,12 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     } else {
         derived.world_from_view = world_from_view(camera.position, camera.angles());
     }
-    // C as V: then C⁻¹ is what the eye's axes are taken from.
+    // With C uploaded as V, the eye's axes come from C⁻¹.
     const glm::dmat4 inverse_camera = view_from_world(derived.world_from_view);
     const bool swapped = params.slips.camera_as_view;
     derived.view_from_world = swapped ? derived.world_from_view : inverse_camera;
     const glm::dmat4& seen_from = swapped ? inverse_camera : derived.world_from_view;
-    // Parallel lines of sight see a plane's side by their direction alone, wherever the camera stands.
+    // With parallel view rays, their direction alone decides which side of a plane is visible.
     derived.eye_world = seen_from[params.projection.type == ProjectionType::orthographic ? 2 : 3];
     derived.facts.view_residual = largest_entry(derived.view_from_world * derived.world_from_view - glm::dmat4(1.0));
 
@@ -79,11 +79,11 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
     return cast;
 }
 
-/// R as the slips and the lecture's array have it.
+/// Returns R with the mistakes that are switched on and the layout of the lecture's array.
 glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips, bool printed_by_rows) {
     const glm::dmat4 mirror =
         mirror_matrix_as_typed(slips.normal_not_unit ? equation : unit_plane(equation), slips.plus_2ab);
-    // The lecture's array is filled by rows; GL reads columns.
+    // The lecture fills its array by rows; GL reads columns.
     return printed_by_rows ? glm::transpose(mirror) : mirror;
 }
 
@@ -148,7 +148,7 @@ DepthPrecision precision_of(DepthFormat format) {
         case DepthFormat::d32f:
             return {32, true};
         default:
-            return {4 + static_cast<int>(format), false};  // d4 … d12 stand first in the enumeration
+            return {4 + static_cast<int>(format), false};  // d4 … d12 come first in the enumeration
     }
 }
 
@@ -164,7 +164,7 @@ bool depends_on_stored_depth(const Params& params, const Scene& scene) {
     const DepthParams& depth = params.depth;
     if (stores_fewer_bits(depth.format)) return false;
     const bool moves_decals = depth.decals == DecalMethod::offset && depth.offset.units != 0.0 && has_decals(scene);
-    // With the standard mapping nearly all depths lie above 1/2, where a float has 2²⁴ places as well.
+    // With the standard mapping, nearly all depths are above 1/2, where floats are 2⁻²⁴ apart as well.
     return moves_decals || (depth.format == DepthFormat::d24 && depth.mapping != DepthMapping::standard);
 }
 

@@ -1,4 +1,4 @@
-// What others see than the camera: the observer, the light, and an observer before whom the world moves.
+// Derives all views but the camera's: the observer's, the light's, and that of an observer of a moving world.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,8 +11,9 @@
 namespace viewing {
 namespace {
 
-/// Moves and enlarges a picture until points in it fill it, both axes alike; I where some are not before the eye.
-glm::dmat4 centred_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
+/// Returns a matrix that moves a picture and scales it uniformly until `points` fill it; I if a point is behind the
+/// eye.
+glm::dmat4 centered_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& point : points) {
         const glm::dvec4 clip = clip_from_world * glm::dvec4(point, 1.0);
@@ -30,7 +31,7 @@ glm::dmat4 centred_on(std::span<const glm::dvec3> points, const glm::dmat4& clip
     return zoomed;
 }
 
-/// The corners of what bounds each object; without any, of the patch.
+/// Returns the corners of each object's bounds; if there are no objects, the patch's corners.
 std::vector<glm::dvec3> casting(const Scene& scene, const PlanePatch& patch) {
     std::vector<glm::dvec3> points;
     for (const SceneObject& object : scene.objects) {
@@ -54,7 +55,7 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     view.eye_world = {observer.target + back * observer.distance, 1.0};
     view.world_from_view = world_from_view(glm::dvec3(view.eye_world), angles);
     view.view_from_world = view_from_world(view.world_from_view);
-    // A narrow view keeps the width of what it shows: the camera stays in the picture.
+    // A narrow view keeps its horizontal extent, so that the camera stays in the picture.
     constexpr double usual_aspect = 1.8;
     const double widening = std::max(1.0, usual_aspect / viewport.aspect());
     const double fovy_deg = glm::degrees(2.0 * std::atan(std::tan(glm::radians(20.0)) * widening));
@@ -75,17 +76,17 @@ ObserverView derive_light_view(const Derived& derived, const Scene& scene, const
     const glm::dvec3 away =
         parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - target;
     const double distance = std::max(glm::length(away), 1e-6);
-    const bool is_at_target = glm::length(away) < 1e-6;  // then it looks down the normal
+    const bool is_at_target = glm::length(away) < 1e-6;  // then the light looks down the normal
     const glm::dvec3 back = is_at_target ? patch.normal : away / distance;
 
-    // Looking from straight above or below there is no y axis to hold upright.
+    // A view straight down or up cannot have the y axis upright.
     const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     ObserverView view;
     view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {target + away, 1.0}};
     view.view_from_world = view_from_world(view.world_from_view);
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    // As wide as what casts, with a little room; from among the casters as wide as can be looked at.
+    // As wide as the casters plus a small margin; if the light is among the casters, as wide as a view can be.
     constexpr double room = 1.1, widest_slope = 4.0;
     double half_height = 1e-3 * radius, slope = 1e-9;
     for (const glm::dvec3& point : seen) {
@@ -99,7 +100,7 @@ ObserverView derive_light_view(const Derived& derived, const Scene& scene, const
     const Lens lens{parallel, fovy_deg, 2.0 * half_height,
                     std::max(0.02 * std::min(distance, radius), distance - reach), distance + reach};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
-    view.clip_from_world = centred_on(seen, view.clip_from_world) * view.clip_from_world;
+    view.clip_from_world = centered_on(seen, view.clip_from_world) * view.clip_from_world;
     return view;
 }
 
@@ -120,7 +121,7 @@ glm::dmat4 placed_camera(const Params& params) {
 }
 
 glm::dmat4 effective_camera(const Derived& derived) {
-    return view_from_world(derived.view_from_world);  // a rotation and a move, as C is: inverted alike
+    return view_from_world(derived.view_from_world);  // rotation and translation, like C, so inverted in the same way
 }
 
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {

@@ -7,17 +7,18 @@
 namespace viewing {
 namespace {
 
-/// One of the factors of W, from left to right.
+/// One of the factors of W.
 struct Factor {
     std::string code, comment, part;
 };
 
-/// W: V of this state, taken apart. `sign` is −1 for what undoes the camera, 1 where C itself is sent.
+/// Returns the factors of W, from left to right, for the V of this state. `sign` is −1 to undo the camera, 1 to upload
+/// C.
 std::vector<Factor> factors_of(const Params& params) {
     const bool is_camera_itself = params.slips.camera_as_view;
     const double sign = is_camera_itself ? 1.0 : -1.0;
     const char* const minus = is_camera_itself ? "" : "−";
-    // 0 + x, since −1 · 0 would print as −0.
+    // Adding 0 keeps −1 · 0 from printing as −0.
     const auto number = [sign](double value, int decimals) { return plain_decimals(0.0 + sign * value, decimals); };
     const CameraParams& camera = params.camera;
     const auto turn = [&](double angle_deg, const char* axis, const char* name, const char* part) -> Factor {
@@ -29,7 +30,7 @@ std::vector<Factor> factors_of(const Params& params) {
     const Factor move = {"translate(" + number(camera.position.x, 2) + ", " + number(camera.position.y, 2) + ", " +
                              number(camera.position.z, 2) + ")",
                          "", "translate"};
-    const bool moves_last = params.slips.swapped_order;  // C = R T in place of T R
+    const bool moves_last = params.slips.swapped_order;  // C = R T instead of T R
     turns.insert(moves_last ? turns.end() : turns.begin(), move);
     if (!is_camera_itself) std::reverse(turns.begin(), turns.end());
     return turns;

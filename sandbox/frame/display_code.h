@@ -1,5 +1,5 @@
-// The lecture's display() with the numbers of a state, line by line, as a student would have to type it to get this
-// picture: with the slips that are switched on, without those of the slide.
+// Writes the lecture's display() with the numbers of a state, line by line, as a student would have to type it to get
+// this picture: with the mistakes that are switched on, without the mistakes of the slide.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace viewing {
 
 struct DisplayLine {
     std::string code;
-    bool moves_world = false;  ///< a factor of W
-    std::string part = {};  ///< what it stands for: "projection", "rotate.yaw", "translate"; empty: nothing by itself
+    bool moves_world = false;  ///< the line is a factor of W
+    std::string part = {};     ///< its meaning: "projection", "rotate.yaw", "translate"; empty if it has none alone
 };
 
-/// P, V and W are the matrices of GLM's functions, angles in degrees, lengths in world
-/// units; P V W is clip_from_world of standard depth.
+/// Returns the lines. P, V and W use GLM's functions, with angles in degrees and lengths in world units; P V W is the
+/// clip_from_world of standard depth.
 std::vector<DisplayLine> display_lines(const Params& params, const Derived& derived);
 
 }  // namespace viewing

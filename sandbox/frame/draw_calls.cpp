@@ -21,7 +21,7 @@ bool is_drawn_as_it_comes(const Pass& pass) {
     return pass.subject != Subject::ordered && pass.subject != Subject::pixels;
 }
 
-/// Nothing of a call is all of the one before.
+/// Replaces "no triangle of a call" with "all triangles of the previous call".
 DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls) {
     while (limit.triangles == 0 && limit.call > 0)
         limit.triangles = calls[static_cast<std::size_t>(--limit.call)].triangles;
@@ -67,10 +67,10 @@ std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
 
 std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const Pass& pass = plan.passes.at(call.pass);
-    const std::string object = call.object >= 0
-                                   ? scene.objects.at(static_cast<std::size_t>(call.object)).description.name
-                               : pass.subject == Subject::backdrop ? tr("square")
-                                                                   : plane_name(pass.plane);
+    const std::string object =
+        call.object >= 0 ? object_text(scene.objects.at(static_cast<std::size_t>(call.object)).description.name)
+        : pass.subject == Subject::backdrop ? tr("square")
+                                            : plane_name(pass.plane);
     return say("{object}, pass {number}: {pass}", "object"_a = object, "number"_a = call.pass + 1,
                "pass"_a = pass.name);
 }

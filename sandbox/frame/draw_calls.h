@@ -1,4 +1,4 @@
-// A frame as the draw calls that GL gets, one after another, to stop between them and within them.
+// The sequence of draw calls that a frame sends to GL, so that the frame can stop between calls and within them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace viewing {
 
 struct DrawCall {
     std::size_t pass = 0;  ///< index in FramePlan::passes
-    int object = -1;       ///< index in Scene::objects; −1: a square, the pass's patch or a fresh picture
+    int object = -1;       ///< index in Scene::objects; −1: a square, the patch or the backdrop
     int triangles = 0;
 
     bool operator==(const DrawCall&) const = default;
@@ -20,22 +20,22 @@ struct DrawCall {
 /// "plane", "plane 2", "plane 3" …
 std::string plane_name(std::size_t plane);
 
-/// Whether a pass over the objects draws this one.
+/// Returns whether a pass with this choice draws the object.
 bool is_chosen(Chosen chosen, const SceneObject& object);
 
-/// How many calls a pass makes: one for a square, one for each object; none for what a method found.
+/// Returns how many calls a pass makes: one for a square, one per object, none for a method's result.
 int call_count(const Pass& pass, const Scene& scene);
 
-/// How many of a call's triangles are drawn: all before the limit's call, and none after it.
+/// Returns how many of a call's triangles are drawn: all before the limit's call, none after that call.
 int triangles_drawn(const DrawLimit& limit, int call, int triangles);
 
-/// The calls of a frame whose method draws the scene as it comes, in order; of other methods none.
+/// Returns a frame's calls in order if its method draws the scene in scene order; none for other methods.
 std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene);
 
-/// "box, pass 4: Objects".
+/// Returns "box, pass 4: Objects".
 std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene);
 
-/// The step before: the triangle before, or the last one of the call before; from the first one on {0, 0}, nothing.
+/// Returns the limit one triangle earlier, across calls; before the first triangle, {0, 0}: nothing is drawn.
 DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ double excess_of_length(const glm::dvec4& equation) {
     return glm::length(glm::dvec3(equation)) - 1.0;
 }
 
-/// The state that is asked about.
+/// The state to examine.
 struct State {
     const Params& params;
     const Scene* scene;
@@ -34,12 +34,13 @@ struct State {
     bool mirrors() const {
         return std::any_of(params.planes.begin(), params.planes.end(), [](const auto& p) { return p.mirrors; });
     }
-    /// Whether there is a plane that this is not 0 of.
+    /// Returns whether `quantity` is nonzero for any plane.
     bool mirrors_with(double (*quantity)(const glm::dvec4& equation)) const {
         return std::any_of(params.planes.begin(), params.planes.end(),
                            [&](const PlaneParams& plane) { return quantity(plane.equation) != 0.0; });
     }
-    /// Culling and the facing view do, and the counts beside a method's steps.
+    /// Returns whether the picture or a number distinguishes front and back faces: when culled, in the facing view, and
+    /// in the counts shown with a method's steps.
     bool tells_faces() const {
         return params.cull.enabled || params.view.shows == Shows::facing || params.view.shows == Shows::difference ||
                params.visibility.step >= 0 || params.visibility.numbers ||
@@ -47,7 +48,7 @@ struct State {
     }
 };
 
-/// One reason, and the fields that have no effect while it holds: a field, or a whole group ("coplanar.").
+/// A reason, and the fields that have no effect while it holds: single fields, or a whole group ("coplanar.").
 struct Reason {
     bool (*holds)(const State& state);
     const char* sentence;
@@ -60,14 +61,14 @@ bool is_named(const Reason& reason, std::string_view path) {
     });
 }
 
-/// The broadest come first.
+/// Sorted from the broadest reason to the narrowest.
 std::span<const Reason> reasons() {
     static const Reason all[] = {
         {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },
          marked("An orthographic view has a height and no angle."),
          {"projection.fovy", "slips.degrees_as_radians"}},
         {[](const State& s) { return s.params.projection.type == ProjectionType::perspective; },
-         marked("A perspective has an angle and no height."),
+         marked("A perspective view has an angle and no height."),
          {"projection.height"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
@@ -78,7 +79,7 @@ std::span<const Reason> reasons() {
          {"depth.test", "depth.func", "depth.write", "depth.clear", "depth.write_while_clearing",
           "depth.reversed_clear"}},
         {[](const State& s) { return !s.params.depth.test; },
-         marked("Without the depth test nothing is compared, and no depth is written."),
+         marked("Without the depth test, nothing is compared and no depth is written."),
          {"depth.func", "depth.write"}},
         {[](const State& s) { return s.params.depth.mapping != DepthMapping::reversed; },
          marked("Depth is not reversed."),
@@ -93,19 +94,19 @@ std::span<const Reason> reasons() {
          marked("This scene has no decals: open coplanar or decals."),
          {"depth.decals", "depth.offset.factor", "depth.offset.units"}},
         {[](const State& s) { return s.params.depth.decals != DecalMethod::offset; },
-         marked("Decals are not kept apart by an offset."),
+         marked("Decals are not separated by an offset."),
          {"depth.offset.factor", "depth.offset.units"}},
         {[](const State& s) { return !s.has_pairs(); },
          marked("Only the scene coplanar has pairs to place."),
          {"coplanar."}},
 
         {[](const State& s) { return is_drawn_by_gl_alone(s.params.visibility.method); },
-         marked("GL's own pixels are those of the view."),
+         marked("GL always draws the view's own pixels."),
          {"visibility.raster", "visibility.pixel"}},
 
         {[](const State& s) { return !s.params.cull.enabled; }, marked("No face is culled."), {"cull.face"}},
         {[](const State& s) { return !s.tells_faces(); },
-         marked("Front and back are told apart only while faces are culled, or shown."),
+         marked("Front and back matter only while faces are culled or shown."),
          {"cull.front_face", "reflection.flip_winding"}},
 
         {[](const State& s) { return !s.params.shadow.enabled; },
@@ -120,7 +121,7 @@ std::span<const Reason> reasons() {
           "shadow.clip_casters", "shadow.offset", "shadow.offset_factor", "shadow.offset_units", "shadow.lift",
           "shadow.style", "shadow.clip_at_light", "shadow.write_depth", "shadow.own_stencil", "reflection.shadows"}},
         {[](const State& s) { return s.params.shadow.style == ShadowStyle::missing_light; },
-         marked("A missing light has no colour and lies in no depth buffer: it is left out where it does not arrive."),
+         marked("Missing light has no color and no depth: it is simply not added where it does not arrive."),
          {"shadow.color", "shadow.opacity", "shadow.offset", "shadow.offset_factor", "shadow.offset_units",
           "shadow.lift", "shadow.write_depth"}},
         {[](const State& s) { return s.params.shadow.offset != ShadowOffset::polygon_offset; },
@@ -142,35 +143,35 @@ std::span<const Reason> reasons() {
           "reflection.same_projection", "reflection.mask_writes_depth", "reflection.after_objects",
           "reflection.shadows"}},
         {[](const State& s) { return !s.mirrors_with(product_of_x_and_y); },
-         marked("No plane's normal has both an x and a y: 2ab is 0."),
+         marked("No plane's normal has both an x and a y component: 2ab is 0."),
          {"slips.plus_2ab"}},
         {[](const State& s) { return !s.mirrors_with(excess_of_length); },
-         marked("Every plane is given with a normal of length 1."),
+         marked("Every plane's normal already has length 1."),
          {"slips.normal_not_unit"}},
         {[](const State& s) { return s.params.reflection.mirrored != MirroredThing::camera; },
          marked("The scene is mirrored, not the camera."),
          {"reflection.same_projection"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::painter); },
-         marked("Only the painter's algorithm sorts by a key."),
+         marked("Only the painter's algorithm uses a sort key."),
          {"visibility.sort_key"}},
         {[](const State& s) { return !s.uses(VisibilityMethod::bsp); },
-         marked("Only the BSP tree has splitters and a walk."),
+         marked("Only the BSP tree has splitting planes and a walk."),
          {"visibility.splitter", "visibility.walk"}},
         {[](const State& s) { return !s.uses(VisibilityMethod::bsp) && !s.uses(VisibilityMethod::newell); },
-         marked("Only Newell's algorithm and the BSP tree cut polygons."),
+         marked("Only Newell's algorithm and the BSP tree split polygons."),
          {"visibility.epsilon"}},
         {[](const State& s) { return !s.uses(VisibilityMethod::ray_cast); },
-         marked("Only rays meet curves exactly."),
+         marked("Only rays intersect curves exactly."),
          {"visibility.exact_curves"}},
         {[](const State& s) { return s.params.cull.enabled; },
-         marked("Culling tells faces apart: curves are triangles while it is on."),
+         marked("Culling distinguishes faces: while it is on, curves are triangles."),
          {"visibility.exact_curves"}},
         {[](const State& s) { return s.params.view.shows != Shows::difference; },
-         marked("Nothing is compared: choose difference above the picture."),
+         marked("Nothing is being compared: choose 'difference' above the picture."),
          {"visibility.compare_with"}},
         {[](const State& s) { return s.params.visibility.method == VisibilityMethod::ray_cast; },
-         marked("Rays draw no polygons that could be numbered."),
+         marked("Ray casting draws no polygons to number."),
          {"visibility.numbers"}},
 
         {[](const State& s) { return s.params.view.beside.shows == Beside::nothing; },
@@ -180,20 +181,20 @@ std::span<const Reason> reasons() {
          marked("The second picture has the same depth buffer."),
          {"view.beside.format", "view.beside.mapping"}},
         {[](const State& s) { return s.params.view.beside.layout != BesideLayout::divider; },
-         marked("The two pictures have a half each."),
+         marked("Each picture takes one half."),
          {"view.beside.share"}},
         {[](const State& s) { return !s.params.animation.light_orbit; },
          marked("No light orbits."),
          {"animation.light_speed"}},
 
         {[](const State& s) { return s.params.camera.navigation != Navigation::walk; },
-         marked("This shows while walking."),
+         marked("Visible only while walking."),
          {"slips.walk_slows"}},
         {[](const State& s) { return s.params.camera.navigation == Navigation::fly; },
-         marked("This shows while walking or orbiting."),
+         marked("Visible only while walking or orbiting."),
          {"slips.creeping_roll"}},
         {[](const State& s) { return s.params.camera.navigation != Navigation::orbit; },
-         marked("This shows while orbiting."),
+         marked("Visible only while orbiting."),
          {"slips.pole_flip"}},
     };
     return all;

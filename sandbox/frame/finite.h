@@ -1,4 +1,4 @@
-// Whether what is uploaded are numbers. Pixels of 8 bits hold no NaN, so it is looked for where it would come from.
+// Checks that uploaded matrices are finite. Pixels of 8 bits cannot store NaN, so the check examines the matrices.
 #pragma once
 
 #include "frame/derive.h"
@@ -6,8 +6,8 @@
 
 namespace viewing {
 
-/// The error names the first matrix of projection, view, shadows and mirrors that has an entry which is not finite as a
-/// float.
+/// Returns an error that names the first matrix of projection, view, shadows and mirrors with an entry that is not
+/// finite as a float.
 Status check_finite(const Derived& derived);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// A pass as the GL calls that it becomes after another one, in the lecture's words: what the panel lists.
+// Lists the GL calls that lead from one pass to the next, in the lecture's words, for the panel.
 #include <algorithm>
 
 #include "frame/plan.h"
@@ -38,7 +38,7 @@ std::string gl_name(FrontFace front) {
 
 namespace {
 
-/// Lists what is told, and only what has changed.
+/// Collects calls, skipping those that change nothing.
 class Calls {
 public:
     std::vector<std::string> list;
@@ -47,7 +47,7 @@ public:
     void enable(const char* capability, bool on, bool was_on) {
         if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
     }
-    /// `is_known`: GL has been told what it was before. What a test is made with is not told while it is off.
+    /// `is_known`: GL already has the value of `before`. A disabled test gets no parameters.
     void change(const std::string& call, const std::string& before, bool is_known = true) {
         if (call != before || !is_known) add(call);
     }
@@ -63,7 +63,7 @@ std::string truth(bool is_true) {
 
 std::string stencil_func(const Pass& pass) {
     return "glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
-           (pass.marks_objects ? tr("mark of each object") : std::to_string(pass.stencil.reference)) + ", " +
+           (pass.marks_objects ? tr("each object's mark") : std::to_string(pass.stencil.reference)) + ", " +
            mask_text(pass.stencil.read_bits) + ")";
 }
 
@@ -132,7 +132,7 @@ bool is_lit(const Pass& pass) {
     return pass.shading == Shading::lit && pass.color_write;
 }
 
-/// What colours it: lights, where the scene is lit, the colour of a shadow, what of its colour a patch keeps.
+/// Lists the colors of a pass: the lights if it is lit, the color of a shadow, the alpha of a patch.
 void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
     if (!pass.color_write) return;
     if (is_lit(pass))
@@ -150,7 +150,8 @@ void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
         calls.add("glUniform1f(alpha, " + number(pass.color.a) + ")");
 }
 
-/// What the frame before left on is put back, masks above all: glClear obeys them. The first frame finds it so anyway.
+/// Restores the state that the previous frame left enabled, above all the masks, which glClear obeys. The first frame
+/// needs none of this.
 void take_back(Calls& calls, const std::vector<Pass>& passes) {
     if (passes.empty()) return;
     const Pass first = first_gl_state(), &last = passes.back();

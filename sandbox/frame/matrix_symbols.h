@@ -1,4 +1,4 @@
-// The symbolic form of each matrix's entries, as it stands under the numbers in the window. Read matrix_text.h for the
+// The symbolic form of each matrix's entries, shown under the numbers in the window. Read matrix_text.h for the
 // numbers.
 #pragma once
 
@@ -9,23 +9,23 @@
 
 namespace viewing {
 
-/// Row by row. Products are written without a sign ("-l_x n_y", "2fn"), powers as "a^2"; right, up, back, eye and
-/// aspect are words, all other letters stand by themselves.
+/// Row by row. Products have no operator ("-l_x n_y", "2fn"); powers are written "a^2". right, up, back, eye and aspect
+/// are words; every other letter is a symbol of its own.
 using MatrixSymbols = std::array<const char*, 16>;
 
 /// S of the unit plane (n, d) and the light l.
 MatrixSymbols shadow_symbols();
-/// R of the unit plane a, b, c, d; with the slips of the slides.
+/// R of the unit plane a, b, c, d, with the slides' mistakes.
 MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab);
-/// V and C; swapped: turned before it is moved.
+/// V and C. `swapped_order`: C = R T instead of T R.
 MatrixSymbols view_symbols(bool swapped_order);
 MatrixSymbols camera_symbols(bool swapped_order);
 /// P with near n, far f, height h and c = cot(½ fovy).
 MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one);
 
-/// One of them for LaTeX's mathematics: "\Pi \cdot L - l_x n_x".
+/// Returns a symbol in LaTeX math: "\Pi \cdot L - l_x n_x".
 std::string symbol_as_latex(const std::string& symbol);
-/// One of them for C, GLSL, Python and MATLAB, with products written out: "plane_dot_light-l_x*n_x".
+/// Returns a symbol for C, GLSL, Python and MATLAB, with products written out: "plane_dot_light-l_x*n_x".
 std::string symbol_as_code(const std::string& symbol);
 
 }  // namespace viewing

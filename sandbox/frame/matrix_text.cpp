@@ -10,10 +10,10 @@
 namespace viewing {
 namespace {
 
-/// The sixteen entries as text, in the order in which they are listed: rows first or columns first.
+/// The sixteen entries as strings in listing order: rows first or columns first.
 using Entries = std::array<std::array<std::string, 4>, 4>;
 
-/// How a language writes what has no digits.
+/// How a language writes NaN and infinity.
 struct Specials {
     const char* nan;
     const char* infinity;
@@ -47,14 +47,14 @@ std::string digits_of(double value, const Notation& notation) {
     return text;
 }
 
-/// LaTeX has no 1e-05: 1 \cdot 10^{-5}.
+/// Writes 1e-05 as 1 \cdot 10^{-5}, since LaTeX has no exponent notation for numbers.
 std::string with_power_of_ten(const std::string& number) {
     const std::size_t e = number.find('e');
     if (e == std::string::npos) return number;
     return number.substr(0, e) + R"( \cdot 10^{)" + std::to_string(std::stoi(number.substr(e + 1))) + "}";
 }
 
-/// `entry(row, column)` of each.
+/// Collects `entry(row, column)` in listing order.
 template <typename Entry>
 Entries entries_of(const Notation& notation, const Entry& entry) {
     Entries entries;
@@ -64,7 +64,7 @@ Entries entries_of(const Notation& notation, const Entry& entry) {
     return entries;
 }
 
-/// All entries right-aligned to their column's width.
+/// Right-aligns all entries to their column's width.
 void align(Entries& entries) {
     for (std::size_t place = 0; place < 4; ++place) {
         std::size_t width = 0;
@@ -88,7 +88,7 @@ std::string constructor_text(std::string_view opening, const Entries& entries) {
     return "// columns first\n" + std::string(opening) + "(\n    " + joined(entries, ", ", ",\n    ") + ");\n";
 }
 
-/// "S[2,1]" as S_{2,1}; a word as letters that stand upright.
+/// Writes "S[2,1]" as S_{2,1}, and a word in upright letters.
 std::string latex_name(std::string_view name) {
     const std::size_t bracket = name.find('[');
     std::string letters, index;
@@ -101,7 +101,7 @@ std::string latex_name(std::string_view name) {
     return (letters.size() > 2 ? "\\mathrm{" + letters + "}" : letters) + index;
 }
 
-/// "S[2,1]" as S_2_1.
+/// Writes "S[2,1]" as S_2_1.
 std::string code_name(std::string_view name) {
     std::string code(name.substr(0, name.find(']')));
     std::replace_if(

@@ -1,5 +1,7 @@
 #include "frame/object_reach.h"
 
+#include "text/catalogue.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// The smallest value of a linear form in the scene's bounds, so that there is no need to look at a million vertices.
+/// Returns the smallest value of a linear form in the scene's bounds, so that a million vertices need not be visited.
 double smallest_in_bounds(const Bounds& bounds, const glm::dvec4& form) {
     double smallest = form.w;
     for (int axis = 0; axis < 3; ++axis)
@@ -18,8 +20,8 @@ double smallest_in_bounds(const Bounds& bounds, const glm::dvec4& form) {
     return smallest;
 }
 
-/// Whether one of an object's vertices is so, in world space. Of the mesh only those boxes are looked into that
-/// `may_hold` one.
+/// Returns whether is_so(vertex) holds for any vertex of an object, in world space. Visits only the boxes of the mesh
+/// that pass `may_hold`.
 template <typename MayHold, typename Predicate>
 bool any_vertex(const SceneObject& object, MayHold may_hold, Predicate is_so) {
     return vertex_tree(object.mesh)->any(may_hold, [&](std::uint32_t vertex) {
@@ -45,7 +47,7 @@ template <typename Predicate>
 std::string names_of(const Scene& scene, Predicate is_so) {
     std::string names;
     for (const SceneObject& object : scene.objects)
-        if (is_so(object)) names += (names.empty() ? "" : ", ") + object.description.name;
+        if (is_so(object)) names += (names.empty() ? "" : ", ") + object_text(object.description.name);
     return names;
 }
 
@@ -53,8 +55,8 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// Where a map sends a point with w > 0 inside a patch, these four forms are at least 0: the ways to its edges, times
-/// w.
+/// Returns four forms that are at least 0 where a map sends a point with w > 0 inside the patch: the distances from the
+/// patch's edges, times w.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);

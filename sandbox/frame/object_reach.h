@@ -1,4 +1,4 @@
-// Which objects of a scene lie where: on which side of a plane, and beyond the edge of a patch. Part of problems.h.
+// Finds objects by position: on one side of a plane, or beyond the edge of a patch. Part of problems.h.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace viewing {
 
-/// What stands on a plane is not behind it: world units.
+/// Tolerance in world units: an object that rests on a plane does not count as behind it.
 inline constexpr double standing = 1e-4;
 
-/// Names ("box, ball") of the objects with a vertex p for which form · (p, 1) ≤ limit. Quick where the scene's bounds
-/// tell that there is none, and with large meshes by their BoxTree.
+/// Returns the names ("box, ball") of the objects that have a vertex p with form · (p, 1) ≤ limit. Fast if the scene's
+/// bounds rule that out; large meshes use their BoxTree.
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
-/// Names of those among them that have another vertex for which it is above `limit`.
+/// Returns the names of such objects that also have a vertex above `limit`.
 std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit);
 
-/// Whether a vertex that `plane_from_world` sends to the plane of the patch with w > 0 lands beyond its edge, or inside
-/// it. Only vertices on the positive side of `side` count.
+/// Return whether a vertex that `plane_from_world` maps to the patch's plane with w > 0 lands outside the patch, or
+/// inside it. Only vertices on the positive side of `side` count.
 bool lands_beyond(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,
                   const PlanePatch& patch);
 bool lands_inside(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,

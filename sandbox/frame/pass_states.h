@@ -1,5 +1,5 @@
-// The states that passes are made of, by name: what each lets through and what it leaves behind. Which pass has which
-// is decided in plan_stencil.cpp.
+// Named states for passes: what each lets through and what it writes. plan_stencil.cpp decides which pass has which
+// state.
 #pragma once
 
 #include "state/depth_params.h"
@@ -8,16 +8,16 @@ namespace viewing {
 
 enum class StencilOp { keep, replace, increment, decrement, invert, zero };
 
-/// The stencil's low four bits tell which patch, or how deep in mirrors; the high ones which light is missing.
+/// The stencil's low four bits identify the patch, or the mirror depth; the high four mark missing lights.
 inline constexpr int stencil_region_bits = 0x0F, stencil_light_bits = 0xF0;
 
 struct StencilState {
     bool test = false;
     CompareFunc func = CompareFunc::always;
     int reference = 0;
-    StencilOp on_pass = StencilOp::keep;  ///< where stencil and depth test pass; elsewhere the value is kept
-    int read_bits = 0xFF;                 ///< that are compared: the second mask of glStencilFunc
-    int write_bits = 0xFF;                ///< that on_pass may change: glStencilMask
+    StencilOp on_pass = StencilOp::keep;  ///< if the stencil and depth tests pass; otherwise the value is kept
+    int read_bits = 0xFF;                 ///< bits to compare: the mask of glStencilFunc
+    int write_bits = 0xFF;                ///< bits that on_pass may change: glStencilMask
     bool operator==(const StencilState&) const = default;
 };
 
@@ -28,39 +28,39 @@ struct DepthState {
     bool operator==(const DepthState&) const = default;
 };
 
-/// Neither asks depth nor leaves any: what covers a whole picture.
+/// Neither tests nor writes depth: for passes that cover the whole picture.
 inline constexpr DepthState without_depth{.test = false, .func = CompareFunc::always, .write = false};
 
-/// Marks a patch of the real world, whatever was there: for what stays inside it afterwards.
+/// Marks a patch of the real world, whatever the stencil contains, so that later passes can stay inside it.
 constexpr StencilState marks(int region) {
     return {.test = true, .reference = region, .on_pass = StencilOp::replace};
 }
 
-/// Only inside a region, be it in the light or not: mirror images, the patch over its image, one shadow.
+/// Passes only inside a region, lit or not: mirror images, the patch over its image, a single shadow.
 constexpr StencilState inside(int region) {
     return {.test = true, .func = CompareFunc::equal, .reference = region, .read_bits = stencil_region_bits};
 }
 
-/// Only off a marked patch: what stands behind a mirror must not show through it.
+/// Passes only outside a marked patch: objects behind a mirror must not show through it.
 constexpr StencilState outside(int region) {
     return {.test = true, .func = CompareFunc::notequal, .reference = region};
 }
 
-/// Marks a patch that is seen in a mirror, by one more than the mirror's region.
+/// Marks a patch seen in a mirror with the mirror's region plus one.
 constexpr StencilState enters_from(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::increment;
     return state;
 }
 
-/// Takes that one back, so that the next patch in the mirror can have it.
+/// Undoes enters_from(), so that the next patch in the mirror can use the value.
 constexpr StencilState leaves(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::decrement;
     return state;
 }
 
-/// Draws each pixel of the region once for a light: overlapping casters make one shadow.
+/// Draws each pixel of the region once per light, so that overlapping casters make one shadow.
 constexpr StencilState counts_once(int region, int light_bit) {
     return {.test = true,
             .func = CompareFunc::equal,
@@ -70,7 +70,7 @@ constexpr StencilState counts_once(int region, int light_bit) {
             .write_bits = light_bit};
 }
 
-/// The same without a region: the shadow is one, and goes on beyond its receiver.
+/// Does the same without a region: still one shadow, but extending beyond its receiver.
 constexpr StencilState counts_once_anywhere(int light_bit) {
     return {.test = true,
             .func = CompareFunc::equal,
@@ -79,12 +79,12 @@ constexpr StencilState counts_once_anywhere(int light_bit) {
             .write_bits = light_bit};
 }
 
-/// Only where exactly these lights of the region are missing; or exactly this object's mark, for a decal on it.
+/// Passes only where exactly these lights of the region are missing or, for a decal, where its object's mark is set.
 constexpr StencilState exactly(int value) {
     return {.test = true, .func = CompareFunc::equal, .reference = value};
 }
 
-/// Forgets which lights are missing in a region: in a mirror the next patch has the same value.
+/// Clears the missing lights of a region: in a mirror the next patch uses the same value.
 constexpr StencilState forgets_lights(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::zero;
@@ -92,7 +92,7 @@ constexpr StencilState forgets_lights(int region) {
     return state;
 }
 
-/// Leaves no mark anywhere, before marks of another kind.
+/// Clears all marks, before marks of another kind.
 constexpr StencilState wipes_marks() {
     return {.test = true, .on_pass = StencilOp::zero};
 }

@@ -20,11 +20,11 @@ glm::ivec2 pixel_of(const glm::dvec2& place_px) {
 
 PinnedPixel at_place(const glm::dvec2& place_px, glm::ivec2 size_px) {
     const glm::ivec2 pixel = pixel_of(place_px);
-    if (!is_inside(pixel, size_px)) return {std::nullopt, tr("The pinned pixel lies outside of the picture.")};
+    if (!is_inside(pixel, size_px)) return {std::nullopt, tr("The pinned pixel is outside the picture.")};
     return {pixel};
 }
 
-/// Of the pixels of a grid over the part of the box that is in the picture, those nearest to the middle first.
+/// Returns the pixels of a grid over the visible part of the box, nearest to the box's middle first.
 std::vector<glm::ivec2> candidates(const ScreenBox& box, glm::ivec2 size_px) {
     constexpr int most_on_a_side = 33;
     const glm::dvec2 middle = 0.5 * (box.min_px + box.max_px);
@@ -45,7 +45,7 @@ std::vector<glm::ivec2> candidates(const ScreenBox& box, glm::ivec2 size_px) {
     return pixels;
 }
 
-/// What is seen there last.
+/// Returns whether the visible fragment, which is the last one drawn, belongs to the object.
 bool is_seen_at(const FragmentFinder& finder, const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
                 const std::string& object) {
     const std::vector<Fragment> fragments = finder.at(plan, pixel, size_px);
@@ -89,7 +89,7 @@ PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const Fra
     if (!view.pin) return view.pixel ? at_place(glm::dvec2(*view.pixel) + 0.5, size_px) : PinnedPixel{};
     const Pin& pin = *view.pin;
     if (pin.object.empty()) {
-        // The right and the lower edge belong to the last pixels.
+        // Points on the right and bottom edges belong to the last pixels.
         const glm::dvec2 place = pin.at.value_or(glm::dvec2(0.5)) * glm::dvec2(size_px);
         return at_place(glm::min(place, glm::dvec2(size_px) - 0.5), size_px);
     }
@@ -100,11 +100,11 @@ PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const Fra
     if (box) {
         const FragmentFinder finder(scene);
         FramePlan whole = plan;
-        whole.limit = {};  // where the frame stops does not move the pin
+        whole.limit = {};  // the step at which the frame stops does not move the pin
         for (const glm::ivec2& pixel : candidates(*box, size_px))
             if (is_seen_at(finder, whole, pixel, size_px, pin.object)) return {pixel};
     }
-    return {std::nullopt, say("Nothing is seen of the pinned object {name}.", "name"_a = pin.object)};
+    return {std::nullopt, say("No part of the pinned object {name} is visible.", "name"_a = pin.object)};
 }
 
 }  // namespace viewing

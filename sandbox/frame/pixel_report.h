@@ -1,4 +1,4 @@
-// What is at a pixel, and in a block of them, as it was read back from the buffers. Filled by render/probe.h.
+// The contents of a pixel and of a block of pixels, read back from the buffers. render/probe.h fills them.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace viewing {
 
-/// What `inspect`, the status bar and the pixel view say about one pixel.
+/// One pixel, as reported by `inspect`, the status bar and the pixel view.
 struct PixelReport {
-    glm::ivec2 pixel{0};  ///< (0, 0) is the top left one
+    glm::ivec2 pixel{0};  ///< (0, 0) is top left
     Color color;
     bool written = false;  ///< some surface was drawn here
     std::string object;    ///< "" for the background, "plane" for the patch
     bool front_facing = true;
-    bool has_depth = false;     ///< other than a cleared buffer's; else eye_z, step and world say nothing
+    bool has_depth = false;     ///< depth is not the cleared value; otherwise eye_z, step and world are meaningless
     double window_depth = 1.0;  ///< as read back
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
     DepthPrecision precision;
     double ndc_z = 0.0;
-    double eye_z = 0.0;            ///< negative in front of the camera; like step and world 0 without depth
+    double eye_z = 0.0;            ///< negative in front of the camera; 0 without depth, like step and world
     double step = 0.0;             ///< width in eye z of one code there: depth_step()
-    double resolvable_step = 0.0;  ///< what can be told apart there: resolvable_depth_step()
+    double resolvable_step = 0.0;  ///< smallest resolvable gap there: resolvable_depth_step()
     int stencil = 0;
     glm::dvec3 world{0.0};
 };
 
-/// The state to plan and draw when pixels are asked about: the scene's own colours in place of counts, differences and
-/// the heat map, which say nothing about the surface at a pixel.
+/// Returns the state to plan and draw when pixels are inspected: with the scene's own colors instead of counts,
+/// differences and the heat map, which do not identify the surface at a pixel.
 inline Params probed(Params params) {
     Shows& shows = params.view.shows;
     if (shows == Shows::overdraw || shows == Shows::difference || shows == Shows::fighting) shows = Shows::color;
@@ -46,20 +46,20 @@ struct BufferCell {
     bool operator==(const BufferCell&) const = default;
 };
 
-/// A block of pixels, the top row first.
+/// A block of pixels, top row first.
 struct CellBlock {
-    glm::ivec2 first_pixel{0};  ///< its top left one
+    glm::ivec2 first_pixel{0};  ///< top left
     glm::ivec2 size{0};         ///< columns and rows
     std::vector<BufferCell> cells;
 
     const BufferCell& at(glm::ivec2 cell) const { return cells[static_cast<std::size_t>(cell.y * size.x + cell.x)]; }
 };
 
-/// How often eye distances occur in a depth buffer: bins of equal width between near and far on the scale of the view.
+/// Histogram of the eye distances in a depth buffer: bins of equal width between near and far, on the view's scale.
 struct DepthCounts {
     std::vector<std::uint32_t> counts;
-    double min = 0.0, max = 1.0;  ///< eye distance, or window depth where the scale is that
-    std::uint64_t unwritten = 0;  ///< pixels that hold what the buffer was cleared to
+    double min = 0.0, max = 1.0;  ///< eye distance, or window depth on that scale
+    std::uint64_t unwritten = 0;  ///< pixels that still hold the cleared value
 };
 
 }  // namespace viewing

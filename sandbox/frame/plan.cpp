@@ -1,7 +1,7 @@
-// The technique, pass by pass: for each plane the mirror image inside the stencilled patch, the patch, shadows on it;
-// then the objects. A mirror shows the same world once more: plan_mirror.cpp; shadows are in plan_shadow.cpp.
-// Nothing here depends on the sign or length of the plane's equation: everything is said relative to the eye's
-// and the light's side. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
+// The technique, pass by pass: for each plane the mirror image inside the stenciled patch, the patch, and the shadows
+// on it; then the objects. A mirror shows the same world once more: plan_mirror.cpp. Shadows are in plan_shadow.cpp.
+// Nothing here depends on the sign or length of the plane's equation: everything is relative to the eye's and the
+// light's side of the plane. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
 #include "frame/plan.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// Reversed depth keeps "less is nearer" in the parameters and turns the comparison around for GL.
+/// Flips the comparison for reversed depth; the parameters keep "less is nearer".
 CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
     if (mapping != DepthMapping::reversed) return func;
     switch (func) {
@@ -36,7 +36,7 @@ CullParams with_flipped_winding(CullParams cull) {
     return cull;
 }
 
-/// Of a patch seen in a mirror: whether it lies wholly behind that mirror.
+/// Returns whether a patch seen in a mirror is entirely behind that mirror.
 bool is_hidden(const Level& level, std::size_t plane) {
     const std::array<glm::dvec3, 4> corners = level.plane(plane).patch.corners();
     return level.clip && std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
@@ -44,15 +44,15 @@ bool is_hidden(const Level& level, std::size_t plane) {
            });
 }
 
-/// Inside a mirror the next patch counts from the same value on.
+/// Restores the stencil value of the mirror, from which the next patch counts.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
-                            tr("forgets which light is missing on this patch"));
+                            tr("clears this patch's record of missing lights"));
     clear.depth.test = false;
     clear.stencil = stencil_of_forgetting_lights(level, plane);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
-    Pass back = patch_mask(level, plane, {marked("Leave the patch"), marked("Leave the patch {plane}")},
-                           tr("counts the stencil down to what the mirror has"));
+    Pass back = patch_mask(level, plane, {marked("Unmark the patch"), marked("Unmark the patch {plane}")},
+                           tr("counts the stencil down to the mirror's value"));
     back.depth.test = false;
     back.stencil = stencil_of_leaving(level, plane);
     passes.push_back(back);
@@ -74,7 +74,7 @@ void add_plane(std::vector<Pass>& passes, const Level& level, std::size_t plane)
     if (!level.is_real() && is_marked) give_region_back(passes, level, plane);
 }
 
-/// How the scene's objects are shaded where it is not by light.
+/// Returns how the scene's objects are shaded, if not by light.
 std::optional<Shading> shading_of(Shows shows) {
     switch (shows) {
         case Shows::facing:
@@ -195,8 +195,8 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
     const ReflectionParams& reflection = level.params.reflection;
     Pass pass = level.patch_pass(
         {marked("Patch"), marked("Patch {plane}")},
-        blends ? tr("lays the plane over its mirror image and gives these pixels the plane's own depth")
-               : tr("draws the plane and marks it in the stencil buffer as the receiver of shadows"),
+        blends ? tr("blends the plane over its mirror image and gives these pixels the plane's own depth")
+               : tr("draws the plane and marks it in the stencil buffer as a shadow receiver"),
         plane);
     pass.lights_world.clear();
     for (const std::size_t light : lights)
@@ -206,7 +206,7 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
     if (blends) {
         pass.blend = Blend::alpha;
         pass.color.a = 1.0 - reflection.reflectance;
-        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has decided already
+        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has already decided
     }
     pass.stencil = stencil_of_surface(level, plane, blends);
     return pass;
@@ -253,7 +253,7 @@ void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Der
 FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures& hidden) {
     Params params = asked;
     const bool shows_fighting = params.view.shows == Shows::fighting;
-    if (shows_fighting) params.visibility = VisibilityParams{};  // it is about the depth buffer
+    if (shows_fighting) params.visibility = VisibilityParams{};  // this view is about the depth buffer
     if (is_taken_apart(params.visibility) || shows_fighting) params.shadow.enabled = params.reflection.enabled = false;
     FramePlan made = frame_plan(params, derived);
     set_depth(made, params, derived);
@@ -268,7 +268,7 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     made.reflection_depth = reflection_depth(params, derived);
     draw_decals_apart(made.passes, params);
     if (const std::optional<Shading> shading = shading_of(params.view.shows)) {
-        const bool in_mirrors = *shading != Shading::caster_w;  // images cast nothing
+        const bool in_mirrors = *shading != Shading::caster_w;  // mirror images cast no shadow
         for (Pass& pass : made.passes)
             if (pass.subject == Subject::objects && pass.shading == Shading::lit &&
                 (in_mirrors || !pass.is_mirror_image))
@@ -276,7 +276,7 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     }
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
-    // GL has no stencil beside 16 bits of depth; what stands in for it holds one value a pixel.
+    // With 16 bits of depth, GL has no stencil; its substitute has one value per pixel.
     if (made.depth_format == DepthFormat::d16 &&
         std::any_of(made.passes.begin(), made.passes.end(), depends_on_stencil))
         made.samples = 0;
@@ -289,9 +289,9 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // it is the camera's slip
+    plain.reflection.same_projection = true;  // the camera's mistake
     FramePlan made = frame_plan(params, derived);
-    if (params.observer.image_space) plain.reflection.stencil = false;  // the image, wherever it is
+    if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image
     made.decal_offset = {-1.0, -2.0};
     add_scene_passes(
         made.passes, plain, derived,

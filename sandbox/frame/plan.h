@@ -1,5 +1,5 @@
-// The frame as a list of passes: the technique as data. The GL layer executes it, the panel lists it with the GL
-// calls in the lecture's words, and a test reads it without a GPU. Read plan.cpp next.
+// The frame as a list of passes: the technique as data. The GL layer executes it, the panel lists it as GL calls in the
+// lecture's words, and tests read it without a GPU. Read plan.cpp next.
 #pragma once
 
 #include <optional>
@@ -13,28 +13,28 @@
 
 namespace viewing {
 
-/// What a pass draws.
+/// The geometry that a pass draws.
 enum class Subject {
     objects,     ///< the scene's meshes
     patch,       ///< the square of a plane: Pass::plane
-    backdrop,    ///< everything at once, at the far end of depth: a fresh picture where the stencil allows it
+    backdrop,    ///< the whole picture, at the far end of depth: resets the picture where the stencil allows it
     ordered,     ///< polygons in the order that a method found: FramePlan::hidden
-    pixels,      ///< surface points that a method found for each pixel
+    pixels,      ///< surface points that a method found, one per pixel
     difference,  ///< where two methods disagree
 };
 
-/// How its fragments get their colour.
+/// How a pass colors its fragments.
 enum class Shading {
     lit,       ///< ambient, diffuse and a modest highlight
     unlit,     ///< ambient only
-    flat,      ///< one colour
-    facing,    ///< front and back faces in two colours
-    heat,      ///< gaps of flat pairs, divided by the smallest that depth tells for sure
-    caster_w,  ///< what S makes of w: casts a shadow, lies behind the plane, or beyond the light
+    flat,      ///< one color
+    facing,    ///< front and back faces in two colors
+    heat,      ///< gaps of flat pairs, divided by the smallest gap that depth surely resolves
+    caster_w,  ///< w after S: casts a shadow, behind the plane, or beyond the light
 
-    // Numbers in place of colours, which the renderer reads back: in no plan.
+    // IDs instead of colors, for the renderer to read back: in no plan.
     identity,         ///< of objects and patches
-    polygon_identity  ///< of polygons that are drawn in order
+    polygon_identity  ///< of polygons drawn in order
 };
 
 /// Which of the scene's objects a pass draws.
@@ -42,26 +42,26 @@ enum class Chosen { all, bases, decals };
 
 enum class Blend { none, alpha, add };
 
-/// A plane in world space; what lies on its negative side is cut off, before the pass's own matrix is applied.
+/// A plane in world space that clips its negative side, before the pass's own matrix is applied.
 using ClipPlane = glm::dvec4;
 
-/// Of one pass.
+/// The limit for one pass.
 inline constexpr std::size_t most_clip_planes = 2;
 
 struct Pass {
     std::string name;
-    std::string reason;  ///< one sentence: why it is there
+    std::string reason;  ///< one sentence: its purpose
     Subject subject = Subject::objects;
-    std::size_t plane = 0;        ///< of Derived::planes: the patch, or the receiver of a shadow
-    std::size_t light = 0;        ///< of Derived::lights_world: whose shadow
-    Chosen chosen = Chosen::all;  ///< of the objects: all, those that are no decals, or those that are
-    bool marks_objects = false;   ///< the stencil's reference is each object's own: FramePlan::object_marks
+    std::size_t plane = 0;        ///< index in Derived::planes: the patch, or a shadow's receiver
+    std::size_t light = 0;        ///< index in Derived::lights_world: whose shadow
+    Chosen chosen = Chosen::all;  ///< all objects, those that are not decals, or only decals
+    bool marks_objects = false;   ///< each object has its own stencil reference: FramePlan::object_marks
     Shading shading = Shading::lit;
-    std::string matrices = "P V";      ///< the product that is uploaded, in the lecture's letters
+    std::string matrices = "P V";      ///< the uploaded product, in the lecture's letters
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
-    bool is_mirror_image = false;        ///< or belongs to one
+    bool is_mirror_image = false;        ///< or part of one
     std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
@@ -69,75 +69,78 @@ struct Pass {
     Blend blend = Blend::none;
     bool color_write = true;
     std::optional<DepthOffset> offset;  ///< glPolygonOffset
-    bool forces_sign = false;           ///< vertices that world_from_scene gives a negative w are turned around
-    bool has_gloss = false;             ///< of a patch
-    std::vector<glm::dvec4> lights_world{{0.0, 1.0, 0.0, 0.0}};  ///< that shine on it: at most four
-    double light_strength = 1.0;                                 ///< of each
-    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< w = 0: parallel lines of sight, from this direction
-    glm::dvec3 sky_world{0.0, 1.0, 0.0};       ///< where ambient light is strongest
-    glm::dvec4 color{0.0, 0.0, 0.0, 1.0};      ///< flat: the colour; patch: its alpha is in w
+    bool forces_sign = false;           ///< negates vertices that world_from_scene gives a negative w
+    bool has_gloss = false;             ///< patches only
+    std::vector<glm::dvec4> lights_world{{0.0, 1.0, 0.0, 0.0}};  ///< the lights that illuminate it: at most four
+    double light_strength = 1.0;                                 ///< of each light
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};                    ///< w = 0: parallel view rays, from this direction
+    glm::dvec3 sky_world{0.0, 1.0, 0.0};                         ///< direction of the strongest ambient light
+    glm::dvec4 color{0.0, 0.0, 0.0, 1.0};                        ///< flat: the color; patch: its alpha, in w
 
     bool operator==(const Pass&) const = default;
 };
 
-/// Where a frame that is watched as it is drawn stops: the calls of frame/draw_calls.h.
+/// The point at which a frame stops when it is viewed call by call; calls as in frame/draw_calls.h.
 struct DrawLimit {
-    int call = -1;       ///< the last one that is drawn, from 0 on; −1: all
+    int call = -1;       ///< the last call drawn, from 0; −1: all
     int triangles = -1;  ///< of that call; −1: all
-    int pass = -1;       ///< the last pass that is drawn, from 0 on; −1: all
+    int pass = -1;       ///< the last pass drawn, from 0; −1: all
     bool operator==(const DrawLimit&) const = default;
 };
 
 struct FramePlan {
     Color background;
-    Color unwritten;                            ///< what the depth view shows where nothing was drawn
-    Color patch_light, patch_dark, patch_line;  ///< the two tones of the ground and its lines
+    Color unwritten;                            ///< the depth view's color where nothing was drawn
+    Color patch_light, patch_dark, patch_line;  ///< the ground's two tones and its lines
     bool clear_depth = true;
-    bool mask_on_while_clearing = true;  ///< off: the clear is called and clears no depth
+    bool mask_on_while_clearing = true;  ///< off: glClear runs, but clears no depth
     double clear_depth_value = 1.0;
     DepthFormat depth_format = DepthFormat::d24;
     StoredDepth stored_depth;  ///< of that format
     DepthMapping depth_mapping = DepthMapping::standard;
     bool logarithm_per_vertex = false;
-    Lens lens;  ///< for logarithmic depth and for showing depth in eye units
+    Lens lens;  ///< for logarithmic depth, and to show depth in eye units
     bool clip_zero_to_one = false;
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;
     DepthColors depth_colors = DepthColors::grey;
-    glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that are shown as black and white, on either scale
+    glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances shown as black and white, on either scale
     int samples = 0;
-    std::vector<PlanePatch> patches;  ///< of each plane
+    std::vector<PlanePatch> patches;  ///< one per plane
     HiddenPictures hidden;
     DepthOffset decal_offset;       ///< for objects marked as decals
-    std::vector<int> object_marks;  ///< of each object, the stencil value of what it is or lies on; empty: none
+    std::vector<int> object_marks;  ///< per object: the stencil mark of itself or of its base; empty: none
     DrawLimit limit;
     std::optional<HeatMap> heat;                 ///< for Shading::heat
-    glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< · p is the w of its projected point: for Shading::caster_w
-    glm::dvec4 caster_side{0.0, 0.0, 0.0, 1.0};  ///< · p is positive on the light's side of the plane
-    int reflection_depth = 0;                    ///< reflection_depth() of what it shows
+    glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< caster_w · p is the w of p's projection: for Shading::caster_w
+    glm::dvec4 caster_side{0.0, 0.0, 0.0, 1.0};  ///< caster_side · p is positive on the light's side of the plane
+    int reflection_depth = 0;                    ///< reflection_depth() of this frame
     std::vector<Pass> passes;
 
-    /// Or its depths stay those of the frame before.
+    /// Returns whether the frame clears depth; otherwise the previous frame's depths stay.
     bool clears_depth() const { return clear_depth && mask_on_while_clearing; }
-    /// The logarithm is taken at the corners of a triangle, and what GL interpolates between them is no logarithm.
+    /// Returns whether the logarithm is computed only at the vertices. GL interpolates it linearly, which is not
+    /// logarithmic.
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 
-    /// In every member; pictures of hidden surfaces are equal if they are the same ones.
+    /// Compares every member; hidden-surface pictures are equal only if they are the same object.
     bool operator==(const FramePlan&) const = default;
 };
 
-/// Whether pictures with shadows and mirror images are asked for: not while a method is gone through step by step.
+/// Returns whether shadows and mirror images are drawn: not while a method is shown step by step, and not in the
+/// fighting and overdraw views.
 bool shows_effects(const Params& params);
 
-/// Those that a frame draws: hidden-surface methods other than GL's own know of the first one alone.
+/// Returns the planes that a frame draws: only the first one for hidden-surface methods other than GL's own.
 std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
-/// How many mirrors a line of sight may meet one after another where so many planes are there: fewer than asked for
-/// where the stencil cannot count them, and where they would be more than 64 images or 256 drawings of the scene.
+/// Returns how many mirrors in a row a view ray may meet with this many planes: fewer than requested if the stencil
+/// cannot count them, or if they would need more than 64 images or drawing the scene more than 256 times.
 int reflection_depth(const Params& params, const Derived& derived);
 
-/// Planes with their mirror images and shadows, and the objects: part of plan() and plan_observer().
+/// The eye for add_scene_passes(), which adds the objects, and the planes with their mirror images and shadows: part of
+/// plan() and plan_observer().
 struct Eye {
     glm::dmat4 clip_from_view{1.0};
     glm::dmat4 view_from_world{1.0};
@@ -145,47 +148,48 @@ struct Eye {
 };
 void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Derived& derived, const Eye& eye);
 
-/// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, the
-/// objects are missing. Shadow and mirror wait while a method is gone through step by step.
+/// Plans the camera view's frame. `hidden` is the result of the requested method; until it exists, the objects are
+/// missing. Shadows and mirrors are left out while a method is shown step by step.
 FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden = {});
 
-/// Puts what a method found in the place of the objects: part of plan().
+/// Replaces the objects with a method's result: part of plan().
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
 
-/// Lays FramePlan::hidden's difference over the picture.
+/// Returns a pass that draws FramePlan::hidden's difference over the picture.
 Pass difference_pass(const char* reason);
 
-/// Format, mapping, clear and offsets of the depth buffer, and how it is shown: part of plan().
+/// Sets format, mapping, clear value and offsets of the depth buffer, and how it is shown: part of plan().
 void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
 
-/// sRGB as it is, from 0 to 1.
+/// Returns the sRGB color unchanged, with components from 0 to 1.
 glm::dvec4 color_of(const Color& color, double alpha);
 
-/// 1, or −1 with reversed depth, which counts the other way and so turns both signs of an offset round.
+/// Returns 1, or −1 with reversed depth, which counts the other way and so flips both signs of an offset.
 double offset_sign(const DepthParams& depth);
 
-/// Decals that are not left to a polygon offset get a pass of their own after the objects: part of plan().
+/// Gives decals without a polygon offset their own pass after the objects: part of plan().
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params);
 
-/// Leaves the objects' passes alone, each of which adds one level of red to a pixel: part of plan().
+/// Keeps only the objects' passes, each of which adds one level of red to a pixel: part of plan().
 void count_overdraw(FramePlan& frame);
 
-/// The eye distances that a depth picture with contrast shows as black and white: the state's, else those between which
-/// everything lies that can be seen, inside near and far.
+/// Returns the eye distances that a depth picture with contrast shows as black and white: those of the state or, if it
+/// has none, the range of the scene's bounds and the first plane's patch, clamped to near and far.
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene);
 
-/// The observer's frame: the same scene, shadow and mirror seen from outside, with plain depth and colour.
+/// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// The GL calls that lead from one pass to another, with their current values, in the lecture's words: what stays as it
-/// was is not told again. Before the first pass comes first_gl_state().
+/// Returns the GL calls that lead from one pass to another, with their current values, in the lecture's words;
+/// unchanged state needs no call. first_gl_state() precedes the first pass.
 std::vector<std::string> gl_calls(const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
-/// How a frame begins, after another one of the same plan: first what that one's last pass left is put back.
+/// Returns the calls that begin a frame after another one of the same plan; the first ones reset what its last pass
+/// left.
 std::vector<std::string> clear_calls(const FramePlan& frame);
 
-/// "GL_LEQUAL" and the like.
+/// Return "GL_LEQUAL" and the like.
 std::string gl_name(CompareFunc func);
 std::string gl_name(CullFace face);
 std::string gl_name(FrontFace front);

@@ -1,11 +1,11 @@
-// Where the stencil lets each pass draw, and what the pass leaves in it: all of it is decided here. Read pass_states.h
-// for the states.
+// Decides where the stencil lets each pass draw and which values the pass writes to it. Read pass_states.h for the
+// states.
 #include "frame/plan_parts.h"
 
 namespace viewing {
 namespace {
 
-/// The bit that says that a light is missing: one for each, or one for all that they get in each other's way with.
+/// Returns the bit that marks a light as missing: one per light, or a shared one, through which lights interfere.
 int light_bit(const Params& params, std::size_t light) {
     constexpr int first = stencil_region_bits + 1;
     return params.shadow.own_stencil ? first << light : first;
@@ -35,7 +35,7 @@ StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_
     const ShadowParams& shadow = level.params.shadow;
     const int region = level.region_of(plane), bit = light_bit(level.params, light);
     if (shadow.style == ShadowStyle::missing_light) return counts_once(region, bit);
-    const bool clips = shadow.clip_to_receiver || !level.is_real();  // never out of the mirror that shows it
+    const bool clips = shadow.clip_to_receiver || !level.is_real();  // never outside the mirror that shows it
     if (clips) return shadow.stencil_once ? counts_once(region, bit) : inside(region);
     return shadow.stencil_once ? counts_once_anywhere(bit) : StencilState{};
 }

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// Where a light lies badly: in a plane, or behind it. Planes with the same trouble share a sentence.
+/// Reports a badly placed light: in a plane, or behind it. Planes with the same problem share a sentence.
 void say_light(Sayer& tell, const Params& params, const Derived& derived, std::size_t index) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> holding, turned_away;
@@ -28,32 +28,34 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, std::s
         const std::string parallel =
             lights == 1 ? tr("the parallel light") : say("parallel light {light}", "light"_a = index + 1);
         const bool is_parallel = is_parallel_light(derived.lights_world[index]);
-        tell(is_parallel, say("{light} runs along {planes}: S sends every point to infinity, so no shadow is drawn",
-                              "light"_a = parallel, "planes"_a = where));
+        tell(is_parallel,
+             say("the rays of {light} run along {planes}: S sends every point to infinity, so no shadow is drawn",
+                 "light"_a = parallel, "planes"_a = where));
         tell(!is_parallel, say("{light} lies in {planes}: S sends every point to the light, so no shadow is drawn",
                                "light"_a = light, "planes"_a = where));
     }
     if (turned_away.empty()) return;
     const std::string behind = planes_name(turned_away, planes.size());
-    tell(lights == 1, say("{light} is on the other side of {planes} than the eye: this side of the patch is unlit and "
-                          "no shadow falls on it",
+    tell(lights == 1, say("{light} and the eye are on opposite sides of {planes}: this side of the patch is unlit and "
+                          "receives no shadow",
                           "light"_a = light, "planes"_a = behind));
-    tell(lights > 1, say("{light} is on the other side of {planes} than the eye: it neither lights this side of the "
-                         "patch nor throws a shadow on it",
+    tell(lights > 1, say("{light} and the eye are on opposite sides of {planes}: the light neither lights this side of "
+                         "the patch nor casts a shadow on it",
                          "light"_a = light, "planes"_a = behind));
 }
 
-/// Between point and parallel.
+/// Reports a light whose w is between those of parallel and point lights.
 void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (is_parallel_light(light) || light.w >= 1.0) return;
     const auto coordinate = [&light](int axis) { return figures(light[axis] / light.w, 3); };
     const std::string sentence =
         derived.lights_world.size() == 1
-            ? say("w = {w} is a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel ones",
+            ? say("w = {w} makes this a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel "
+                  "light",
                   "w"_a = figures(light.w, 3), "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2))
-            : say("w = {w} of light {light} is a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives "
-                  "parallel ones",
+            : say("w = {w} makes light {light} a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives "
+                  "parallel light",
                   "w"_a = figures(light.w, 3), "light"_a = index + 1, "x"_a = coordinate(0), "y"_a = coordinate(1),
                   "z"_a = coordinate(2));
     const bool passes_for_parallel = light.w <= 0.25;
@@ -78,16 +80,16 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
     if (!edge_on.empty()) {
         const std::string where = planes_name(edge_on, planes.size());
         const bool is_parallel = derived.eye_world.w == 0.0;
-        tell(is_parallel, say("the lines of sight run along {planes}: its patch is seen edge-on and mirrors nothing",
+        tell(is_parallel, say("the lines of sight are parallel to {planes}: seen edge-on, the patch mirrors nothing",
                               "planes"_a = where));
         tell(!is_parallel,
-             say("the eye lies in {planes}: its patch is seen edge-on and mirrors nothing", "planes"_a = where));
+             say("the eye lies in {planes}: seen edge-on, the patch mirrors nothing", "planes"_a = where));
     }
     tell.broken(planes.size() < derived.planes.size(),
-                tr("the method of hidden surfaces draws one plane: further ones are left out of its picture"));
+                tr("this hidden-surface method draws only one plane: the others are left out of its picture"));
 }
 
-/// The w of a point between light and plane, as it is uploaded.
+/// Returns the uploaded w of a point between light and plane.
 double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
     const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
     const double height = is_parallel_light(cast.light_world)
@@ -97,14 +99,14 @@ double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.sign * (cast.shadowed_world_from_world * between).w;
 }
 
-/// "S" of the first plane and light, "S of plane 2, light 1".
+/// Returns "S" for the first plane and light, otherwise "S of plane 2, light 1".
 std::string shadow_name(std::size_t plane, std::size_t light) {
     return plane == 0 && light == 0
                ? "S"
                : say("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
 }
 
-/// "R" of the first plane, "R of plane 2".
+/// Returns "R" for the first plane, otherwise "R of plane 2".
 std::string mirror_name(std::size_t plane) {
     return plane == 0 ? "R" : say("R of plane {plane}", "plane"_a = plane + 1);
 }
@@ -117,42 +119,41 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             const CastShadow& cast = of.shadows[light];
             if (!cast.by_hand) continue;
             const std::string matrix = shadow_name(plane, light);
-            tell_shadow(
-                true, say("{matrix} is overridden by hand: plane and light no longer change it", "matrix"_a = matrix));
+            tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
+                                  "matrix"_a = matrix));
             tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
-                               say("{matrix} by hand has a negative w between light and plane: the clipper removes the "
-                                   "shadow; −S is the same map",
+                               say("{matrix} entered by hand has a negative w between light and plane: clipping "
+                                   "removes the shadow; −S is the same map",
                                    "matrix"_a = matrix));
         }
     }
     for (std::size_t plane = 0; plane < derived.planes.size(); ++plane)
         tell_mirror(
             derived.planes[plane].mirror_by_hand,
-            say("{matrix} is overridden by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
+            say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
 }
 
-/// What the slips make of P and of its picture.
+/// Reports the effects of mistakes on P and its picture.
 void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     Sayer tell(problems, "projection");
     const Lens lens = params.lens();
     if (params.slips.degrees_as_radians && !lens.orthographic) {
         const std::string fovy = figures(params.projection.fovy, 4);
         const double c = derived.clip_from_view[1][1];
-        tell.broken(
-            c > 0.0,
-            say("slip: {fovy}° are given where P takes radians: {fovy} radians look like {degrees}°, and c = cot(½ "
-                "fovy) is {c}",
-                "fovy"_a = fovy, "degrees"_a = figures(lens.fovy_deg, 3), "c"_a = figures(c, 3)),
-            "slips.degrees_as_radians");
+        tell.broken(c > 0.0,
+                    say("mistake: P takes radians but gets {fovy}°: {fovy} radians look like {degrees}°, and c = cot(½ "
+                        "fovy) is {c}",
+                        "fovy"_a = fovy, "degrees"_a = figures(lens.fovy_deg, 3), "c"_a = figures(c, 3)),
+                    "slips.degrees_as_radians");
         tell.broken(c < 0.0,
-                    say("slip: {fovy}° are given where P takes radians: c = cot(½ fovy) is {c}, less than 0, and the "
-                        "picture is upside down and left to right",
+                    say("mistake: P takes radians but gets {fovy}°: c = cot(½ fovy) is {c}, less than 0, so the "
+                        "picture is flipped top to bottom and left to right",
                         "fovy"_a = fovy, "c"_a = figures(c, 3)),
                     "slips.degrees_as_radians");
     }
     const double stretch = derived.view_aspect / derived.aspect;
     tell.broken(std::abs(stretch - 1.0) > 1e-3,
-                say("P is made for a picture {aspect} times as wide as high, the view is {view}: everything is "
+                say("P expects a picture {aspect} times as wide as high, but the view's ratio is {view}: everything is "
                     "stretched to {stretch} times its width",
                     "aspect"_a = figures(derived.aspect, 3), "view"_a = figures(derived.view_aspect, 3),
                     "stretch"_a = figures(stretch, 3)),
@@ -161,11 +162,11 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
 
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
     Sayer tell(problems, "camera");
-    tell(slips.walk_slows, tr("slip: walking follows the view direction, so it slows when looking up or down"));
-    tell(slips.creeping_roll, tr("slip: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
-    tell(slips.pole_flip, tr("slip: orbiting over the pole flips the picture"));
-    tell(slips.swapped_order, tr("slip: C = R·T in place of T·R, so the camera turns about the world's origin"));
-    tell(slips.camera_as_view, tr("slip: C is uploaded where V belongs, so V C is not I"));
+    tell(slips.walk_slows, tr("mistake: walking follows the view direction, so it slows when looking up or down"));
+    tell(slips.creeping_roll, tr("mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
+    tell(slips.pole_flip, tr("mistake: orbiting over the pole flips the picture"));
+    tell(slips.swapped_order, tr("mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
+    tell(slips.camera_as_view, tr("mistake: C is uploaded where V belongs, so V C is not I"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What is wrong or surprising in a state, as sentences with the place where their cause lies: of numbers that derive()
-// has found and the frame that plan() has made of them.
+// Finds problems and surprises in a state, as sentences that name the place of their cause. Uses derive()'s numbers and
+// plan()'s frame.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace viewing {
 
-/// A sentence for a person, and the group of fields where its cause lies ("light", "plane", …): it is shown there.
+/// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), where it is shown.
 struct Problem {
     std::string sentence;
     std::string_view group;
-    bool breaks_picture = false;  ///< by a switch: said over the picture, too
-    std::string mended_by = "";   ///< the setting that puts the switch right, as on the command line; "" if none
+    bool breaks_picture = false;  ///< caused by a switch: also shown over the picture
+    std::string mended_by = "";   ///< the setting that fixes the switch, as on the command line; "" if none
 };
 
-/// `frame` is the camera's: plan() of the same parameters and numbers.
+/// Returns all problems. `frame` is the camera's: plan() of the same parameters and numbers.
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 
-/// The part of it on pictures that show no object at all.
+/// Adds the problem of a picture that shows none of the objects.
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
-/// The parts of it on the depth buffer, on shadows and on mirrors: every switch that breaks a picture says why.
+/// Add the problems of the depth buffer, of shadows and of mirrors: for every switch that breaks a picture, the reason.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

@@ -1,4 +1,4 @@
-// How problems are said. Part of problems.h.
+// Builds the sentences of problems. Part of problems.h.
 #pragma once
 
 #include <span>
@@ -11,17 +11,17 @@
 
 namespace viewing {
 
-/// Adds sentences to one group.
+/// Adds sentences to one group of fields.
 class Sayer {
 public:
     Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
 
-    /// Something to know.
+    /// Adds a fact that the user should know.
     void operator()(bool is_so, std::string sentence) {
         if (is_so) problems_.push_back({std::move(sentence), group_});
     }
-    /// A switch breaks the picture: why it looks as it does, and the field whose default mends it, or, where that does
-    /// not, the setting that does; "" if it is not one.
+    /// Adds the reason why a switch breaks the picture, and its fix: a field whose default fixes it, or else the
+    /// setting that does; "" if there is none.
     void broken(bool is_so, std::string sentence, std::string_view mended_by = "");
 
 private:
@@ -29,7 +29,7 @@ private:
     std::string_view group_;
 };
 
-// Lights and planes in a sentence, counted from 0 here and from 1 there; `count` is how many there are.
+// Names of lights and planes in a sentence. Parameters count from 0, names from 1; `count` is the total number.
 
 /// "the light", "light 2".
 std::string light_name(std::size_t light, std::size_t count);

@@ -1,4 +1,4 @@
-// What is to be said of a picture that shows none of the scene's objects: which way they lie, or what cuts them away.
+// Reports a picture that shows none of the scene's objects: where they are, or what cuts them off.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,10 +9,10 @@
 namespace viewing {
 namespace {
 
-/// Said over the picture alone: in the panel a sentence that comes and goes would move what is being dragged.
+/// Shown only over the picture: in the panel, a sentence that comes and goes would move the control being dragged.
 constexpr std::string_view group = "view";
 
-/// Whether a few of its vertices tell that an object is in the picture, between near and far.
+/// Returns whether a sample of an object's vertices shows that it is in the picture, between near and far.
 bool is_soon_found(const SceneObject& object, const Params& params, const Derived& derived) {
     constexpr std::size_t tried = 64;
     const glm::dmat4 clip_from_model =
@@ -25,7 +25,7 @@ bool is_soon_found(const SceneObject& object, const Params& params, const Derive
     return false;
 }
 
-/// Corners of what bounds the objects, in view space.
+/// Returns the corners of the objects' bounds, in view space.
 std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& derived) {
     std::array<glm::dvec3, 8> corners{};
     for (std::size_t corner = 0; corner < 8; ++corner)
@@ -35,11 +35,11 @@ std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& deri
     return corners;
 }
 
-/// Objects that the sides of the view leave out.
+/// Says on which side of the view the objects are.
 std::string beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
-        return tr("every object lies behind the camera: the key G frames them all, Home goes back");
+        return tr("every object is behind the camera: G frames them all, Home goes back");
     const Lens lens = params.lens();
     const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
     const glm::dvec2 edge(y * derived.aspect, y);
@@ -49,14 +49,11 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
         });
     };
     const char* const sentence =
-        beyond(0, -1.0) ? marked(
-                              "every object lies beyond the left edge of the view: the key G frames them all, Home "
-                              "goes back")
-        : beyond(0, 1.0)
-            ? marked("every object lies beyond the right edge of the view: the key G frames them all, Home goes back")
-        : beyond(1, 1.0)  ? marked("every object lies above the view: the key G frames them all, Home goes back")
-        : beyond(1, -1.0) ? marked("every object lies below the view: the key G frames them all, Home goes back")
-                          : marked("every object lies outside the view: the key G frames them all, Home goes back");
+        beyond(0, -1.0)   ? marked("every object is past the left edge of the view: G frames them all, Home goes back")
+        : beyond(0, 1.0)  ? marked("every object is past the right edge of the view: G frames them all, Home goes back")
+        : beyond(1, 1.0)  ? marked("every object is above the view: G frames them all, Home goes back")
+        : beyond(1, -1.0) ? marked("every object is below the view: G frames them all, Home goes back")
+                          : marked("every object is outside the view: G frames them all, Home goes back");
     return tr(sentence);
 }
 
@@ -83,7 +80,7 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
         nearest = std::min(nearest, thing.nearest);
         farthest = std::max(farthest, thing.farthest);
     }
-    constexpr double least_near = 1e-6;  // of its range
+    constexpr double least_near = 1e-6;  // the field's minimum
     const double nearer =
         rounded_down(std::max(least_near, nearest > 0.01 * farthest ? 0.9 * nearest : 0.01 * farthest));
     const double farther = 2.0 * rounded_down(farthest);
@@ -94,7 +91,7 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
                     "near"_a = near_now, "z"_a = figures(farthest, 3)),
                 "projection.near=" + plain_number(nearer));
     tell.broken(before == 0,
-                say("every object in the view is beyond far = {far}: the nearest begins at z = {z}", "far"_a = far_now,
+                say("every object in the view is beyond far = {far}: the nearest starts at z = {z}", "far"_a = far_now,
                     "z"_a = figures(nearest, 3)),
                 "projection.far=" + plain_number(farther));
     tell.broken(before > 0 && beyond > 0,

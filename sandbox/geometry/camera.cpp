@@ -1,4 +1,4 @@
-// Angles to matrices and back. Read plane.cpp next.
+// Converts angles to matrices and back. Read plane.cpp next.
 #include "geometry/camera.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// cos and sin of an angle in degrees, exact at the quarter turns.
+/// cos and sin of an angle in degrees, exact at multiples of 90°.
 struct Turn {
     double cos, sin;
 };
@@ -32,14 +32,14 @@ double degrees_of(double y, double x) {
     return degrees <= -180.0 ? 180.0 : degrees + 0.0;  // + 0 turns a negative zero into zero
 }
 
-/// Below this cosine of the pitch yaw and roll can no longer be told apart in double precision.
+/// Below this cosine of the pitch, double precision cannot distinguish yaw from roll.
 constexpr double pole_cosine = 1e-9;
 
 }  // namespace
 
 glm::dmat4 rotation_from_angles(const Angles& angles) {
     const Turn yaw = turn_of(angles.yaw_deg), pitch = turn_of(angles.pitch_deg), roll = turn_of(angles.roll_deg);
-    // Ry · Rx: columns right, up and back before the roll.
+    // Ry · Rx: its columns are right, up and back before the roll.
     const glm::dvec3 level_right(yaw.cos, 0.0, -yaw.sin);
     const glm::dvec3 level_up(yaw.sin * pitch.sin, pitch.cos, yaw.cos * pitch.sin);
     const glm::dvec3 back(yaw.sin * pitch.cos, -pitch.sin, yaw.cos * pitch.cos);

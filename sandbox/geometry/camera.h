@@ -1,4 +1,4 @@
-// The camera's pose as angles and as matrices. Angles in degrees, as the state file has them.
+// The camera's pose as angles and as matrices. Angles are in degrees, as in the state file.
 // Source: lecture, Camera Movement; with pitch and roll V = (T Ry Rx Rz)⁻¹.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Yaw about y, then pitch about x, then roll about z, each in the frame the one before left (degrees).
+/// Yaw about y, then pitch about x, then roll about z, each in the frame that results from the previous one (degrees).
 struct Angles {
     double yaw_deg = 0.0;
     double pitch_deg = 0.0;
@@ -18,8 +18,8 @@ struct Angles {
 /// R = Ry(yaw) Rx(pitch) Rz(roll).
 glm::dmat4 rotation_from_angles(const Angles& angles);
 
-/// The angles of a rotation: yaw and roll in (−180, 180], pitch in [−90, 90]. At the poles (|pitch| = 90)
-/// roll and yaw turn about the same axis; roll is then 0 and yaw carries both.
+/// Returns the angles of a rotation: yaw and roll in (−180, 180], pitch in [−90, 90]. At the poles (|pitch| = 90), roll
+/// and yaw rotate about the same axis; there, roll is 0 and yaw is the whole rotation.
 Angles angles_from_rotation(const glm::dmat3& rotation);
 
 /// C = T(position) R: columns are right, up, back and the eye. Looks along −z at angles 0.
@@ -31,7 +31,7 @@ glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
 /// T(position) R(rotation) S(scale), the pose of an object.
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
 
-/// The angles (roll 0) that look from `eye` at `target`. Equal points: looks along −z.
+/// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. For equal points, it looks along −z.
 Angles angles_looking_at(const glm::dvec3& eye, const glm::dvec3& target);
 
 }  // namespace viewing

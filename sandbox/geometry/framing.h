@@ -1,4 +1,4 @@
-// Where a camera has to stand so that its picture holds a box. Pure. Read navigation.h for how it moves there by hand.
+// Places a camera so that its picture contains a box. Pure. Read navigation.h for moving the camera by hand.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,9 +14,9 @@ struct Framing {
     double height = 6.0;  ///< of an orthographic lens
 };
 
-/// The nearest place from which a camera with these angles has the whole box in the middle of its picture, with a
-/// little room around it. A box that is a point is seen from one unit away; an empty one from where its centre would be
-/// the origin. `aspect` above 0.
+/// Returns the nearest position from which a camera with these angles has the whole box in the middle of its picture,
+/// with a small margin. A box that is a point is seen from one unit away; an empty box counts as the origin. `aspect`
+/// must be positive.
 Framing framing(const Bounds& box, const Angles& angles, const Lens& lens, double aspect);
 
 }  // namespace viewing

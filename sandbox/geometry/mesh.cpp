@@ -1,4 +1,4 @@
-// What is asked of a mesh as a whole. Read shapes.cpp next.
+// Queries about a whole mesh. Read shapes.cpp next.
 #include "geometry/mesh.h"
 
 namespace viewing {

@@ -1,5 +1,5 @@
-// A triangle mesh as every room sees it: positions, normals, indices. Shapes make it, files are read
-// into it, visibility/ sorts it, render/ uploads it. Read shapes.h next.
+// A triangle mesh, shared by all folders: positions, normals, indices. Shapes and files create it, visibility/ sorts
+// it, render/ uploads it. Read shapes.h next.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// Indexed triangles in model space, counter-clockwise seen from outside, one unit normal per vertex.
+/// Indexed triangles in model space, counterclockwise seen from outside, one unit normal per vertex.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;      ///< same count as positions
@@ -17,7 +17,7 @@ struct Mesh {
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
-/// Axis-aligned box; empty (min > max) until something was added.
+/// Axis-aligned box; empty (min > max) until something is added.
 struct Bounds {
     glm::dvec3 min{1e300};
     glm::dvec3 max{-1e300};
@@ -36,7 +36,7 @@ struct Bounds {
     bool operator==(const Bounds&) const = default;
 };
 
-/// The bounds of all vertices; empty for a mesh without any.
+/// Returns the bounds of all vertices; empty for a mesh without any.
 Bounds bounds_of(const Mesh& mesh);
 
 }  // namespace viewing

@@ -12,8 +12,8 @@ using Vec3 = glm::dvec3;
 constexpr double max_step_s = 0.25, max_substep_s = 1.0 / 240.0;
 constexpr double slow_factor = 0.25;
 constexpr double max_orbit_pitch_deg = 89.9, min_orbit_distance = 0.01;
-constexpr double orbit_zoom_length = 2.5;  // this far forward brings the eye e times nearer
-constexpr double rest_fraction = 1e-3;     // of the full speed: slower than this is at rest
+constexpr double orbit_zoom_length = 2.5;  // moving forward by this length brings the eye e times nearer
+constexpr double rest_fraction = 1e-3;     // of the full speed: anything slower is at rest
 
 double wrapped(double degrees) {
     const double turned = std::remainder(degrees, 360.0);
@@ -24,13 +24,13 @@ glm::dquat quaternion(const Angles& angles) {
     return glm::quat_cast(glm::dmat3(rotation_from_angles(angles)));
 }
 
-/// The rotation about the axes x, y, z at once, by as many degrees.
+/// Returns the simultaneous rotation about the axes x, y, z by these degrees.
 glm::dquat turn_about_own_axes(const Vec3& degrees) {
     const double angle = glm::radians(glm::length(degrees));
     return angle == 0.0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::angleAxis(angle, glm::normalize(degrees));
 }
 
-/// `angles` after a turn about the camera's own axes; untouched by no turn.
+/// Returns `angles` after a rotation about the camera's own axes; a zero rotation leaves them unchanged.
 Angles turned_about_own_axes(const Angles& angles, const Vec3& degrees) {
     if (degrees == Vec3(0.0)) {
         return angles;
@@ -42,25 +42,25 @@ Vec3 view_forward(const Angles& angles) {
     return -Vec3(rotation_from_angles(angles)[2]);
 }
 
-/// The direction of view projected to the ground and normalised, but from the yaw, so that it is there when looking
-/// straight down, too. A camera that is upside down looks against its yaw.
+/// Returns the view direction projected to the ground and normalized. Computed from the yaw, so it also exists for a
+/// view straight down. An upside-down camera looks opposite to its yaw.
 Vec3 ground_forward(const Angles& angles) {
     const bool upside_down = std::abs(std::remainder(angles.pitch_deg, 360.0)) > 90.0;
     return (upside_down ? -1.0 : 1.0) * view_forward({angles.yaw_deg, 0.0, 0.0});
 }
 
-/// Zeros what the mode cannot do.
+/// Sets to zero every motion that the mode does not allow.
 void keep_available(Vec3& move, Vec3& turn, Navigation mode, const MotionSlips& slips) {
     const MovingFreedoms can = available_freedoms(mode);
     const bool local_look = slips.creeping_roll && mode == Navigation::walk;
     move *= Vec3(can.strafe, can.lift, can.forward);
     turn *= Vec3(can.pitch || local_look, can.yaw, can.roll);
-    if (mode == Navigation::orbit) {  // sideways and up are turns there, see wanted_rates
+    if (mode == Navigation::orbit) {  // in orbit, moving sideways and up are rotations: see wanted_rates
         move.x = move.y = 0.0;
     }
 }
 
-/// The rates that the held keys ask for.
+/// The rates that the held keys request.
 struct WantedRates {
     Vec3 velocity, turn_rate_deg;
 };
@@ -70,7 +70,7 @@ WantedRates wanted_rates(const MotionInput& input, Navigation mode, const Motion
     const double factor = input.slow ? slow_factor : 1.0;
     Vec3 move = input.move / std::max(1.0, glm::length(input.move));
     Vec3 turn(input.pitch, input.yaw, input.roll);
-    if (mode == Navigation::orbit) {  // to the right of the target means turning left, up means looking down
+    if (mode == Navigation::orbit) {  // moving right around the target means turning left, moving up means looking down
         turn += Vec3(-move.y, move.x, 0.0);
     }
     turn = glm::clamp(turn, -1.0, 1.0);
@@ -78,7 +78,7 @@ WantedRates wanted_rates(const MotionInput& input, Navigation mode, const Motion
     return {move * (tuning.speed * factor), turn * (tuning.turn_deg * factor)};
 }
 
-/// Lets `rate` approach `wanted` for dt_s and returns what it adds up to meanwhile, both exactly.
+/// Moves `rate` toward `wanted` for dt_s and returns its integral, both exactly.
 Vec3 approach(Vec3& rate, const Vec3& wanted, double full_rate, double smoothing_s, double dt_s) {
     const double left_over = smoothing_s > 0.0 ? std::exp(-dt_s / smoothing_s) : 0.0;
     const Vec3 lag = rate - wanted;
@@ -110,14 +110,14 @@ Pose walk(Pose pose, const Vec3& path, const Vec3& turn, const MotionSlips& slip
     return pose;
 }
 
-/// Turns the whole camera about the target so that it has `angles` afterwards.
+/// Rotates the whole camera about the target so that it ends with `angles`.
 void carry_about_target(Pose& pose, const Angles& angles) {
     const glm::dmat3 before(rotation_from_angles(pose.angles)), after(rotation_from_angles(angles));
     pose.position = pose.target + after * (glm::transpose(before) * (pose.position - pose.target));
     pose.angles = angles;
 }
 
-/// The slip: goes on over the pole while up stays world y, so that the picture turns over there.
+/// The mistake: orbits over the pole while up stays the world's y axis, so that the picture flips there.
 void orbit_without_limit(Pose& pose, Motion& motion, const Vec3& turn) {
     const double distance = glm::length(pose.position - pose.target);
     const Angles aim = angles_looking_at(pose.position, pose.target);
@@ -139,14 +139,14 @@ void orbit_turn(Pose& pose, Motion& motion, const Vec3& turn, const MotionSlips&
     } else {
         Angles angles = pose.angles;
         angles.yaw_deg = wrapped(angles.yaw_deg + turn.y);
-        // A camera that came here beyond the limit is not thrown back, but gets no further.
+        // A camera already beyond the limit is not forced back, but cannot go farther.
         const double limit = std::max(max_orbit_pitch_deg, std::abs(angles.pitch_deg));
         angles.pitch_deg = std::clamp(angles.pitch_deg + turn.x, -limit, limit);
         carry_about_target(pose, angles);
     }
 }
 
-/// Multiplies the distance to the target by `factor`, but goes no nearer than the smallest distance.
+/// Multiplies the distance to the target by `factor`, but keeps at least the smallest distance.
 void zoom(Pose& pose, double factor) {
     const Vec3 offset = pose.position - pose.target;
     const double distance = glm::length(offset);

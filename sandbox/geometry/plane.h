@@ -1,5 +1,5 @@
-// The plane a x + b y + c z + d = 0: its unit form, the patch drawn for it, and the two matrices of
-// the lecture, shadow (Blinn 1988) and reflection.
+// The plane a x + b y + c z + d = 0: its unit form, the patch drawn for it, and the lecture's two matrices, shadow
+// (Blinn 1988) and reflection.
 #pragma once
 
 #include <array>
@@ -7,44 +7,45 @@
 
 namespace viewing {
 
-/// The plane scaled so that (a, b, c) has length 1, its sign kept. The normal must not be zero.
+/// Returns the plane scaled so that (a, b, c) has length 1; keeps its sign. The normal must not be zero.
 glm::dvec4 unit_plane(const glm::dvec4& plane);
 
-/// Whether a light (x, y, z, w) counts as one at infinity: farther away than a million units.
+/// Returns whether a light (x, y, z, w) counts as infinitely far away: farther than a million units.
 bool is_parallel_light(const glm::dvec4& light);
 
-/// S = (Π·L) I − L Πᵀ sends p to where the ray from the light L through p meets the plane (after ÷ w).
-/// P is used as given: pass a unit plane to get the numbers on display. L.w = 1 point light, 0 parallel.
-/// S² = (Π·L) S, S L = 0, rank 3; rank 1 when Π·L = 0. Source: lecture, Projection Shadow Matrix.
+/// S = (Π·L) I − L Πᵀ maps p to where the ray from the light L through p meets the plane (after ÷ w). Uses the plane as
+/// given: pass a unit plane to get the displayed numbers. L.w = 1: point light, 0: parallel.
+/// S² = (Π·L) S, S L = 0, rank 3; rank 1 if Π·L = 0. Source: lecture, Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// +1 or −1: the factor that makes w positive for every caster between light and plane, so that the
-/// clipper keeps the shadow. +1 when Π·L = 0.
+/// Returns +1 or −1: the factor that makes w positive for every caster between light and plane, so that clipping keeps
+/// the shadow. +1 if Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// The plane with the sign that has a point, an eye or a light on its positive side; as it is where that lies in it.
+/// Returns the plane with the sign that puts a point, an eye or a light on its positive side; unchanged if that is in
+/// it.
 glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
 
-/// The unit direction in which an eye sees a point; one with w = 0 sees along parallel lines.
+/// Returns the unit direction in which an eye sees a point; an eye with w = 0 has parallel view rays.
 glm::dvec3 line_of_sight(const glm::dvec4& eye, const glm::dvec3& point);
 
-/// Whether a light counts as lying in a unit plane: Π·L is next to nothing against the light's own size.
+/// Returns whether a light counts as being in a unit plane: Π·L is negligible relative to the light's own size.
 bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
 /// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.
 glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane);
 
-/// Where a projection puts near and far: −1 and +1, 1 and 0, or +1 and −1.
+/// The clip-space z of near and far: −1 and +1, 1 and 0, or +1 and −1.
 enum class ClipRange { standard, reversed_zero_to_one, reversed };
 
-/// Replaces the near plane of a projection by a plane given in view space, so that what lies on its negative side is
-/// clipped. The eye must lie on the negative side (w < 0). A plane beyond the whole frustum clips everything.
-/// Source: Lengyel 2005, Oblique View Frustum Depth Projection and Clipping; reversed depth the other way round.
+/// Replaces the near plane of a projection with a plane given in view space, so that the plane's negative side is
+/// clipped. The eye must be on the negative side (w < 0). A plane beyond the whole frustum clips everything. Source:
+/// Lengyel 2005, Oblique View Frustum Depth Projection and Clipping; adapted to reversed depth.
 glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view,
                                    ClipRange range = ClipRange::standard);
 
-/// The square drawn for a plane: centre nearest the world's origin, half-axes u and v of length
-/// `extent`. The same for P, −P and 2P.
+/// The square drawn for a plane: its center is the point nearest to the world's origin, its half-axes along u and v
+/// have length `extent`. The same for P, −P and 2P.
 struct PlanePatch {
     glm::dvec3 center;
     glm::dvec3 u;       ///< unit
@@ -53,10 +54,10 @@ struct PlanePatch {
     double extent;
     bool operator==(const PlanePatch&) const = default;
 
-    std::array<glm::dvec3, 4> corners() const;  ///< counter-clockwise about u × v
-    double reach() const;                       ///< along u and v: the extent, and what lies on the edge is inside
-    bool holds(const glm::dvec3& point) const;  ///< of the plane
-    glm::dmat4 world_from_patch() const;        ///< sends (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
+    std::array<glm::dvec3, 4> corners() const;  ///< counterclockwise about u × v
+    double reach() const;                       ///< along u and v: the extent plus the edge
+    bool holds(const glm::dvec3& point) const;  ///< for points of the plane
+    glm::dmat4 world_from_patch() const;        ///< maps (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
 };
 
 PlanePatch plane_patch(const glm::dvec4& plane, double extent);

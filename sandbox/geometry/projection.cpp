@@ -1,4 +1,4 @@
-// Projection matrices and the way of eye depth to a stored code. Read ray.h next.
+// Projection matrices, and the path from eye depth to a stored code. Read ray.h next.
 #include "geometry/projection.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
     return lens.far * lens.near / ((lens.far - lens.near) * distance * distance);
 }
 
-/// The gap between a float32 in (0, 1] and the next one towards 0.
+/// Returns the gap between a float32 in (0, 1] and the next one toward 0.
 double float_gap(double depth) {
     const float stored = static_cast<float>(std::clamp(depth, 0.0, 1.0));
     const float smallest = std::numeric_limits<float>::denorm_min();

@@ -1,5 +1,5 @@
-// Projection matrices and what becomes of eye depth on the way to a stored code.
-// Eye distance is positive in front of the camera here: distance = −eye_z.
+// Projection matrices, and the path from eye depth to a stored code.
+// Eye distance is positive in front of the camera: distance = −eye_z.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ enum class DepthMapping { standard, reversed, logarithmic };
 
 struct Lens {
     bool orthographic = false;
-    double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is turned by 180°
+    double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is rotated by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;
     double far = 40.0;
@@ -24,33 +24,34 @@ glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 /// P with near and far swapped for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
-/// Window depth in [0, 1] of an eye distance. Outside near … far the value lies outside [0, 1]; at or behind the eye it
-/// is infinite where the mapping divides by the distance.
+/// Returns the window depth in [0, 1] of an eye distance. Outside near … far, the value is outside [0, 1]; at or behind
+/// the eye it is infinite unless the mapping is linear.
 double window_depth(const Lens& lens, DepthMapping mapping, double distance);
 
-/// The inverse of window_depth.
+/// Returns the inverse of window_depth.
 double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double depth);
 
-/// How precisely a depth buffer stores: a number of bits, or a 32-bit float.
+/// The precision of a depth buffer: a number of bits, or a 32-bit float.
 struct DepthPrecision {
     int bits = 24;
     bool is_float = false;
 
-    /// 2^bits − 1, which a window depth of 1 is stored as; of integer formats.
+    /// Returns 2^bits − 1, the code of window depth 1; for integer formats.
     double greatest_code() const { return std::exp2(bits) - 1.0; }
     bool operator==(const DepthPrecision&) const = default;
 };
 
-/// The step from a stored window depth to the next code, as window depth.
+/// Returns the width of the step from a stored window depth to the next code, as window depth.
 double code_width(const DepthPrecision& precision, double window_depth);
 
-/// The width in eye distance of one stored code at `distance` (facts: Δz ≈ z² (f−n) / (f n (2^b − 1))),
-/// for a float format the width of one unit in the last place there. Positive and finite:
-/// what is nearer than `near` counts as at `near`, beyond `far` the formula is carried on.
+/// Returns the width in eye distance of one stored code at `distance` (facts: Δz ≈ z² (f−n) / (f n (2^b − 1))); for a
+/// float format, the width of one unit in the last place there. Positive and finite: a distance below `near` counts as
+/// `near`; beyond `far` the formula still applies.
 double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
-/// depth_step, but for a float format never less than half a unit in the last place of a float32 at `distance`: the
-/// eye depth is rounded to one before it is mapped and stored, so finer codes near a window depth of 0 tell nothing.
+/// Returns depth_step, but for a float format at least half a unit in the last place of a float32 at `distance`: the
+/// eye depth is rounded to float32 before it is mapped and stored, so finer codes near a window depth of 0 add no
+/// precision.
 double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
 }  // namespace viewing

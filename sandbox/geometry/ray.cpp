@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Below this sine two directions count as parallel.
+/// Two directions whose sine is smaller count as parallel.
 constexpr double parallel_sine = 1e-12;
 
 }  // namespace
@@ -15,7 +15,7 @@ Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc) 
     const glm::dmat4 world_from_clip = glm::inverse(clip_from_world);
     const glm::dvec4 on_near = world_from_clip * glm::dvec4(ndc, -1.0, 1.0);
     const glm::dvec4 on_far = world_from_clip * glm::dvec4(ndc, 1.0, 1.0);
-    // Not the difference of the divided points: w on the far plane is next to 0 when far is far away.
+    // The difference of the divided points would be inexact: w on the far plane is almost 0 if far is far away.
     const glm::dvec3 direction = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     return {glm::dvec3(on_near) / on_near.w, glm::normalize(direction)};
 }
@@ -32,7 +32,7 @@ std::optional<double> intersect_plane(const Ray& ray, const glm::dvec4& plane) {
 
 std::optional<double> closest_point_parameter_on_line(const Ray& ray, const glm::dvec3& origin,
                                                       const glm::dvec3& direction) {
-    // The connection of the nearest points is at right angles to both directions.
+    // The segment between the nearest points is perpendicular to both directions.
     const glm::dvec3 offset = ray.origin - origin;
     const double rr = glm::dot(ray.direction, ray.direction), ll = glm::dot(direction, direction);
     const double rl = glm::dot(ray.direction, direction);

@@ -1,5 +1,5 @@
-// Rays for picking and dragging: through a pixel, against planes, lines, triangles and whole meshes.
-// Read navigation.h next.
+// Rays for picking and dragging: through a pixel, and their intersections with planes, lines, triangles and whole
+// meshes. Read navigation.h next.
 #pragma once
 
 #include <array>
@@ -18,15 +18,17 @@ struct Ray {
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// The ray through a point of the window, `ndc` in −1 … 1 with y up: starts on the near plane, unit direction, in the
-/// space that `clip_from_world` starts from. The matrix must be invertible with a clip range of −1 … 1.
+/// Returns the ray through a point of the window, `ndc` in −1 … 1 with y up. The ray starts on the near plane, has a
+/// unit direction, and is in the space that `clip_from_world` maps from. The matrix must be invertible and have a clip
+/// range of −1 … 1.
 Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc);
 
-/// Where the ray meets the plane a x + b y + c z + d = 0; none when parallel to it or when it lies behind.
+/// Returns the point where the ray meets the plane a x + b y + c z + d = 0; none if parallel to it, or if the plane is
+/// behind.
 std::optional<double> intersect_plane(const Ray& ray, const glm::dvec4& plane);
 
-/// The s at which origin + s · direction comes nearest to the ray: for dragging along an axis. None when they are
-/// parallel or the nearest point lies behind the ray's origin.
+/// Returns the s at which origin + s · direction is nearest to the ray, for dragging along an axis. None if the two are
+/// parallel, or if the nearest point is behind the ray's origin.
 std::optional<double> closest_point_parameter_on_line(const Ray& ray, const glm::dvec3& origin,
                                                       const glm::dvec3& direction);
 
@@ -36,8 +38,8 @@ struct TriangleHit {
     glm::dvec3 barycentric;
 };
 
-/// From either side; edges count as inside. None for a triangle without area or seen edge-on.
-/// Source: Möller and Trumbore 1997.
+/// Finds hits from either side; edges count as inside. None for a triangle without area, or seen edge-on. Source:
+/// Möller and Trumbore 1997.
 std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& triangle);
 
 struct MeshHit {
@@ -46,7 +48,7 @@ struct MeshHit {
     glm::dvec3 barycentric;
 };
 
-/// The nearest hit, every triangle tried; the ray is in model space.
+/// Returns the nearest hit, after testing every triangle; the ray is in model space.
 std::optional<MeshHit> intersect_mesh(const Ray& ray_in_model, const Mesh& mesh);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// The shapes that a formula gives. Vertices are shared wherever positions and normals agree, so that closed shapes are
+// Shapes from formulas. Vertices are shared wherever positions and normals are equal, so that closed shapes are
 // watertight without any tolerance. Read teapot.cpp next.
 #include "geometry/shapes.h"
 
@@ -21,13 +21,13 @@ void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// Corners counter-clockwise seen from the front.
+/// Adds a quad with its corners counterclockwise seen from the front.
 void add_quad(Mesh& mesh, Index a, Index b, Index c, Index d) {
     add_triangle(mesh, a, b, c);
     add_triangle(mesh, a, c, d);
 }
 
-/// The point at `turn` (0 … 1 is once around) of the unit circle about y, counter-clockwise seen from above.
+/// Returns the point at `turn` (0 … 1 is one full turn) of the unit circle about y, counterclockwise seen from above.
 glm::dvec3 on_circle(double turn) {
     const double angle = turn * glm::two_pi<double>();
     return {std::cos(angle), 0.0, -std::sin(angle)};
@@ -37,7 +37,7 @@ double turn_of_slice(double slice, int slices) {
     return slice / slices;
 }
 
-/// The centre of a disc of radius 1 at height y and its rim, all with the normal straight up or down.
+/// Adds the center and rim of a disc of radius 1 at height y, all with the normal straight up or down.
 void add_disc(Mesh& mesh, double y, bool faces_up, int slices) {
     const glm::dvec3 axis(0.0, 1.0, 0.0);
     const glm::dvec3 normal = faces_up ? axis : -axis;
@@ -148,14 +148,14 @@ Mesh cylinder_mesh(int slices) {
 Mesh cone_mesh(int slices) {
     slices = std::max(slices, min_slices);
     const glm::dvec3 tip(0.0, 1.0, 0.0);
-    // The side rises by 2 while it comes in by 1, so its normal goes out by 2 and up by 1.
+    // The side rises by 2 while its radius shrinks by 1, so its normal points outward by 2 and upward by 1.
     const auto side_normal = [&](double slice) {
         return glm::normalize(2.0 * on_circle(turn_of_slice(slice, slices)) + tip);
     };
     Mesh mesh;
     for (int slice = 0; slice < slices; ++slice) {
         add_vertex(mesh, on_circle(turn_of_slice(slice, slices)) - tip, side_normal(slice));
-        add_vertex(mesh, tip, side_normal(slice + 0.5));  // a tip for each slice: no one normal fits all
+        add_vertex(mesh, tip, side_normal(slice + 0.5));  // one tip per slice: no single normal is right for all
     }
     for (int slice = 0; slice < slices; ++slice) {
         const Index here = 2 * static_cast<Index>(slice), next = 2 * static_cast<Index>((slice + 1) % slices);

@@ -1,5 +1,5 @@
-// The shapes of the scene format, made from formulas: all centred on their origin, wound
-// counter-clockwise seen from outside, with unit normals.
+// The shapes of the scene format, made from formulas: all centered on their origin, wound counterclockwise seen from
+// outside, with unit normals.
 #pragma once
 
 #include <array>
@@ -14,15 +14,13 @@ Mesh torus_mesh(int slices = 64, int sides = 32);               ///< radii 0.9 a
 Mesh cylinder_mesh(int slices = 48);                            ///< radius 1, height 2, axis y, closed
 Mesh cone_mesh(int slices = 48);                                ///< radius 1, height 2, axis y, tip up, closed
 Mesh quad_mesh();                                               ///< side 2 in the plane y = 0, front face up
-Mesh triangle_mesh(const std::array<glm::dvec3, 3>& vertices);  ///< one flat triangle, front face counter-clockwise
+Mesh triangle_mesh(const std::array<glm::dvec3, 3>& vertices);  ///< one flat triangle, front face counterclockwise
 
-/// Newell's 32 bicubic Bézier patches, each cut into resolution × resolution × 2 triangles; axis y,
-/// centred, scaled so that its longest side is 2. Degenerate triangles at the poles are left out.
-/// `resolution` is clamped to 1 … 64.
+/// Newell's 32 bicubic Bézier patches, each cut into resolution × resolution × 2 triangles; axis y, centered, scaled so
+/// that its longest side is 2. Leaves out degenerate triangles at the poles. `resolution` is clamped to 1 … 64.
 Mesh teapot_mesh(int resolution = 10);
 
-/// Centres the mesh on its bounds and scales it uniformly so that its longest side is 2.
-/// A mesh without extent is only centred.
+/// Centers the mesh on its bounds and scales it uniformly to a longest side of 2. Only centers a mesh without extent.
 void center_and_fit(Mesh& mesh);
 
 }  // namespace viewing

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// The cells that hold vertices, numbered as they are met.
+/// The cells that contain vertices, numbered in order of appearance.
 class Clusters {
 public:
     Clusters(const Mesh& mesh, int cells) : of_vertex_(mesh.positions.size()) {
@@ -34,7 +34,7 @@ public:
 
     std::uint32_t of(std::uint32_t vertex) const { return of_vertex_[vertex]; }
 
-    /// A vertex for each of them, in the middle of what it holds.
+    /// Returns one vertex per cell, at the mean of the cell's vertices.
     Mesh middles() const {
         Mesh made;
         for (const Sum& sum : sums_) {

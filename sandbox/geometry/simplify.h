@@ -1,17 +1,17 @@
-// A coarser stand-in for a mesh that is slow to draw, for as long as it moves.
+// Makes a coarser substitute for a mesh that is slow to draw, for use during motion.
 #pragma once
 
 #include "geometry/mesh.h"
 
 namespace viewing {
 
-/// The mesh with all vertices of a cell put into their middle, and without the triangles that vanish by it or become
-/// the same; `cells` (at least 1) is how many there are along the longest side of its bounds. No vertex is moved by
-/// more than a cell's diagonal; windings stay, normals are averaged. Takes time in proportion to the mesh.
+/// Returns the mesh with all vertices of a cell merged at their mean, without the triangles that vanish or become
+/// duplicates; `cells` (at least 1) is the number of cells along the longest side of its bounds. No vertex moves by
+/// more than a cell's diagonal; windings stay, normals are averaged. Takes time proportional to the size of the mesh.
 /// Source: Rossignac and Borrel, Multi-resolution 3D approximations for rendering complex scenes, 1993.
 Mesh simplified(const Mesh& mesh, int cells);
 
-/// With as many cells as leave it at most so many triangles.
+/// Simplifies with fewer and fewer cells until at most `most_triangles` are left.
 Mesh simplified_to(const Mesh& mesh, std::size_t most_triangles);
 
 }  // namespace viewing

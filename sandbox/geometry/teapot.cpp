@@ -1,6 +1,6 @@
-// Newell's teapot (1975): 32 bicubic Bézier patches. All of it but handle and spout is a body of revolution, and handle
-// and spout are symmetric, so 20 rings and 14 cross-sections hold every control point. Numbers are Newell's, with z up;
-// the mesh has y up. Read navigation.h next.
+// Newell's teapot (1975): 32 bicubic Bézier patches. All of it except handle and spout is a body of revolution, and
+// handle and spout are symmetric, so 20 rings and 14 cross-sections contain every control point. The numbers are
+// Newell's, with z up; the mesh has y up. Read navigation.h next.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,22 +11,23 @@
 namespace viewing {
 namespace {
 
-/// A ring of control points about the axis: quarter circles with their inner points at `tangent` from the ends.
+/// A ring of control points about the axis: quarter circles whose inner points are at a distance of `tangent` from the
+/// ends.
 struct Ring {
     double radius, height, tangent;
 };
 
-/// A ring whose inner points lie at 0.56 of the radius, as nearly all do.
+/// Returns a ring whose inner points are at 0.56 of the radius, as in nearly all rings.
 constexpr Ring ring(double radius, double height) {
     return {radius, height, 0.56 * radius};
 }
 
-/// A cross-section of handle or spout: two points of the plane of symmetry, the sides `half_width` off it.
+/// A cross-section of handle or spout: two points in the plane of symmetry, the sides `half_width` off it.
 struct Section {
     double x0, z0, x1, z1, half_width;
 };
 
-// Each line below ends a patch; its last entry begins the next one. Profiles run so that the outside is on their left.
+// Each line below ends a patch; its last entry begins the next one. Profiles run with the outside on their left.
 
 constexpr std::array pot_rings = {
     ring(1.4, 2.4),    ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4),  // rim
@@ -60,14 +61,14 @@ constexpr std::array<Section, 7> spout_sections = {{
     {2.8, 2.4, 3.2, 2.4, 0.15},
 }};
 
-/// Control points [along][around], turned to y up. ∂along × ∂around points outwards.
+/// Control points [along][around], converted to y up. ∂along × ∂around points outward.
 using Patch = std::array<std::array<glm::dvec3, 4>, 4>;
 
 glm::dvec3 y_up(double x, double y, double z) {
     return {x, z, -y};
 }
 
-/// The quarter of a ring that begins at `quarter` · 90°.
+/// Returns the quarter of a ring that begins at an angle of `quarter` · 90°.
 std::array<glm::dvec3, 4> quarter_ring(const Ring& ring, int quarter) {
     const std::array<glm::dvec2, 4> first = {
         {{ring.radius, 0.0}, {ring.radius, ring.tangent}, {ring.tangent, ring.radius}, {0.0, ring.radius}}};
@@ -82,7 +83,8 @@ std::array<glm::dvec3, 4> quarter_ring(const Ring& ring, int quarter) {
     return points;
 }
 
-/// Half of a cross-section: the side of negative y from point 1 to point 0, or that of positive y from 0 to 1.
+/// Returns half of a cross-section: the side of negative y from point 1 to point 0, or the side of positive y from 0 to
+/// 1.
 std::array<glm::dvec3, 4> half_section(const Section& s, bool negative_side) {
     const double y = negative_side ? -s.half_width : s.half_width;
     const std::array<glm::dvec3, 4> points = {y_up(s.x0, 0.0, s.z0), y_up(s.x0, y, s.z0), y_up(s.x1, y, s.z1),
@@ -90,7 +92,7 @@ std::array<glm::dvec3, 4> half_section(const Section& s, bool negative_side) {
     return negative_side ? std::array{points[3], points[2], points[1], points[0]} : points;
 }
 
-/// One patch from each run of four rows, neighbours sharing a row.
+/// Adds one patch per run of four rows; neighbors share a row.
 template <typename Row, typename PointsOfRow>
 void add_patches(std::vector<Patch>& patches, std::span<const Row> rows, PointsOfRow points_of_row) {
     for (std::size_t first = 0; first + 3 < rows.size(); first += 3) {
@@ -119,13 +121,13 @@ std::vector<Patch> teapot_patches() {
 
 using Weights = std::array<double, 4>;
 
-/// The cubic Bernstein polynomials at t.
+/// Returns the cubic Bernstein polynomials at t.
 Weights bernstein(double t) {
     const double s = 1.0 - t;
     return {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
 }
 
-/// Their derivatives.
+/// Returns their derivatives.
 Weights bernstein_slope(double t) {
     const double s = 1.0 - t;
     return {-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t};
@@ -141,8 +143,8 @@ glm::dvec3 weighted_sum(const Patch& patch, const Weights& along, const Weights&
     return sum;
 }
 
-/// The outward unit normal. At a pole a whole row is one point and ∂around vanishes; what it tends to, next to the
-/// pole, is the mixed derivative times the distance from the pole.
+/// Returns the outward unit normal. At a pole a whole row is one point and ∂around vanishes; near the pole, ∂around
+/// approaches the mixed derivative times the distance from the pole.
 glm::dvec3 patch_normal(const Patch& patch, double u, double v) {
     const glm::dvec3 along = weighted_sum(patch, bernstein_slope(u), bernstein(v));
     glm::dvec3 around = weighted_sum(patch, bernstein(u), bernstein_slope(v));

@@ -1,4 +1,4 @@
-// GL's own complaints, collected synchronously: any error fails a snapshot and a test.
+// GL's error messages, collected synchronously: any error makes a snapshot or a test fail.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace viewing::gl {
 
-/// Collects debug output of the current context from construction on. Without KHR_debug, errors() asks glGetError.
-/// One per context; it must outlive the context's use.
+/// Collects the debug output of the current context from construction on. Without KHR_debug, errors() calls
+/// glGetError(). Make one per context; it must live as long as the context is used.
 class DebugLog {
 public:
     DebugLog();
     DebugLog(const DebugLog&) = delete;
     DebugLog& operator=(const DebugLog&) = delete;
 
-    /// Every error so far, a sentence each.
+    /// Returns all errors so far, one sentence each.
     const std::vector<std::string>& errors();
 
     void add(std::string message) { errors_.push_back(std::move(message)); }

@@ -1,5 +1,5 @@
-// Where OpenGL 3.3 and OpenGL ES 3.0 (WebGL 2) say the same in other words, and what the current context has beyond
-// what both have: the only place that asks which of the two it is.
+// Hides the differences between OpenGL 3.3 and OpenGL ES 3.0 (WebGL 2), and reports which features beyond both the
+// current context has. No other code asks which of the two it is.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace viewing::gl {
 
-/// "#version 330 core" or "#version 300 es", without a newline: for those who bring shaders of their own.
+/// Returns "#version 330 core" or "#version 300 es", without a newline, for libraries with shaders of their own.
 const char* shader_version();
 
-/// What every shader begins with: its version, and where numbers have none by themselves, their precision.
+/// Returns the first lines of every shader: its version, and default precisions for types that have none.
 std::string_view shader_opening();
 
-/// What a clear of depth writes, from 0 to 1.
+/// Sets the depth that a clear writes, from 0 to 1.
 void set_clear_depth(double depth);
 
-/// Clip depths from 0 to w in the place of −w to w. Only where there is clip control.
+/// Switches clip depths to 0 … w instead of −w … w. Needs clip control.
 void set_clip_depths_from_zero(bool from_zero);
 
-/// "OpenGL 3.3 core · llvmpipe": what draws, for a line of text.
+/// Returns a short description of the driver: "OpenGL 3.3 core · llvmpipe".
 std::string driver_name();
 
-/// The first bytes of the buffer that is bound to GL_PIXEL_PACK_BUFFER; waits until GL has written them.
+/// Copies the first bytes of the buffer bound to GL_PIXEL_PACK_BUFFER; waits until GL has written them.
 void copy_pixel_pack_buffer(std::span<std::uint8_t> bytes);
 
 bool has_clip_control();        ///< glClipControl: clip depths from 0 to w
 bool has_clip_distance();       ///< gl_ClipDistance
-bool can_read_depth_stencil();  ///< glReadPixels gives depth and stencil
-bool has_debug_output();        ///< GL tells its errors as they happen
-bool has_shared_stages();       ///< stages.h, and a driver that compiles each vertex stage on the processor
+bool can_read_depth_stencil();  ///< glReadPixels reads depth and stencil
+bool has_debug_output();        ///< GL reports errors as they happen
+bool has_shared_stages();       ///< stages.h works, and the driver compiles each vertex stage on the CPU
 
 }  // namespace viewing::gl

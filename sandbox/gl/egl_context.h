@@ -1,4 +1,5 @@
-// A GL context without a display: EGL by itself, no X. By default a software renderer, so that pictures repeat.
+// A GL context without a display: only EGL, no X. By default with a software renderer, so that pictures are
+// reproducible.
 #pragma once
 
 #include <optional>
@@ -13,42 +14,44 @@ namespace viewing::gl {
 struct DeviceInfo {
     int index = 0;
     bool software = false;
-    std::string name;  ///< the DRM node or the renderer's extension, "" when the driver says nothing
+    std::string name;  ///< the DRM node or the renderer's extension; "" if the driver reports neither
 };
 
-/// Every device EGL knows; empty when it cannot enumerate them.
+/// Returns every EGL device; empty if EGL cannot enumerate them.
 std::vector<DeviceInfo> egl_devices();
 
-/// For a process that draws few pictures: the software renderer compiles its shaders without optimising them and for
-/// vectors of 128 bits, which halves a cold start and changes no pixel. Call before the first context; a person's own
-/// GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH stay.
+/// Speeds up a process that draws few pictures: the software renderer compiles its shaders without optimization and for
+/// 128-bit vectors, which halves the time of a cold start and changes no pixel. Call before the first context is made.
+/// Does not override GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH if the user has set them.
 void prefer_quick_start();
 
-/// Where neither HOME nor a folder for caches is set, the driver keeps no compiled shaders: it would look up a home by
-/// itself and write there. Call before the first context.
+/// Turns off the driver's shader cache if neither HOME nor a cache folder is set: otherwise the driver would look up a
+/// home folder by itself and write there. Call before the first context is made.
 void keep_no_cache_without_a_home();
 
-/// Owns an OpenGL 3.3 core context without a surface, current when it is made, on an EGL display that it shares with
-/// others on the same device. Move-only; ends in the thread that has it.
+/// Owns an OpenGL 3.3 core context without a surface, current after construction, on an EGL display shared with other
+/// contexts on the same device. Move-only; destroy it in the thread where it is current.
 class EglContext {
 public:
-    /// `device`: "" for software (the device that says so, else surfaceless with software forced), "auto" for the first
-    /// hardware device that works, else software; or a device's index. Asks for debug output. One sentence when there
-    /// is none: what there is, and what each of it refused.
+    /// Makes a context. `device`: "" for software (a device that reports itself as software, otherwise surfaceless with
+    /// software forced), "auto" for the first hardware device that works, otherwise software; or a device's index.
+    /// Requests debug output. The error is one sentence that lists the devices and what failed on each.
     static Result<EglContext> make(const std::string& device = "");
-    /// On the first software device; none where there is none. Leaves the environment alone: any thread may ask.
+    /// Makes a context on the first software device; returns nothing if there is none. Does not change the environment,
+    /// so any thread may call it.
     static std::optional<EglContext> make_software();
 
     EglContext(EglContext&& other) noexcept;
     EglContext& operator=(EglContext&& other) noexcept;
     ~EglContext();
 
-    /// From now on the calling thread's; no other may have it then. False: the driver refuses.
+    /// Makes the context current in the calling thread; it must not be current in another. Returns false if the driver
+    /// refuses.
     bool is_made_current() const;
-    /// The calling thread has none any more.
+    /// Leaves the calling thread without a context.
     void let_go() const;
 
-    const std::string& description() const { return description_; }  ///< how it was made: "EGL device 0 (software)"
+    const std::string& description() const { return description_; }  ///< its origin: "EGL device 0 (software)"
 
 private:
     EglContext() = default;

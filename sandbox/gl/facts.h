@@ -1,4 +1,4 @@
-// What EGL and the current context say about themselves, for `doctor` and the report of a snapshot.
+// Facts about EGL and the current context, for `doctor` and the report of a snapshot.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace viewing::gl {
 
-/// Known before there is a context.
+/// Facts about EGL that are known before there is a context.
 struct EglFacts {
     bool has_library = false;                    ///< libEGL.so.1 can be loaded
     std::string version;                         ///< of the client library: "1.5"
@@ -14,10 +14,10 @@ struct EglFacts {
 };
 EglFacts egl_facts();
 
-/// Of the current context.
+/// Facts about the current context.
 struct ContextFacts {
     std::string version, renderer, vendor, shading_language;
-    bool debug_output = false;  ///< GL tells its errors as they happen (KHR_debug)
+    bool debug_output = false;  ///< GL reports errors as they happen (KHR_debug)
 };
 ContextFacts context_facts();
 

@@ -1,4 +1,4 @@
-// A mark behind everything that GL was told before: whether GL has done it can be asked without waiting.
+// A fence after all earlier GL commands: tells without waiting whether GL has finished them.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace viewing::gl {
 
-/// Move-only; an empty one needs no context.
+/// Move-only; an empty fence needs no context.
 class Fence {
 public:
     Fence() = default;
@@ -26,7 +26,7 @@ public:
     }
 
     explicit operator bool() const { return sync_ != nullptr; }
-    /// Whatever was before an empty one is done. What is asked about is on its way from then on.
+    /// Returns whether the earlier commands have finished; true for an empty fence. Flushes, so that they will finish.
     bool has_passed() const {
         if (sync_ == nullptr) return true;
         return glClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) != GL_TIMEOUT_EXPIRED;

@@ -1,4 +1,4 @@
-// The only place that includes the GL loader; everything that calls GL includes this.
+// The only place that includes the GL loader; all code that calls GL includes this header.
 #pragma once
 
 #include <epoxy/gl.h>

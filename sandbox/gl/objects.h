@@ -1,4 +1,5 @@
-// Owners of GL objects: move-only, empty until made, freed with their owner. An empty owner needs no context.
+// Owners of GL objects: move-only, empty until an object is made, which they then delete. An empty owner needs no
+// context.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace viewing::gl {
 
-/// One GL name and how it is freed.
+/// A GL name and its deleter.
 template <typename Deleter>
 class Handle {
 public:
@@ -67,19 +68,19 @@ Texture make_texture();
 Renderbuffer make_renderbuffer();
 Framebuffer make_framebuffer();
 
-/// Compiles and links; `defines` are lines put behind shader_opening(). The error holds the driver's log.
+/// Compiles and links a program; `defines` are lines that follow shader_opening(). The error contains the driver's log.
 Result<Program> make_program(std::string_view vertex_source, std::string_view fragment_source,
                              std::string_view defines = "");
 
-/// What the driver says of how a program was compiled and linked, without a newline at its end.
+/// Returns the driver's log of compiling and linking, without a newline at the end.
 std::string log_of(const Program& program);
 
-/// What this driver has beyond the common subset of GL 3.3 and WebGL 2: gl/dialect.h.
+/// Features of this driver that are not in the common subset of GL 3.3 and WebGL 2; see gl/dialect.h.
 struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;
     bool read_depth_stencil = false;
-    bool multisampling = true;   ///< with 4 samples: both ask for it, softpipe has none
+    bool multisampling = true;   ///< with 4 samples: required by both standards, but missing in softpipe
     bool shared_stages = false;  ///< gl/stages.h
     static Capabilities of_current_context();
 };

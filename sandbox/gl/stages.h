@@ -1,5 +1,5 @@
-// Programs of one stage each, put together when they are used, so that several may share a vertex stage. Only where
-// Capabilities::shared_stages says that it is worth it; elsewhere nothing of this may be called.
+// Programs with one stage each, combined into pipelines, so that several can share a vertex stage. Use them only if
+// Capabilities::shared_stages says that it pays off; otherwise no function here may be called.
 #pragma once
 
 #include "gl/objects.h"
@@ -11,17 +11,17 @@ struct DeletePipeline {
 };
 using Pipeline = Handle<DeletePipeline>;
 
-/// `defines` as make_program() takes them; AT(n) is where a varying passes from stage to stage, and SEPARATE is
-/// defined. The error holds the driver's log.
+/// Compiles one stage. `defines`: as in make_program(). Also defines SEPARATE, and AT(n), the location at which a
+/// varying passes from stage to stage. The error contains the driver's log.
 Result<Program> make_stage(GLenum stage, std::string_view source, std::string_view defines);
 
-/// The stages must outlive it.
+/// The stages must outlive the pipeline.
 Pipeline make_pipeline(const Program& vertex, const Program& fragment);
 
-/// In the place of glUseProgram().
+/// Replaces glUseProgram().
 void use(const Pipeline& pipeline);
 
-/// Whose uniforms glUniform*() sets from now on, as long as the pipeline is in use.
+/// Selects the stage whose uniforms glUniform*() sets while the pipeline is in use.
 void address(const Pipeline& pipeline, GLuint stage);
 
 }  // namespace viewing::gl

@@ -1,5 +1,5 @@
-// What stands in for the stencil of a target that has none: one byte a pixel in a texture, drawn beside the colour.
-// Read render/masks.h for how a pass tests and changes it.
+// A substitute for the stencil buffer of a target that has none: one byte per pixel in a texture, drawn together with
+// the color. Read render/masks.h for how a pass tests and changes it.
 #pragma once
 
 #include "gl/objects.h"
@@ -9,17 +9,18 @@ namespace viewing::gl {
 class StencilMask {
 public:
     StencilMask() = default;
-    /// The mask starts as 0. The textures are the target's own, which lives as long.
+    /// Makes a mask that is 0 everywhere. The textures belong to the target and must outlive the mask.
     StencilMask(glm::ivec2 size_px, GLuint color_texture, GLuint depth_texture);
 
     GLuint texture() const { return mask_.name(); }       ///< value / 255 as red
-    GLuint previous() const { return previous_.name(); }  ///< what keep_previous() has kept, alike
-    /// The target's colour as attachment 0, the mask as attachment 1, and the target's depth.
+    GLuint previous() const { return previous_.name(); }  ///< the copy made by keep_previous(), in the same format
+    /// Returns the framebuffer with the target's color as attachment 0, the mask as attachment 1, and the target's
+    /// depth.
     GLuint draw_framebuffer() const { return drawing_.name(); }
     GLuint read_framebuffer() const { return reading_.name(); }  ///< the mask as attachment 0
 
-    void clear() const;          ///< to 0, everywhere
-    void keep_previous() const;  ///< copies, to be tested while the mask changes
+    void clear() const;          ///< sets it to 0 everywhere
+    void keep_previous() const;  ///< copies the mask, so that a pass can test the copy while it changes the mask
     explicit operator bool() const { return static_cast<bool>(mask_); }
 
 private:

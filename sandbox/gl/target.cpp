@@ -104,7 +104,7 @@ std::vector<std::uint8_t> read_pixels(GLuint framebuffer, glm::ivec2 size_px) {
     std::vector<std::uint8_t> pixels(row_bytes * static_cast<std::size_t>(size_px.y));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glFinish();  // llvmpipe of Mesa 22.3 at times reads before its threads have drawn
+    glFinish();  // llvmpipe in Mesa 22.3 sometimes reads before its threads have finished drawing
     glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     auto* top = pixels.data();
     auto* bottom = pixels.data() + pixels.size();

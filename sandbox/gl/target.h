@@ -1,4 +1,4 @@
-// An own framebuffer: colour to show as a texture, depth and stencil to read back, multisampled or not.
+// Our own framebuffer: color to show as a texture, depth and stencil to read back, with or without multisampling.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace viewing::gl {
 
-/// GL has no format with 16 bits of depth and a stencil: such a target has a mask in its place.
+/// GL has no format with 16 bits of depth and a stencil, so a d16 target has a mask instead.
 enum class DepthKind {
     d24_s8,   ///< DEPTH24_STENCIL8
     d32f_s8,  ///< DEPTH32F_STENCIL8
     d16       ///< DEPTH_COMPONENT16
 };
 
-/// What a target is made of; two equal specs are the same target.
+/// Size and format of a target; targets with equal specs are interchangeable.
 struct TargetSpec {
     glm::ivec2 size_px{0};
     int samples = 0;  ///< 0 or 4
@@ -25,32 +25,32 @@ struct TargetSpec {
 class Target {
 public:
     Target() = default;
-    explicit Target(const TargetSpec& spec);  ///< depth starts as 1, stencil as 0
+    explicit Target(const TargetSpec& spec);  ///< depth is initially 1, stencil 0
 
     const TargetSpec& spec() const { return spec_; }
     glm::ivec2 size_px() const { return spec_.size_px; }
     bool has_stencil() const { return spec_.depth != DepthKind::d16; }
-    const StencilMask& mask() const { return mask_; }  ///< empty with a stencil, and with samples
+    const StencilMask& mask() const { return mask_; }  ///< empty if there is a stencil, or with samples
 
-    GLuint draw_framebuffer() const;  ///< what passes draw into
-    void resolve() const;             ///< multisampled colour → texture; nothing to do without samples
+    GLuint draw_framebuffer() const;  ///< passes draw into it
+    void resolve() const;             ///< multisampled color → texture; does nothing without samples
     GLuint color_texture() const { return color_.name(); }
     GLuint depth_texture() const { return depth_.name(); }        ///< only without samples
-    GLuint single_framebuffer() const { return single_.name(); }  ///< colour texture (and depth without samples)
+    GLuint single_framebuffer() const { return single_.name(); }  ///< color texture (and depth without samples)
 
 private:
     TargetSpec spec_;
-    Texture color_, depth_;  ///< with the stencil, where there is one
+    Texture color_, depth_;  ///< depth includes the stencil, if there is one
     Framebuffer single_;
     StencilMask mask_;
     Renderbuffer samples_color_, samples_depth_;
     Framebuffer multi_;
 };
 
-/// A texture without contents, to be fetched from without filtering and drawn into.
+/// Makes a texture without contents, for unfiltered fetches and for drawing into.
 Texture texture_2d(GLenum internal_format, GLenum format, GLenum type, glm::ivec2 size_px);
 
-/// A colour-only target for what is made from another one: depth and stencil shown, the whole window.
+/// A color-only target for pictures that are made from another one: visualized depth and stencil, and the whole window.
 class ColorTarget {
 public:
     ColorTarget() = default;
@@ -66,7 +66,7 @@ private:
     Framebuffer framebuffer_;
 };
 
-/// RGBA bytes of a framebuffer's colour, top row first. Ends every drawing before it.
+/// Returns the RGBA bytes of a framebuffer's color, top row first. Finishes all earlier drawing.
 std::vector<std::uint8_t> read_pixels(GLuint framebuffer, glm::ivec2 size_px);
 
 }  // namespace viewing::gl

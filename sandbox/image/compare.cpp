@@ -1,5 +1,5 @@
-// Rows that are the same bytes cost one memcmp; only the others are looked at by pixel, and only runs of pixels beyond
-// the threshold reach the box finder.
+// A row that is identical byte by byte costs one memcmp; only the others are compared pixel by pixel, and only runs of
+// pixels beyond the threshold reach the box finder.
 #include "image/compare.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_boxes = 16;
 
-/// How many pixels of the part that both pictures have are left out.
+/// Returns the number of pixels that the mask leaves out of the area that both pictures have.
 std::int64_t left_out_of(const Mask& mask, int width, int height) {
     if (mask.width() <= width && mask.height() <= height) return mask.pixels();
     std::int64_t count = 0;
@@ -30,7 +30,7 @@ bool has_beyond(std::span<const std::uint8_t> difference, int worst) {
     return std::any_of(difference.begin(), difference.end(), [worst](std::uint8_t level) { return level > worst; });
 }
 
-/// `found` is how far pixels differ, `difference` the same where nothing excuses them.
+/// `found` has the true differences; in `difference`, those of excused pixels are reduced.
 void count_row(std::span<const std::uint8_t> found, std::span<const std::uint8_t> difference, int y,
                CompareReport& report) {
     const int worst = report.options.worst;
@@ -50,7 +50,7 @@ bool is_within(const std::array<double, 4>& shift, double limit) {
     return std::all_of(shift.begin(), shift.end(), [limit](double level) { return std::abs(level) <= limit; });
 }
 
-/// Means of the channels' differences, over the part that both pictures have.
+/// Mean differences of the channels over the area that both pictures have.
 class Shifts {
 public:
     Shifts(const Image& a, const Image& b, int width, int height)
@@ -68,8 +68,8 @@ public:
         }
     }
 
-    /// The row that was added last; `found` are its pixels' differences, of which those beyond `worst` say nothing of a
-    /// shift.
+    /// Adds the last row to the local shift. `found` has the differences of its pixels; those beyond `worst` are
+    /// ignored, since they say nothing about a shift.
     void add_local_row(int y, std::span<const std::uint8_t> found, int worst) {
         for (std::size_t i = 0; i < difference_.size(); ++i)
             if (found[i / 4] > worst) difference_[i] = 0;
@@ -91,7 +91,7 @@ public:
 
 private:
     const Image &a_, &b_;
-    std::vector<std::int16_t> difference_;  ///< A minus B of the last row
+    std::vector<std::int16_t> difference_;  ///< A − B for the last row
     LocalShift local_;
     std::array<std::int64_t, 4> sums_{};
     std::int64_t sum_of_sizes_ = 0;

@@ -1,4 +1,4 @@
-// A comparison in words and as JSON.
+// Writes a comparison in words and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,14 +11,14 @@ namespace viewing {
 namespace {
 
 std::string share_text(double share) {
-    return figures(100.0 * share, 4) + " %";
+    return figures(100.0 * share, 4) + "%";
 }
 
 std::string size_text(const std::array<int, 2>& size) {
     return std::to_string(size[0]) + " × " + std::to_string(size[1]);
 }
 
-/// "; where: x 3 … 9, y 4 … 8 and 2 more places", or nothing.
+/// Returns, for example, "; where: x 3 … 9, y 4 … 8 and 2 more places", or nothing.
 std::string places(const CompareReport& report) {
     if (report.boxes.empty()) return "";
     const PixelBox& box = report.boxes.front();
@@ -29,14 +29,14 @@ std::string places(const CompareReport& report) {
     return text;
 }
 
-/// What the portable profile looks at besides; nothing in the strict one.
+/// Returns the results of the portable profile's additional checks; nothing for the strict profile.
 std::string portable_text(const CompareReport& report) {
     if (report.options.profile == CompareProfile::strict) return "";
     const auto largest = *std::max_element(report.local_shift.begin(), report.local_shift.end(),
                                            [](double p, double q) { return std::abs(p) < std::abs(q); });
     return "; " + std::to_string(report.resampled) + " more are edges with other samples; the largest block has " +
-           std::to_string(report.largest_block) + ", allowed are " + std::to_string(report.options.block_px) +
-           "; the mean shifts by " + figures(largest, 3) + " in 16 × 16 pixels, allowed are " +
+           std::to_string(report.largest_block) + ", limit " + std::to_string(report.options.block_px) +
+           "; the mean shifts by " + figures(largest, 3) + " in 16 × 16 pixels, limit " +
            figures(report.options.shift, 3);
 }
 
@@ -47,16 +47,15 @@ std::string sentence(const CompareReport& report) {
                               " pixels differ, at worst by " + std::to_string(report.worst_found) + " of 255 at (" +
                               std::to_string(report.worst_at[0]) + ", " + std::to_string(report.worst_at[1]) + "); " +
                               std::to_string(report.beyond) + " (" + share_text(report.beyond_share()) +
-                              ") by more than " + std::to_string(report.options.worst) + ", allowed are " +
+                              ") by more than " + std::to_string(report.options.worst) + ", limit " +
                               share_text(report.options.share) + portable_text(report);
     if (report.sizes_differ)
         return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
-               size_text(report.size_b) + "; of the part that both have, a channel differs by at most " +
+               size_text(report.size_b) + "; in the part that both have, a channel differs by at most " +
                std::to_string(report.worst_found) + " of 255" + places(report);
     const std::string left_out =
         report.left_out > 0 ? "; " + std::to_string(report.left_out) + " pixels are left out by the mask" : "";
-    if (report.different == 0)
-        return "equal: every one of " + size_text(report.size_a) + " pixels is the same" + left_out;
+    if (report.different == 0) return "equal: all " + size_text(report.size_a) + " pixels are the same" + left_out;
     return (report.equal ? "equal within the thresholds: " : "different: ") + found + places(report) + left_out;
 }
 

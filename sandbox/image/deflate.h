@@ -1,4 +1,4 @@
-// Texts in zlib's form: what links and figures carry.
+// Texts in zlib format, as stored in links and figures.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@ namespace viewing {
 
 std::vector<std::uint8_t> deflated(std::string_view text);
 
-/// How the unpacking ended: with all of it, because something followed, because it would have been longer than allowed,
-/// or because the bytes are cut off or damaged.
+/// The outcome of unpacking: complete, followed by other bytes, longer than allowed, or cut off or damaged.
 enum class InflateEnd { whole, followed, too_long, damaged };
 
 struct Inflated {
@@ -21,7 +20,7 @@ struct Inflated {
     std::string text;  ///< "" unless it is whole
 };
 
-/// What deflated() makes, back; of at most `most` bytes, however few they are when packed. Throws std::bad_alloc.
+/// The inverse of deflated(), limited to `most` unpacked bytes. Throws std::bad_alloc.
 Inflated inflated(std::span<const std::uint8_t> bytes, std::size_t most);
 
 }  // namespace viewing

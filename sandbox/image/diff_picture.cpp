@@ -1,4 +1,4 @@
-// The picture of a comparison.
+// Draws the differences that a comparison finds.
 #include <cmath>
 
 #include "image/compare.h"
@@ -8,14 +8,14 @@ namespace viewing {
 
 namespace {
 
-/// `amount` 0 … 1 of `tint` over a colour.
+/// Blends `tint` over a color; `amount` is from 0 to 1.
 void blend(std::uint8_t* pixel, const std::array<std::uint8_t, 3>& tint, double amount) {
     for (std::size_t c = 0; c < 3; ++c)
         pixel[c] = static_cast<std::uint8_t>(std::lround(pixel[c] * (1.0 - amount) + tint[c] * amount));
 }
 
-/// A picture's pixel as grey, drawn faint so that marks stand out.
-void faint_grey(const std::uint8_t* from, std::uint8_t* to) {
+/// Writes a pixel in gray, faint so that the marks stand out.
+void faint_gray(const std::uint8_t* from, std::uint8_t* to) {
     const auto grey = static_cast<std::uint8_t>(24.0 + 0.6 * luma(from));
     to[0] = to[1] = to[2] = grey;
     to[3] = 255;
@@ -29,7 +29,7 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
     constexpr std::array<std::uint8_t, 3> resampled_color{0xF0, 0xE4, 0x42};
     constexpr std::array<std::uint8_t, 3> uncovered_color{0xCC, 0x79, 0xA7};
     constexpr std::array<std::uint8_t, 3> dimmed_color{0, 0, 0};
-    constexpr int hatch_px = 6;  // from one line of the hatching to the next
+    constexpr int hatch_px = 6;  // distance between hatching lines
     Image out{std::max(a.width, b.width), std::max(a.height, b.height), {}};
     out.rgba.resize(out.row_bytes() * static_cast<std::size_t>(out.height));
     const auto has = [](const Image& image, int x, int y) { return x < image.width && y < image.height; };
@@ -41,7 +41,7 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
             constexpr std::array<std::uint8_t, 4> nothing{};
             const std::size_t offset = 4 * static_cast<std::size_t>(x);
             std::uint8_t* pixel = out.row(y) + offset;
-            faint_grey(has(a, x, y) ? a.row(y) + offset : has(b, x, y) ? b.row(y) + offset : nothing.data(), pixel);
+            faint_gray(has(a, x, y) ? a.row(y) + offset : has(b, x, y) ? b.row(y) + offset : nothing.data(), pixel);
             if (!has(a, x, y) || !has(b, x, y)) {
                 blend(pixel, uncovered_color, 0.4);
             } else if (mask.leaves_out(x, y)) {

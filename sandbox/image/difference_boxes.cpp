@@ -18,7 +18,7 @@ PixelBox around(const PixelBox& a, const PixelBox& b) {
             a.pixels + b.pixels};
 }
 
-/// Adds a box to boxes no two of which are near, and joins until that is so again.
+/// Adds a box to boxes that are not near each other, and merges boxes until that is true again.
 void add_box(std::vector<PixelBox>& boxes, PixelBox box, int gap) {
     for (bool joined = true; joined;) {
         joined = false;

@@ -9,17 +9,17 @@
 
 namespace viewing {
 
-/// Collects runs of pixels, top row first, into boxes; two that are near each other become one. Boxes that end too far
-/// above the current row to meet a run wait in `closed_`, which keeps the search short.
+/// Collects runs of pixels, top row first, into boxes; merges boxes near each other. Boxes that end too far above the
+/// current row to be near another run move to `closed_`, which keeps the search short.
 class BoxFinder {
 public:
-    /// Of the picture, pixels.
+    /// Takes the size of the picture in pixels.
     BoxFinder(int width, int height);
 
-    /// Levels of a row of which those above `worst` are to lie in a box.
+    /// Adds the differences in a row; those above `worst` go into a box.
     void add_row(int y, std::span<const std::uint8_t> difference, int worst);
 
-    /// All boxes, most pixels first, then from the top, then from the left.
+    /// Returns all boxes: the one with most pixels first; if equal, from the top, then from the left.
     std::vector<PixelBox> finish();
 
 private:

@@ -23,8 +23,7 @@ bool Differences::are_none(int y) const {
 }
 
 std::span<const std::uint8_t> Differences::row(int y) {
-    // Two plain loops over bytes, which compilers turn into vector instructions; one over pixels and channels they do
-    // not.
+    // Compilers vectorize two plain loops over bytes, but not one loop over pixels and channels.
     const std::uint8_t *a = a_.row(y), *b = b_.row(y);
     std::uint8_t* channel = channels_.data();
     for (std::size_t i = 0; i < channels_.size(); ++i)

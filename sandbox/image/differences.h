@@ -1,4 +1,4 @@
-// How far two pictures are apart, a row at a time: what counting, marking and boxes start from.
+// The differences between two pictures, one row at a time: the basis of counts, marks and boxes.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace viewing {
 
-/// The largest channel difference of each pixel, a row of the part that both pictures have at a time; 0 where the mask
-/// leaves a pixel out. Only pixels beyond the threshold look around for what excuses them. Pictures and mask have to
-/// live as long as this.
+/// Returns the largest channel difference of each pixel, one row at a time, in the area that both pictures have; 0 for
+/// pixels that the mask leaves out. Only pixels beyond the threshold search their neighborhood for a match that excuses
+/// them. Pictures and mask must outlive this object.
 class Differences {
 public:
     Differences(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask);
 
-    /// Whether a row is the same bytes in both: the cheap question before row().
+    /// Whether a row has the same bytes in both pictures: a fast test before row().
     bool are_none(int y) const;
 
-    /// Levels of row `y`, `worst` at most where a pixel is excused; valid until the next call.
+    /// Returns the differences in row `y` in levels, at most `worst` for excused pixels; valid until the next call.
     std::span<const std::uint8_t> row(int y);
 
-    /// The same row as it is, resampled edges with what they really differ by.
+    /// Returns the same row with the true differences on resampled edges.
     std::span<const std::uint8_t> as_found() const { return found_; }
 
 private:
@@ -33,7 +33,7 @@ private:
     const CompareOptions options_;
 
 public:
-    const int width, height;  ///< of the part that both have
+    const int width, height;  ///< of the area that both pictures have
 
 private:
     std::vector<std::uint8_t> channels_;

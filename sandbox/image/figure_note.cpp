@@ -18,7 +18,7 @@ constexpr std::string_view svg_id = "viewing-sandbox-state", svg_end = "</metada
 constexpr std::string_view keyword_begin = "viewing-sandbox-state-";
 constexpr std::string_view hex = "0123456789abcdef";
 
-/// What escaped() has made of a text, back again.
+/// The inverse of escaped().
 std::string unescaped(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, char>, 4> entities = {
         {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
@@ -39,7 +39,7 @@ std::string unescaped(std::string_view text) {
     return plain;
 }
 
-/// What stands before a part of the note, counted from 1.
+/// Returns the tag that precedes a part of the note; parts are counted from 1.
 std::string svg_begin(int number) {
     return "<metadata id=\"" + note_part_name(svg_id, "-", number) + "\">";
 }
@@ -84,7 +84,7 @@ std::string note_as_keyword(std::string_view note) {
     std::string keyword(keyword_begin);
     bool is_indented = false;
     for (const char c : note) {
-        // Lines of JSON break between its words alone.
+        // Drop line breaks and the indentation after them, which JSON has only between its tokens.
         is_indented = c == '\n' || (is_indented && c == ' ');
         if (is_indented) continue;
         const auto byte = static_cast<unsigned char>(c);
@@ -105,7 +105,7 @@ Result<std::string> read_figure_note(const std::filesystem::path& path) {
     if (Status readable = check_readable(path); !readable) return Error{readable.error()};
     constexpr std::uintmax_t most_bytes = 256U << 20U;
     if (std::error_code error; std::filesystem::file_size(path, error) > most_bytes)
-        return Error{one_line(path.string()) + ": is larger than 256 MiB, and no figure of this program is"};
+        return Error{one_line(path.string()) + ": is larger than 256 MiB, unlike any figure of this program"};
     const std::string document = all_bytes(path);
     return ending == ".svg" ? note_in_svg(document) : note_in_pdf(document);
 }

@@ -1,5 +1,5 @@
-// The note that a figure carries: the state that it shows, as JSON. In a PNG file it is a text chunk, in SVG metadata,
-// in PDF a keyword; where it is long, several chunks or elements (note_parts.h).
+// The note in a figure: the state shown, as JSON. In PNG it is a text chunk, in SVG metadata, in PDF a keyword; a long
+// note uses several chunks or elements (note_parts.h).
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace viewing {
 
-/// Elements of an SVG document; "" for no note, or one that no figure can carry.
+/// Returns elements of an SVG document; "" if there is no note, or one that no figure can store.
 std::string note_as_svg(std::string_view note);
-/// A keyword of a PDF document, letters and digits alone behind its name; "" as above.
+/// Returns a keyword of a PDF document, which after its name has only letters and digits; "" in the same cases.
 std::string note_as_keyword(std::string_view note);
 
-/// Whether a file's name ends as a figure's does: .png, .svg, .pdf.
+/// Whether a file name has the extension of a figure: .png, .svg, .pdf.
 bool is_figure_name(const std::filesystem::path& path);
 
-/// The note of a figure; empty where it has none. An error is one sentence that begins with the path: a file that
-/// cannot be read, or a PNG that is broken.
+/// Returns the note in a figure; empty if it has none. The error for an unreadable file or a damaged PNG is one
+/// sentence that begins with the path.
 Result<std::string> read_figure_note(const std::filesystem::path& path);
 
 }  // namespace viewing

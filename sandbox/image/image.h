@@ -1,4 +1,4 @@
-// A picture in memory: what a readback gives, what is written as PNG and compared.
+// A picture in memory: read back from GL, written as PNG, and compared.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// Eight bits a channel, red green blue alpha, rows from the top without gaps: rgba.size() = 4 · width · height.
+/// Eight bits per channel: red, green, blue, alpha; rows from the top, without gaps: rgba.size() = 4 · width · height.
 struct Image {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
@@ -20,13 +20,13 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Luma of Rec. 709 of a pixel's stored values, 0 … 255: how bright it looks.
+/// Returns the Rec. 709 luma of a pixel's stored values, 0 … 255: its perceived brightness.
 inline double luma(const std::uint8_t* pixel) {
     return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
 }
 
-/// The pixels from (left, top) up to, not including, (right, bottom), moved into the image; at least one of them.
-/// The image is not empty.
+/// Returns the pixels from (left, top) up to but not including (right, bottom), clamped to the image; at least one
+/// pixel. The image must not be empty.
 inline Image cropped(const Image& image, int left, int top, int right, int bottom) {
     left = std::clamp(left, 0, image.width - 1);
     top = std::clamp(top, 0, image.height - 1);

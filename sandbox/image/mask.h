@@ -1,4 +1,4 @@
-// Pixels that a comparison leaves out: a clock, a frame rate, a part that is drawn at random.
+// Pixels that a comparison leaves out, such as a clock, a frame rate, or an area that is drawn at random.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@ struct MaskRect {
     bool operator==(const MaskRect&) const = default;
 };
 
-/// What a mask does not have is compared, so an empty one leaves nothing out.
+/// The pixels to leave out. Pixels outside the mask's area are compared, so an empty mask leaves nothing out.
 class Mask {
 public:
     Mask() = default;
-    /// Of this size, with nothing left out yet. Sides 0 or more.
+    /// Makes a mask of this size that leaves nothing out yet. Sides are 0 or more.
     Mask(int width, int height);
-    /// White is left out: pixels whose luma (Rec. 709 on the stored values) and alpha are both 128 or more.
+    /// Leaves out the white pixels of a picture: those whose luma (Rec. 709 on the stored values) and alpha are both
+    /// 128 or more.
     explicit Mask(const Image& picture);
 
-    /// Leaves out the part of the rectangle that the mask has; none of it when a side is 0 or less.
+    /// Leaves out the part of the rectangle that is inside the mask; does nothing if a side is 0 or less.
     void leave_out(const MaskRect& rect);
-    /// Leaves out what the other one does. Sizes alike.
+    /// Also leaves out the pixels that the other mask leaves out. Both must have the same size.
     void leave_out(const Mask& other);
 
     int width() const { return width_; }
@@ -35,12 +36,12 @@ public:
                left_out_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                          static_cast<std::size_t>(x)] != 0;
     }
-    /// How many pixels are left out.
+    /// Returns the number of pixels left out.
     std::int64_t pixels() const;
 
 private:
     int width_ = 0, height_ = 0;
-    std::vector<std::uint8_t> left_out_;  ///< 1 or 0, row by row from the top
+    std::vector<std::uint8_t> left_out_;  ///< 1 for pixels left out, else 0; row by row from the top
 };
 
 }  // namespace viewing

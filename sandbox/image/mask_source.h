@@ -1,4 +1,4 @@
-// Where a mask comes from: rectangles, and pictures of which white is left out.
+// The source of a mask: rectangles, and pictures whose white pixels mark what to leave out.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@ namespace viewing {
 
 struct MaskSource {
     std::vector<MaskRect> rects;
-    std::vector<std::filesystem::path> pictures;  ///< of the size of what is compared
+    std::vector<std::filesystem::path> pictures;  ///< same size as the compared pictures
     bool is_empty() const { return rects.empty() && pictures.empty(); }
 };
 
-/// All of them as the mask of a picture of this size; an empty source leaves nothing out. The error names a picture
-/// that cannot be read or has another size, a rectangle that lies outside, or says that nothing is left to compare.
+/// Returns the combined mask for a picture of this size; an empty source leaves nothing out. The error names a picture
+/// that cannot be read or has another size, or a rectangle outside the picture, or says that nothing is left to
+/// compare.
 Result<Mask> mask_of(const MaskSource& source, int width, int height);
 
 }  // namespace viewing

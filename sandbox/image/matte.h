@@ -1,4 +1,4 @@
-// What a picture shows without the ground it was drawn on, from two of it: on black and on white.
+// Removes the background from a picture that was drawn twice, on black and on white.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace viewing {
 
-/// A colour, not premultiplied, from how it looks on black and on white: opaque where they are alike, nothing where
-/// they are black and white.
+/// Computes a color, not premultiplied, from the two results: opaque if they are equal, transparent if they are black
+/// and white.
 void remove_ground(const std::uint8_t* on_black, const std::uint8_t* on_white, std::uint8_t* rgba);
 
-/// The same for every pixel of two pictures of one size.
+/// Does the same for every pixel of two pictures with the same size.
 Image without_ground(const Image& on_black, const Image& on_white);
 
 }  // namespace viewing

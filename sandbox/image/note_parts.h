@@ -1,5 +1,5 @@
-// A note in parts, of which each file keeps every one under a name of its own: Pillow refuses a PNG file with a text of
-// more than 1 MiB, and libxml2 an SVG document with one of more than 10 million bytes.
+// Splits a note into parts, each stored in a file under its own name: Pillow refuses a PNG file with a text of more
+// than 1 MiB, and libxml2 refuses an SVG document with one of more than 10 million bytes.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace viewing {
 
-/// Whether a figure can carry the note: one that is longer than max_document_bytes could not be read again.
+/// Whether a figure can store the note: one longer than max_document_bytes could not be read back.
 bool can_carry(std::string_view note);
 
-/// UTF-8 cut between characters into parts of at most a million bytes, which joined are the note; none for "" and for
-/// what no figure can carry.
+/// Returns UTF-8 split between characters into parts of at most a million bytes; no parts for "" or a note that no
+/// figure can store.
 std::vector<std::string_view> note_parts(std::string_view note);
 
-/// The name of a part, counted from 1: "name", "name 2", "name 3" with a blank between.
+/// Returns the name of a part, counted from 1: "name", "name 2", "name 3" if `between` is a blank.
 std::string note_part_name(std::string_view name, std::string_view between, int number);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// libpng reports errors by longjmp: every function that calls setjmp here holds no object with a destructor, and what
-// has to be freed belongs to its caller.
+// libpng reports errors with longjmp: a function here that calls setjmp must not hold an object with a destructor; its
+// caller owns the resources to free.
 #include "image/png.h"
 
 #include <png.h>
@@ -27,7 +27,7 @@ namespace viewing {
 
 namespace {
 
-/// What libpng's callbacks may change while it runs.
+/// State that libpng's callbacks may change while libpng runs.
 struct PngFailure {
     char message[160] = "";
     bool file_ended = false;
@@ -72,8 +72,8 @@ struct Reader {
     Reader& operator=(const Reader&) = delete;
 };
 
-/// The note so far. Its chunks are taken out of libpng's hands, which would unpack every text of the file, to whatever
-/// size.
+/// The note read so far. Its chunks are handled here and not by libpng, which would unpack every text in the file,
+/// however large.
 struct FoundNote {
     std::string text;
     int parts = 0;
@@ -85,8 +85,8 @@ Inflated copied(std::span<const std::uint8_t> bytes, std::size_t most) {
     return {InflateEnd::whole, std::string(bytes.begin(), bytes.end())};
 }
 
-/// "tEXt": key 0, text. "zTXt": key 0, a 0, packed text. "iTXt": key 0, packed or not, a 0, language 0, translated key
-/// 0, text. What is not the note's next part is passed over.
+/// Adds the note's next part to the note; skips other chunks. Layouts: "tEXt": key, 0, text. "zTXt": key, 0, 0, packed
+/// text. "iTXt": key, 0, whether packed, 0, language, 0, translated key, 0, text.
 void take_note(FoundNote& note, std::string_view type, std::span<const std::uint8_t> chunk) {
     const std::string_view bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
     const std::string key = note_part_name(png_note_key, " ", note.parts + 1) + '\0';
@@ -110,7 +110,7 @@ void take_note(FoundNote& note, std::string_view type, std::span<const std::uint
 
 constexpr png_byte text_chunks[] = "tEXt\0zTXt\0iTXt";
 
-/// 1: libpng need not keep it; −1: there is no memory.
+/// Returns 1 if libpng does not need to keep the chunk, −1 if out of memory.
 int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     const std::string_view type(reinterpret_cast<const char*>(chunk->name));
     if (type != "tEXt" && type != "zTXt" && type != "iTXt") return 1;
@@ -122,7 +122,7 @@ int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     return 1;
 }
 
-/// `note`: null where nobody asks for it. Whatever else is no picture is passed over, and costs nothing.
+/// `note` is null if the note was not requested. All other chunks that are not part of the picture are skipped unread.
 bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nullptr) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);
@@ -137,7 +137,7 @@ bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nul
     return true;
 }
 
-/// Reads all rows as 8-bit RGBA, and the end of the file, so that a cut one is noticed.
+/// Reads all rows as 8-bit RGBA, and then to the end of the file, so that a truncated file is detected.
 bool read_rows(const Reader& reader, png_bytepp rows) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_expand(reader.png);
@@ -158,8 +158,8 @@ Error read_failure(const std::string& name, const PngFailure& failure) {
     return {name + ": the PNG file is broken: " + failure.message};
 }
 
-/// Deflate never packs better than 1032 to 1: a header that promises more pixels than the file can hold would only
-/// cost their memory.
+/// Whether a file of this size can contain the pixels. Deflate never compresses better than 1032 to 1, so a header that
+/// promises more pixels would only waste memory.
 bool file_can_hold(std::uintmax_t file_bytes, png_uint_32 height, std::size_t row_bytes) {
     return file_bytes > static_cast<std::uintmax_t>(height) * row_bytes / 1032;
 }
@@ -170,7 +170,7 @@ bool begins_as_png(std::FILE* file) {
            png_sig_cmp(signature, 0, sizeof signature) == 0;
 }
 
-/// Behind the signature of a PNG file.
+/// Opens a PNG file and reads past its signature.
 Result<File> opened(const std::filesystem::path& path) {
     const std::string name = path.string();
     if (Status checked = check_readable(path); !checked) return Error{checked.error()};
@@ -181,10 +181,10 @@ Result<File> opened(const std::filesystem::path& path) {
 }
 
 Error not_enough_memory(const std::string& name) {
-    return {name + ": there is not enough memory for this picture"};
+    return {name + ": not enough memory for this picture"};
 }
 
-/// Behind the signature. `file_bytes`: none for a pipe, which does not know.
+/// Reads the rest of the file after the signature. `file_bytes` is empty for a pipe, whose size is unknown.
 Result<Image> read_picture(std::FILE* file, const std::string& name, std::optional<std::uintmax_t> file_bytes) try {
     PngFailure failure;
     const Reader reader(failure);
@@ -196,11 +196,11 @@ Result<Image> read_picture(std::FILE* file, const std::string& name, std::option
     const png_uint_32 height = png_get_image_height(reader.png, reader.info);
     if (width > largest_image_side || height > largest_image_side)
         return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
-                     " pixels; at most " + std::to_string(largest_image_side) + " a side are read"};
+                     " pixels; at most " + std::to_string(largest_image_side) + " per side are allowed"};
     if (static_cast<std::uint64_t>(width) * height > most_image_pixels)
         return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
                      " pixels; at most " + std::to_string(most_image_pixels / 1'000'000) +
-                     " million are read, make it smaller"};
+                     " million are allowed, make it smaller"};
     if (file_bytes && !file_can_hold(*file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
         return Error{name + ": the PNG file is cut off before its end"};
 
@@ -231,7 +231,7 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
     out->insert(out->end(), bytes, bytes + count);
 }
 
-/// The note as libpng takes it: packed chunks, of which each has its key.
+/// The note in libpng's form: packed chunks, each with its key.
 class NoteChunks {
 public:
     explicit NoteChunks(std::string_view note) {
@@ -267,7 +267,7 @@ bool encode(const Writer& writer, const Image& image, const std::vector<png_text
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(writer.png, 1);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    // Before the pixels. libpng copies what it is given.
+    // Store the note before the pixels. libpng copies its arguments.
     png_set_text(writer.png, writer.info, note.data(), static_cast<int>(note.size()));
     if (const auto per_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254)); dpi != usual_dpi)
         png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
@@ -325,7 +325,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note
     if (writer.info == nullptr) throw std::bad_alloc();
     const NoteChunks text(note);
     std::vector<std::uint8_t> out;
-    // libpng has no other way to fail than memory: sizes are checked above and the output is a vector.
+    // libpng can fail only for lack of memory: sizes are checked above and the output is a vector.
     if (!encode(writer, image, text.chunks(), dpi, is_opaque(image), out)) throw std::bad_alloc();
     return out;
 }

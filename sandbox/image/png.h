@@ -1,4 +1,5 @@
-// PNG files in and out, through libpng. Equal pictures with equal notes give byte-equal files: no time stamps.
+// Reads and writes PNG files with libpng. Equal pictures with equal notes give byte-identical files: there are no time
+// stamps.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +15,37 @@ namespace viewing {
 
 /// The largest width and height that is read or written.
 constexpr int largest_image_side = 16384;
-/// The most pixels that are read: 256 MB of memory, whatever a small file promises.
+/// The maximum number of pixels that are read: 256 MB of memory, whatever the header of a small file promises.
 constexpr int most_image_pixels = 64'000'000;
 
-/// Any PNG (1 … 16 bits, grey, palette, with or without alpha, interlaced) as 8-bit RGBA with the values stored in
-/// the file: no gamma is applied, 16 bits are rounded to 8, no alpha is 255. One sentence that begins with the path for
-/// a file that cannot be read, is no PNG, is broken or cut off, or is larger than largest_image_side or
-/// most_image_pixels, which its header tells.
+/// Reads any PNG (1 … 16 bits, gray, palette, with or without alpha, interlaced) as 8-bit RGBA with the values stored
+/// in the file: no gamma is applied, 16 bits are rounded to 8, missing alpha is 255. The error is one sentence that
+/// begins with the path: the file cannot be read, is not a PNG, is damaged or truncated, or is larger, according to its
+/// header, than largest_image_side or most_image_pixels.
 Result<Image> read_png(const std::filesystem::path& path);
 
-/// Pixels per inch on a screen.
+/// Pixels per inch on a usual screen.
 inline constexpr double usual_dpi = 96.0;
 
-/// The same from an open file or pipe, up to the picture's end; `name` begins the sentence.
+/// Does the same from an open file or pipe, up to the end of the picture; `name` begins the error.
 Result<Image> read_png(std::FILE* stream, const std::string& name);
 
-/// The name of the text chunk that a note is: the state that a picture shows, as JSON. A long one goes on in chunks of
-/// the names "… 2", "… 3" (note_parts.h).
+/// The key of the text chunk with the note, which is the state that a picture shows, as JSON. A long note continues in
+/// chunks with the keys "… 2", "… 3" (note_parts.h).
 inline constexpr char png_note_key[] = "viewing-sandbox state";
 
-/// The note of a PNG file, as it stands before the pixels; empty where it has none. The error is that of read_png, or
-/// that the note is longer than max_document_bytes or damaged.
+/// Returns the note in a PNG file, which precedes the pixels; empty if there is none. The error is that of read_png, or
+/// says that the note is longer than max_document_bytes or damaged.
 Result<std::string> read_png_note(const std::filesystem::path& path);
 
-/// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB
-/// filter alone take a fifth of libpng's default time and end a third larger. Sides 1 … largest_image_side. `note`:
-/// UTF-8, kept with the picture; "", or one longer than max_document_bytes: none.
-/// `dpi`: how large it is meant to be on paper; the usual one is left out, since it is taken where nothing is said.
+/// Returns the bytes of a PNG file: RGB if every alpha is 255, otherwise RGBA. Fast rather than small: zlib level 1
+/// with only the SUB filter takes a fifth of libpng's default time, and the files are a third larger. Sides are 1 …
+/// largest_image_side. `note` is UTF-8 stored with the picture; nothing is stored for "" or a note longer than
+/// max_document_bytes. `dpi` is the intended resolution on paper; the usual one is not stored, since readers assume it
+/// by default.
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);
 
-/// encode_png into a file, whole or not at all (file.h).
+/// Writes the bytes from encode_png to a file, completely or not at all (file.h).
 Status write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace viewing

@@ -12,21 +12,21 @@ namespace {
 
 constexpr int channels = 4;
 
-/// Of the step of an edge: a value may lie so far beyond its neighbours in the other picture. A line of a pixel's width
-/// that is resolved with 16 samples keeps half of its depth or more.
+/// The share of an edge's step by which a value may be outside the range of its neighbors in the other picture. A line
+/// one pixel wide that is resolved with 16 samples keeps at least half of its contrast.
 constexpr double fading = 0.5;
-/// Pixels. Other samples move an edge by half a pixel (a sample at the centre against the true coverage) and an eighth
-/// (coverage told by four samples); whoever moved it by one pixel is found as 1.
+/// In pixels. Other samples move an edge by half a pixel (one sample at the center instead of the true coverage) plus
+/// an eighth (coverage from four samples). For an edge that has moved by one pixel, the measurement gives 1.
 constexpr double moved_px = 0.8;
-/// Levels. Below, the rounding of neighbours is a large part of the step.
+/// In levels. For a smaller step, the rounding of its neighbors matters too much.
 constexpr int least_step = 24;
-/// Pixels to each side in which an edge is looked for: a multisampled one is two pixels wide.
+/// How many pixels to search on each side for an edge: a multisampled edge is two pixels wide.
 constexpr int edge_reach = 3;
-/// Pixels to each side in which both edges of a line lie: the lines of the floor's grid are up to five wide.
+/// How many pixels on each side contain both edges of a line: the lines of the floor's grid are up to five pixels wide.
 constexpr int line_reach = 5;
-/// A step that turns back by more than a quarter of the range is another edge.
+/// A profile that reverses by more than a quarter of its range begins another edge.
 constexpr double turning = 0.25;
-/// An axis along which the edge runs tells nothing: there it seems to have moved far.
+/// Ignores an axis with a displacement above this: the edge runs along it, so that it seems to have moved far.
 constexpr double along_px = 3.0;
 
 struct ChannelRange {
@@ -39,7 +39,7 @@ struct ChannelRange {
     int beyond(int value) const { return std::max({low - value, value - high, 0}); }
 };
 
-/// Of the 3 x 3 pixels around a pixel, in the part that both pictures have.
+/// Returns the ranges of the 3 x 3 pixels around a pixel, in the area that both pictures have.
 std::array<ChannelRange, channels> ranges_around(const Image& image, int x, int y, int width, int height) {
     std::array<ChannelRange, channels> ranges;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
@@ -50,9 +50,9 @@ std::array<ChannelRange, channels> ranges_around(const Image& image, int x, int 
 
 /// One channel of both pictures along a row or column through a pixel.
 struct Profile {
-    const std::uint8_t *a, *b;          ///< at the pixel
-    std::ptrdiff_t stride_a, stride_b;  ///< to the next pixel
-    int before, after;                  ///< how many pixels there are to each side
+    const std::uint8_t *a, *b;          ///< the value at the pixel
+    std::ptrdiff_t stride_a, stride_b;  ///< distance to the next pixel
+    int before, after;                  ///< number of pixels on each side
 
     int a_at(int i) const { return a[i * stride_a]; }
     int b_at(int i) const { return b[i * stride_b]; }
@@ -63,13 +63,14 @@ struct Profile {
 };
 
 struct Displacement {
-    double px = 0.0;      ///< by how much the edge moved; never negative
-    double net_px = 0.0;  ///< the same with the line's other edge against it: 0 for one that grew thinner on both sides
-    int step = 0;         ///< of the edge, levels
-    int least_range = 0;  ///< of the profile, in the picture that has less of it
+    double px = 0.0;      ///< how far the edge moved; never negative
+    double net_px = 0.0;  ///< the same minus that of the line's other edge: 0 if the line shrank on both sides
+    int step = 0;         ///< height of the edge, in levels
+    int least_range = 0;  ///< range of the profile, in the picture where it is smaller
 };
 
-/// The flank of an edge through the pixel: as far as the profile rises (or falls, with sign −1), within edge_reach.
+/// Returns the displacement of an edge at the pixel, within edge_reach. The edge is the flank where the profile rises
+/// (or falls, if `sign` is −1).
 Displacement displacement_of_flank(const Profile& profile, int sign, double turn) {
     const int first = profile.first(edge_reach), last = profile.last(edge_reach);
     int low = 0, high = 0;
@@ -80,7 +81,7 @@ Displacement displacement_of_flank(const Profile& profile, int sign, double turn
     for (int i = low; i <= high; ++i) {
         range.add(profile.a_at(i));
         range.add(profile.b_at(i));
-        // The top of a line belongs to both of its flanks.
+        // The top of a line belongs to both of its flanks, so count half of it.
         const bool turns = (i == low && low > first) || (i == high && high < last);
         sum += (turns ? 0.5 : 1.0) * profile.difference_at(i);
         least = std::min(least, sum);
@@ -89,7 +90,7 @@ Displacement displacement_of_flank(const Profile& profile, int sign, double turn
     return {.px = (most - least) / std::max(range.size(), 1), .net_px = 0.0, .step = range.size(), .least_range = 0};
 }
 
-/// Differences in the direction of the slope, which the two edges of a line have opposite.
+/// Returns the sum of differences in the direction of the slope, which is opposite at the two edges of a line.
 double net_difference(const Profile& profile, int worst) {
     double net = 0.0;
     for (int i = profile.first(line_reach); i <= profile.last(line_reach); ++i) {
@@ -121,7 +122,7 @@ Displacement displacement(const Profile& profile, int worst) {
     return found;
 }
 
-/// By both axes, or by the one across the edge where the other runs along it.
+/// Whether the edge has moved along both axes; if the edge runs along one axis, only the other axis counts.
 bool has_moved(const Displacement& one, const Displacement& other, int worst) {
     const auto moved = [](const Displacement& axis) { return axis.px >= moved_px && axis.net_px >= moved_px; };
     const bool one_is_across = one.px < other.px;

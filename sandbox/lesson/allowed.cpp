@@ -15,7 +15,7 @@ void add_differences(const Json& a, const Json& b, const std::string& path, std:
         add_differences(value, b.contains(key) ? b[key] : Json(), path.empty() ? key : path + "." + key, paths);
 }
 
-/// Whether a field says only how things are looked at.
+/// Whether a field affects only how the scene is viewed.
 bool is_looking(const std::string& path) {
     constexpr const char* groups[] = {"view", "observer", "ui", "animation"};
     return std::any_of(std::begin(groups), std::end(groups), [&](const char* group) { return is_in(path, group); });

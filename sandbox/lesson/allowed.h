@@ -1,4 +1,4 @@
-// Which fields differ between two states, and whether a goal's step lets them be changed.
+// Finds the fields that differ between two states, and checks whether a goal's step allows them to change.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace viewing {
 
-/// The paths of fields that differ.
+/// Returns the paths of fields that differ.
 std::vector<std::string> changed_fields(const Params& before, const Params& after);
 
-/// Of the changed fields those that `allow` has not, by themselves or by their group. How things are looked at (view,
-/// observer, ui, animation) may always be changed, and everything where `allow` is empty.
+/// Returns the changed fields that `allow` lists neither by themselves nor by their group. Viewing fields (view,
+/// observer, ui, animation) may always change, and all fields may if `allow` is empty.
 std::vector<std::string> changed_without_leave(const Params& before, const Params& after,
                                                const std::vector<std::string>& allow);
 
-/// The beginning of a goal's step with changes. The error, one sentence: they cannot be made, or are not allowed.
+/// Applies changes to the start of a goal's step. Fails with one sentence if they are impossible or not allowed.
 Result<Params> changed_start(const LessonStep& step, const std::vector<std::string>& settings);
 
-/// What leads from one to the other but for how things are looked at: PATH=VALUE of every such field that differs.
+/// Returns the changes from `before` to `after`: PATH=VALUE for every field that differs, except viewing fields.
 std::vector<std::string> settings_between(const Params& before, const Params& after);
 
 }  // namespace viewing

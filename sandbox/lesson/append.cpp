@@ -19,16 +19,16 @@ Json new_lesson(const std::string& source) {
 Json step_of(const Params& params, const LoadedState& preset, const std::string& name, std::size_t number) {
     Json settings = Json::object();
     Params now = params;
-    now.ui = preset.params.ui;  // the person's
+    now.ui = preset.params.ui;  // belongs to the user, not to the step
     for (const std::string& path : changed_fields(preset.params, now)) settings[path] = field_as_json(field(path), now);
     return {{"id", "step-" + std::to_string(number)},
             {"state", {{"preset", name}, {"set", std::move(settings)}}},
-            {"say", "What is to be seen."},
+            {"say", "What the picture shows."},
             {"ask",
              {{"kind", "choice"},
               {"question", "What will happen?"},
-              {"choices", {{{"say", "this"}, {"right", true}}, {{"say", "that"}, {"why", "Why not that."}}}}}},
-            {"reveal", {{"set", Json::object()}, {"say", "What one sees now, and why."}}}};
+              {"choices", {{{"say", "this"}, {"right", true}}, {{"say", "that"}, {"why", "Why that is wrong."}}}}}},
+            {"reveal", {{"set", Json::object()}, {"say", "What the picture shows now, and why."}}}};
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Result<std::string> with_step(std::string_view existing, const std::string& sour
         Json lesson = existing.empty() ? new_lesson(source) : parse_document(existing, root.prefix);
         if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") ||
             !lesson["steps"].is_array())
-            root.refuse("is no lesson: it must have \"lesson\" and a list of \"steps\"");
+            root.refuse("is not a lesson: it must have \"lesson\" and a list of \"steps\"");
         const std::string name = preset.empty() ? "opening" : preset;
         const Result<LoadedState> known = load_state(name);
         if (!known) root.refuse(known.error());

@@ -1,4 +1,4 @@
-// A lesson of one's own, made in the window: the present state becomes the last step of a file.
+// Builds a custom lesson in the window: the current state becomes the last step of a file.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// The file with one more step: the state told by what differs from the preset, texts and question to be filled in.
-/// `existing`: the file as it is, "" for a new one. `preset`: by which the state is told, "" for the opening one. The
-/// error is one sentence that begins with `source`.
+/// Returns the file with one more step: the state as its differences from the preset, with texts and a question to be
+/// filled in. `existing` is the content of the current file, "" for a new one. `preset` is the preset that the state is
+/// based on, "" for the opening state. The error is one sentence that begins with `source`.
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
                               const std::string& preset);
 

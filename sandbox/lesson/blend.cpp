@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Mixes what is made of numbers; one operator for each alternative that is.
+/// Interpolates fields made of numbers, with one call operator for each such alternative of FieldRef.
 struct Mix {
     const Field& field;
     const FieldRef& from;

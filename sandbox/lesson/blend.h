@@ -1,12 +1,12 @@
-// From one state to another in small steps, as a reveal shows a change.
+// Moves from one state to another in small steps, to animate a reveal.
 #pragma once
 
 #include "state/params.h"
 
 namespace viewing {
 
-/// `share` of the way, 0 … 1: numbers go there evenly, those of logarithmic fields by equal factors; everything else is
-/// as in `to` from the beginning. At 1 it is `to` exactly.
+/// Returns the state at `share` of the way, 0 … 1. Numbers change evenly, those of logarithmic fields by equal factors;
+/// everything else equals `to` from the start. At 1 the result is exactly `to`.
 Params blended(const Params& from, const Params& to, double share);
 
 }  // namespace viewing

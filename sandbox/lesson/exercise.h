@@ -1,6 +1,6 @@
-// An exercise: a step of a lesson with parameters, so that each student has numbers of their own. A variant is made a
-// plain step (variant_step), and everything that leads, asks and judges in lessons does so here. Read variants.h for
-// who gets which variant, hand_in.h for what is handed in.
+// An exercise: a lesson step with parameters, so that each student gets different numbers. variant_step() turns a
+// variant into a plain step, which is then presented and judged like any lesson step. Read variants.h for the
+// assignment of variants to students, hand_in.h for the file that is handed in.
 #pragma once
 
 #include <functional>
@@ -16,55 +16,55 @@ namespace viewing {
 struct Exercise {
     std::string id;
     LessonText title;
-    std::vector<std::string> sets;  ///< that it belongs to: "shadow"
+    std::vector<std::string> sets;  ///< the sets it belongs to: "shadow"
     std::vector<int> slides;
     int points = 1;
-    int visible_px = 0;  ///< that each fault alone must change at 640 × 360; 0: not asked for
+    int visible_px = 0;  ///< pixels that each mistake by itself must change at 640 × 360; 0: any number
     std::vector<std::pair<std::string, LessonText>> tags;
-    std::vector<std::string> variants;  ///< the deployed ones: the values of its constants, JSON objects
-    std::string pattern;                ///< the step, JSON, with places for the constants
-    std::string source;                 ///< what messages open with: "E16-shadow-matrix.json"
+    std::vector<std::string> variants;  ///< the deployed ones: the values of its constants, as JSON objects
+    std::string pattern;                ///< the step as JSON, with placeholders for the constants
+    std::string source;                 ///< starts every message: "E16-shadow-matrix.json"
     std::filesystem::path file;
 
     bool is_in(const std::string& set) const;
-    /// "E16" of "E16-shadow-matrix".
+    /// Returns "E16" for "E16-shadow-matrix".
     std::string short_id() const { return id.substr(0, id.find('-')); }
 };
 
-/// The exercises of the assets directory by their files' names, each with the error of one that cannot be read.
+/// Returns the exercises of the assets directory in order of file name, with an error for each unreadable one.
 std::vector<Result<Exercise>> exercises();
 
-/// The exercises of these files and folders, by their files' names; of the assets directory where there are none. The
-/// error is the first one's.
+/// Loads exercises from these files and folders, those of a folder in order of file name; if `files` is empty, loads
+/// those of the assets directory. Fails with the first error.
 Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& files);
 
-/// The place of the exercise with that id or short id; the error has the nearest.
+/// Returns the index of the exercise with that id or short id; the error suggests the nearest one.
 Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const std::string& name);
 
-/// Those of a set, or of a list of ids with commas between; all for "". The error names the sets that there are.
+/// Selects the exercises of a set, or of a comma-separated list of ids; all for "". The error lists the sets.
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set);
 
-/// Of a text; `source` opens every message, `folder` is what its scenes' files are relative to.
+/// Reads an exercise from a string. `source` starts every message; files of its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// How many variants of an exercise students get: the first ones of its combinations.
+/// The number of variants that students get: the first ones of an exercise's combinations.
 inline constexpr std::size_t most_deployed = 16;
 
-/// All combinations of its lists that pass `require`, shuffled: the first ones are those to be deployed. The error is
-/// that of an expression, or that there are too many or none.
+/// Returns all combinations of values that pass `require`, shuffled; the first ones are for deployment. Fails if an
+/// expression fails, or if there are too many combinations or none.
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source);
 
-/// What the names of a state stand for; what it refers to lives as long as the copies of the function.
+/// Returns the values of the names in a state. The function keeps alive everything that it refers to.
 using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 
-/// A variant as a step: its constants put in, what it computes computed at its own start. The error is one sentence.
+/// Returns a variant as a step: constants filled in, expressions computed at its own start. The error is one sentence.
 Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at);
 
-/// A student's sheet without anything on it yet, and one exercise more on it.
+/// Makes a student's empty sheet, and adds an exercise to it.
 Lesson empty_sheet(const std::string& course, const std::string& student);
 void add_to_sheet(Lesson& sheet, const Exercise& exercise, std::size_t variant, const LessonStep& step);
 
-/// A student's sheet: one step for each exercise, in their order, in the variant that is theirs.
+/// Makes a student's sheet: one step per exercise, in order, each in the student's variant.
 Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& course, const std::string& student,
                      const NumbersAt& numbers_at);
 

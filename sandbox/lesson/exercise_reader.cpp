@@ -1,4 +1,4 @@
-// Exercise files, and how the lists of their constants become variants.
+// Reads exercise files, and makes variants from the lists of their constants.
 #include <algorithm>
 #include <set>
 
@@ -15,25 +15,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_combinations = 20'000;
-constexpr std::size_t most_required = 40'000;                 // values of "require" over all combinations
-constexpr std::size_t instructions_of_require = 100'000'000;  // over all of those, some seconds
+constexpr std::size_t most_required = 40'000;                 // evaluations of "require" over all combinations
+constexpr std::size_t instructions_of_require = 100'000'000;  // for all of them: a few seconds
 constexpr std::size_t longest_variant = 8192;                 // bytes of a combination as JSON
 
-/// The lists that constants are picked from.
+/// Reads the lists that constants are picked from.
 const Json& read_picks(const Json& document, const Where& where) {
     const Where inside = where.key("pick");
     if (!has(document, "pick")) inside.refuse("is missing: an object of names and lists of values");
     require_object(document["pick"], inside, "an object of names and lists of values");
-    if (document["pick"].empty()) inside.refuse("must have one name or more");
+    if (document["pick"].empty()) inside.refuse("must have at least one name");
     for (const auto& [name, values] : document["pick"].items()) {
         require_constant_name(name, inside);
         require_array(values, inside.key(name), most_entries, "a list of values");
-        if (values.empty()) inside.key(name).refuse("must have one value or more");
+        if (values.empty()) inside.key(name).refuse("must have at least one value");
     }
     return document["pick"];
 }
 
-/// The place'th of all combinations; the last list turns fastest.
+/// Returns the combination with that index; the last list varies fastest.
 Json combination(const Json& picks, std::size_t place) {
     std::vector<std::pair<std::string, std::size_t>> digits;
     for (const auto& [name, values] : picks.items()) digits.emplace_back(name, values.size());
@@ -49,7 +49,7 @@ Json combination(const Json& picks, std::size_t place) {
 
 Surroundings constants_alone(Json constants) {
     return {[](const std::string& name, std::span<const double>) -> Result<Json> {
-                return Error{name + " is not known where only the picked values are"};
+                return Error{name + " is not known here: only the picked values are"};
             },
             nullptr, std::move(constants)};
 }
@@ -86,13 +86,13 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
         }
         if (passes && seen.insert(text).second) kept.push_back(std::move(text));
     }
-    if (kept.empty()) where.key("require").refuse("lets no combination pass");
+    if (kept.empty()) where.key("require").refuse("rejects every combination");
     std::vector<std::string> in_order;
     for (const std::size_t at : shuffled(kept.size(), fnv1a(id))) in_order.push_back(kept[at]);
     return in_order;
 }
 
-/// The stored ones, each with a value for every constant.
+/// Reads the stored variants, each with a value for every constant.
 std::vector<std::string> read_deployed(const Json& document, const Where& where) {
     const std::vector<std::string> names = keys_of(read_picks(document, where));
     expressions_at(document, "require", where, names);
@@ -106,7 +106,7 @@ std::vector<std::string> read_deployed(const Json& document, const Where& where)
             if (!constants.contains(name)) inside.at(i).key(name).refuse("is missing: a value");
         variants.push_back(constants.dump());
     }
-    if (variants.empty()) inside.refuse("must have one variant or more");
+    if (variants.empty()) inside.refuse("must have at least one variant");
     return variants;
 }
 
@@ -115,11 +115,11 @@ Exercise read_exercise(const Json& document, const std::string& source, const Wh
                  {"exercise", "id", "title", "sets", "slides", "points", "visible", "tags", "pick", "require", "step",
                   "deployed"});
     if (!has(document, "exercise") || document["exercise"] != 1)
-        where.key("exercise").refuse("must be 1, the version of the form that this program reads");
+        where.key("exercise").refuse("must be 1, the version of the format that this program reads");
     Exercise exercise;
     exercise.source = source;
     exercise.id = name_at(document, "id", where);
-    if (exercise.id.find_first_of("|,/") != std::string::npos) where.key("id").refuse("must have no | , or /");
+    if (exercise.id.find_first_of("|,/") != std::string::npos) where.key("id").refuse("must not contain | , or /");
     exercise.title = text_at(document, "title", where, true);
     exercise.sets = names_at(document, "sets", where);
     exercise.slides = read_slides(document, where);
@@ -127,8 +127,8 @@ Exercise read_exercise(const Json& document, const std::string& source, const Wh
     if (has(document, "points")) exercise.points = read_whole(document["points"], where.key("points"), 1, 100);
     if (has(document, "visible"))
         exercise.visible_px = read_whole(document["visible"], where.key("visible"), 1, 640 * 360);
-    if (!has(document, "step")) where.key("step").refuse("is missing: a lesson's step");
-    require_object(document["step"], where.key("step"), "a lesson's step");
+    if (!has(document, "step")) where.key("step").refuse("is missing: a lesson step");
+    require_object(document["step"], where.key("step"), "a lesson step");
     exercise.pattern = document["step"].dump();
     if (has(document, "deployed")) {
         exercise.variants = read_deployed(document, where);
@@ -188,7 +188,7 @@ Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& fil
             continue;
         }
         const std::vector<fs::path> inside = files_in(file, ".json");
-        if (inside.empty()) return Error{one_line(file) + ": a folder without a .json file"};
+        if (inside.empty()) return Error{one_line(file) + ": the folder contains no .json file"};
         for (const fs::path& path : inside) read.push_back(load_exercise(path));
     }
     if (read.empty()) return Error{"there are no exercises: the folder assets/exercises was not found"};
@@ -197,7 +197,7 @@ Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& fil
         if (!one) return Error{one.error()};
         for (const Exercise& other : all)
             if (other.id == one->id)
-                return Error{one->source + ": " + other.source + " has the id \"" + excerpt(one->id) + "\" too"};
+                return Error{one->source + ": " + other.source + " also has the id \"" + excerpt(one->id) + "\""};
         all.push_back(*std::move(one));
     }
     return all;

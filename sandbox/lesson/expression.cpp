@@ -15,14 +15,14 @@ namespace viewing {
 namespace {
 
 constexpr std::size_t longest_expression = 4096;  // bytes
-constexpr const char* chunk_name = "=";           // no file and no line in Lua's messages
+constexpr const char* chunk_name = "=";           // keeps file and line out of Lua's messages
 constexpr int deepest_value = 16;
 
-/// What Lua's callbacks know of the evaluation they belong to.
+/// The evaluation that Lua's callbacks belong to.
 struct Evaluation {
     const Surroundings& surroundings;
     const std::string& source;
-    std::span<const std::string> constants;  ///< names that it may have beside the closed list
+    std::span<const std::string> constants;  ///< names allowed in addition to the closed list
     ExpressionLimits limits;
     std::size_t used_bytes = 0;
     int instructions_left = limits.instructions;
@@ -33,14 +33,14 @@ struct Evaluation {
 };
 
 constexpr int instructions_between_looks = 1000;
-constexpr std::size_t bytes_of_an_instruction = 64;  // memory that is filled in the time of one
+constexpr std::size_t bytes_of_an_instruction = 64;  // memory that can be filled in the time of one instruction
 constexpr const char* takes_too_long = "takes too long";
 constexpr const char* needs_too_much_memory = "needs too much memory";
 
-/// What grows costs time as well, so that no chain of copies outlasts the instructions.
+/// Growing costs instructions, too, so that a chain of copies also reaches the limit.
 void* allocate(void* data, void* old, std::size_t old_bytes, std::size_t new_bytes) {
     auto& evaluation = *static_cast<Evaluation*>(data);
-    const std::size_t before = old == nullptr ? 0 : old_bytes;  // without an old one Lua tells a kind of value there
+    const std::size_t before = old == nullptr ? 0 : old_bytes;  // without `old`, Lua passes the kind of value here
     if (new_bytes == 0) {
         std::free(old);
         evaluation.used_bytes -= before;
@@ -91,11 +91,10 @@ std::string string_at(lua_State* lua, int index) {
     return {text, bytes};
 }
 
-/// An object's table knows its own path, so that a member that is not there is told by name. Its upvalues: the path and
-/// the members' names, one a line.
+/// Reports a missing member by name and path. Upvalues: the path, and the members' names, one per line.
 int refuse_member(lua_State* lua) {
     const std::string path = lua_tostring(lua, lua_upvalueindex(1));
-    if (lua_type(lua, 2) != LUA_TSTRING) raise(lua, path + " has names, no numbers, for its members");
+    if (lua_type(lua, 2) != LUA_TSTRING) raise(lua, path + " has named members, not numbered ones");
     const std::string wanted = string_at(lua, 2);
     std::vector<std::string> names;
     std::string all = lua_tostring(lua, lua_upvalueindex(2));
@@ -141,7 +140,7 @@ void push_list(lua_State* lua, const Json& list, const std::string& path) {
 }
 
 void push_value(lua_State* lua, const Json& value, const std::string& path) {
-    luaL_checkstack(lua, 8, "too deep");
+    luaL_checkstack(lua, 8, "nested too deeply");
     if (value.is_null())
         lua_pushnil(lua);
     else if (value.is_boolean())
@@ -156,7 +155,7 @@ void push_value(lua_State* lua, const Json& value, const std::string& path) {
         push_list(lua, value, path);
 }
 
-/// The value leaves Lua against the limits that it was made within: a table may contain another one ten times over.
+/// Charges the conversion of the value to JSON to the same limits: a table may contain another table many times.
 void take(lua_State* lua, std::size_t bytes) {
     spend(lua, 1);
     Evaluation& evaluation = evaluation_of(lua);
@@ -167,7 +166,7 @@ void take(lua_State* lua, std::size_t bytes) {
 Json text_value(lua_State* lua, int index) {
     take(lua, static_cast<std::size_t>(lua_rawlen(lua, index)));
     std::string text = string_at(lua, index);
-    if (!is_utf8(text)) raise(lua, "its value " + excerpt(text) + " is no text in UTF-8");
+    if (!is_utf8(text)) raise(lua, "its value " + excerpt(text) + " is not valid UTF-8");
     return text;
 }
 
@@ -187,8 +186,8 @@ Json value_at(lua_State* lua, int index, int depth) {
         default:
             raise(lua, "its value is a function; is () missing?");
     }
-    if (depth == deepest_value) raise(lua, "its value is too deep");
-    luaL_checkstack(lua, 4, "too deep");
+    if (depth == deepest_value) raise(lua, "its value is nested too deeply");
+    luaL_checkstack(lua, 4, "nested too deeply");
     const int table = lua_absindex(lua, index);
     Json list = Json::array();
     lua_Integer at = lua_rawgeti(lua, table, 0) == LUA_TNIL ? 1 : 0;
@@ -198,7 +197,7 @@ Json value_at(lua_State* lua, int index, int depth) {
         lua_pop(lua, 1);
     }
     lua_pop(lua, 1);
-    if (list.empty()) raise(lua, "its value is a group of fields or an empty list");
+    if (list.empty()) raise(lua, "its value must not be a group of fields or an empty list");
     return list;
 }
 
@@ -213,7 +212,7 @@ const ExpressionName* expression_name(std::string_view word) {
 std::string unknown_name(const std::string& word) {
     std::vector<std::string> names;
     for (const ExpressionName& name : expression_names()) names.push_back(name.name);
-    return "there is no name " + excerpt(word) + suggestion(word, names);
+    return "unknown name " + excerpt(word) + suggestion(word, names);
 }
 
 Json looked_up(lua_State* lua, const std::string& name, std::span<const double> arguments) {
@@ -232,7 +231,7 @@ int call_measured(lua_State* lua) {
     return 1;
 }
 
-/// A name that is no mathematics: asked for when the expression comes to it.
+/// Looks up a name that is not mathematics, when the evaluation reaches it.
 int find_name(lua_State* lua) {
     constexpr int instructions_of_search = 10;
     spend(lua, instructions_of_search);
@@ -256,10 +255,10 @@ int find_name(lua_State* lua) {
 }
 
 int refuse_assignment(lua_State* lua) {
-    return luaL_error(lua, "an expression changes nothing: no =");
+    return luaL_error(lua, "an expression cannot assign: remove the =");
 }
 
-/// Leaves the expression as a function on Lua's stack.
+/// Pushes the expression onto Lua's stack, as a function.
 void load(lua_State* lua) {
     const Evaluation& evaluation = evaluation_of(lua);
     spend(lua, static_cast<int>(evaluation.source.size()));
@@ -269,7 +268,9 @@ void load(lua_State* lua) {
     for (const std::string& word : words_of_source(evaluation.source)) {
         if (is_word_of_values(word) || expression_name(word)) continue;
         if (is_word_of_lua(word))
-            raise(lua, word + " is no name here: of Lua's own words a value has and, or, not, true, false and nil");
+            raise(
+                lua,
+                word + " is not allowed: the only Lua keywords in an expression are and, or, not, true, false and nil");
         const std::span<const std::string> constants = evaluation.constants;
         if (std::find(constants.begin(), constants.end(), word) == constants.end()) raise(lua, unknown_name(word));
     }
@@ -280,7 +281,7 @@ int load_only(lua_State* lua) {
     return 0;
 }
 
-/// Everything inside one protected call, so that no memory for the next table is an error like others.
+/// Runs everything in one protected call, so that running out of memory is an error like any other.
 int run(lua_State* lua) {
     load(lua);
     lua_createtable(lua, 0, 40);
@@ -298,7 +299,7 @@ int run(lua_State* lua) {
     return 0;
 }
 
-/// Lua's own sentence without the place in the one line that there is.
+/// Removes the line number from Lua's message, since there is only one line.
 std::string without_place(std::string message) {
     const std::size_t place = message.find(":1: ");
     if (place != std::string::npos && place <= 1) message.erase(0, place + 4);
@@ -361,7 +362,7 @@ Result<Json> evaluate(const std::string& expression, const Surroundings& surroun
 Result<bool> holds(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {
     const Result<Json> value = evaluate(expression, surroundings, limits);
     if (!value) return Error{value.error()};
-    if (!value->is_boolean()) return Error{"must be true or false, is " + describe(*value)};
+    if (!value->is_boolean()) return Error{"must be true or false, got " + describe(*value)};
     return value->get<bool>();
 }
 

@@ -16,7 +16,7 @@ constexpr std::size_t most_items = 200, most_numbers = 64, most_settings = 64;
 
 std::string text_in(const Json& object, const char* key, const Where& where) {
     if (!has(object, key)) return "";
-    if (!object[key].is_string()) refuse_value(object[key], where.key(key), "a text");
+    if (!object[key].is_string()) refuse_value(object[key], where.key(key), "a string");
     std::string text = object[key].get<std::string>();
     if (text.size() > longest_answer) where.key(key).refuse("longer than " + std::to_string(longest_answer) + " bytes");
     return text;
@@ -49,7 +49,7 @@ Attempt read_attempt(const Json& object, const Where& where) {
         attempt.settings = settings_in(object["set"], where.key("set"));
     }
     if ((attempt.hint > 0) + attempt.answer.has_value() + attempt.is_goal != 1)
-        where.refuse("must have one of \"answer\", \"set\" and \"hint\"");
+        where.refuse("must have exactly one of \"answer\", \"set\" and \"hint\"");
     return attempt;
 }
 
@@ -86,11 +86,11 @@ HandInItem read_item(const Json& object, const Where& where) {
 HandIn read_hand_in(const Json& document, const Where& where) {
     require_keys(document, where, {"answers", "program", "course", "student", "name", "items"});
     if (!has(document, "answers") || document["answers"] != 1)
-        where.key("answers").refuse("must be 1, the version of the form that this program reads");
+        where.key("answers").refuse("must be 1, the version of the format that this program reads");
     HandIn hand_in;
     hand_in.program = text_in(document, "program", where);
     hand_in.course = text_in(document, "course", where);
-    if (!has(document, "student")) where.key("student").refuse("is missing: a text");
+    if (!has(document, "student")) where.key("student").refuse("is missing: a string");
     hand_in.student = text_in(document, "student", where);
     hand_in.name = text_in(document, "name", where);
     if (!has(document, "items")) return hand_in;
@@ -99,13 +99,13 @@ HandIn read_hand_in(const Json& document, const Where& where) {
     for (std::size_t i = 0; i < document["items"].size(); ++i) {
         HandInItem item = read_item(document["items"][i], inside.at(i));
         if (hand_in.find(item.exercise))
-            inside.at(i).key("exercise").refuse("\"" + excerpt(item.exercise) + "\" stands here twice");
+            inside.at(i).key("exercise").refuse("\"" + excerpt(item.exercise) + "\" appears twice");
         hand_in.items.push_back(std::move(item));
     }
     return hand_in;
 }
 
-/// Sixteen numbers are a matrix, one is a number.
+/// Writes sixteen numbers as a matrix, one as a number.
 Json numbers_as_json(const std::vector<double>& numbers) {
     if (numbers.size() == 1) return numbers.front();
     if (numbers.size() != 16) return Json(numbers);
@@ -130,14 +130,15 @@ const T& changed_or_kept(const T& kept, const T& known, const T& now) {
     return now == known ? kept : now;
 }
 
-/// What was checked here is no draft any more; what was typed elsewhere meanwhile is.
+/// Merges a draft. A checked answer is no longer a draft in this window; one entered meanwhile in another window still
+/// is.
 template <typename T>
 const T& typed_last(const T& kept, const T& known, const T& now) {
     return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);
 }
 
-/// Each once, in the order of their times. A window may write without having seen what another wrote just before: an
-/// attempt that is not in `kept` is never taken as dropped.
+/// Merges two lists of attempts, each attempt once, in chronological order. A window may write without having seen the
+/// latest attempts of another window, so an attempt missing from `kept` never counts as dropped.
 std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt>& now) {
     const auto count = [](const std::vector<Attempt>& attempts, const Attempt& attempt) {
         return std::count(attempts.begin(), attempts.end(), attempt);
@@ -151,11 +152,12 @@ std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt
     return kept;
 }
 
-/// An exercise as two windows have it. Answers to other numbers than the window's are given up where it goes on.
+/// Merges the answers to one exercise from two windows. If the variants differ, this window's answers replace the
+/// file's only if it changed them.
 HandInItem merged_item(HandInItem kept, const HandInItem& known, const HandInItem& now) {
     if (kept.variant != now.variant) return changed_or_kept(kept, known, now);
     kept.attempts = united(std::move(kept.attempts), now.attempts);
-    // Where both went on, the longer way is kept.
+    // If both continued, keep the longer replay.
     if (kept.replay == known.replay || (now.replay != known.replay && now.replay.size() >= kept.replay.size()))
         kept.replay = now.replay;
     kept.draft = typed_last(kept.draft, known.draft, now.draft);

@@ -1,5 +1,5 @@
-// What a student hands in: one JSON file with every attempt, readable by a person. Whoever grades it trusts only the
-// student's number, the answers and the changes; what was told is there to be read. Read report/grading.h next.
+// A student's hand-in: one JSON file with every attempt, readable by a person. Grading trusts only the student number,
+// the answers and the changes; the verdicts are for human readers. Read report/grading.h next.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace viewing {
 
 struct Attempt {
     std::string at;                             ///< local time, "2026-11-21T10:03:12"
-    std::optional<std::vector<double>> answer;  ///< what was typed, row by row, or the places of what was chosen
-    std::vector<std::string> settings;          ///< of a goal: what was changed, PATH=VALUE
-    bool is_goal = false;                       ///< `settings` is the answer, though it may be empty
-    int hint = 0;                               ///< 1 and more: this hint was looked at, and nothing answered
+    std::optional<std::vector<double>> answer;  ///< entered numbers row by row, or indices of the chosen items
+    std::vector<std::string> settings;          ///< for a goal: the changes, PATH=VALUE
+    bool is_goal = false;                       ///< `settings` is the answer, even if empty
+    int hint = 0;                               ///< 1 or more: this hint was shown, and nothing was answered
     std::string told;                           ///< "right", the tag of a misconception, or ""
     bool operator==(const Attempt&) const = default;
 };
 
-/// A change of the state on the way to a goal.
+/// A change of the state while the student works toward a goal.
 struct ReplayStep {
     double after_s = 0.0;  ///< since the exercise was opened
     std::vector<std::string> settings;
@@ -33,8 +33,8 @@ struct HandInItem {
     std::size_t variant = 0;
     std::vector<Attempt> attempts;
     std::vector<ReplayStep> replay;
-    std::optional<std::vector<double>> draft;  ///< what is typed and not checked yet; nothing that is graded
-    std::vector<std::string> draft_settings;   ///< the same of a goal
+    std::optional<std::vector<double>> draft;  ///< entered but not checked yet; not graded
+    std::vector<std::string> draft_settings;   ///< the same for a goal
     bool operator==(const HandInItem&) const = default;
 };
 
@@ -49,35 +49,37 @@ struct HandIn {
 
 inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
 
-/// The error is one sentence with file and field. `source` opens it.
+/// Reads a hand-in. The error is one sentence with file and field, and begins with `source`.
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
 Result<HandIn> load_hand_in(const std::filesystem::path& file);
 
-/// A goal is watched: the same mistake twice, on the way to it, is one attempt, the latter.
+/// Whether an attempt replaces the previous one. Goals are checked continuously, so the same mistake twice in a row is
+/// one attempt, the later one.
 bool replaces(const Attempt& attempt, const Attempt& before);
 
 std::string hand_in_as_text(const HandIn& hand_in);
 
-/// An attempt's answer as judge() takes it; none where it cannot be one to this question: places beyond the list.
+/// Returns an attempt's answer for judge(); none if it cannot answer this question, for example with an index out of
+/// range.
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask);
 
-/// The same as an attempt has it; what is no number is 0 there, and infinity a large one.
+/// Returns the answer in an attempt's form; NaN becomes 0, infinity a large number.
 std::vector<double> answer_numbers(const Answer& answer);
 
-/// Whatever the way in which their numbers are written.
+/// Compares settings by value: the same number may be written in different ways.
 bool are_same_settings(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-/// What a file of one student is to hold that others write as well. `kept`: what it holds. `known`: what this window
-/// knew of it when it read or wrote it last, HandIn{} where it never did. `now`: what the window has. Attempts are
-/// united, each once, in the order of their times; what is typed, the way to a goal and the name are the window's where
-/// it has changed them since, else the file's. Merging the same once more changes nothing.
+/// Merges the file of a student, which several windows may write. `kept` is the file's content, `known` what this
+/// window last read or wrote (HandIn{} if it never did), `now` its current answers. Keeps the attempts of both, each
+/// once, in chronological order. Drafts, replays and the name come from this window if it changed them since then,
+/// otherwise from the file. Merging again changes nothing.
 HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now);
 
-/// Writes that, under a lock; the result is what the file holds then, `now` where nothing was answered yet and there is
-/// no file. One that cannot be read gets another name (set_aside). The error is one sentence.
+/// Merges into the file under a lock, and returns its new content; `now` if nothing was answered yet and there is no
+/// file. Renames a file that cannot be read (set_aside). The error is one sentence.
 Result<HandIn> merge_hand_in(const std::filesystem::path& file, const HandIn& known, const HandIn& now);
 
-/// Every second one left out until there are not more than most_replay_steps; the last one stays.
+/// Drops every second step until at most most_replay_steps are left; always keeps the last one.
 void thin(std::vector<ReplayStep>& replay);
 
 }  // namespace viewing

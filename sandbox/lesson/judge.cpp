@@ -12,7 +12,7 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-/// Each entry's difference; none where the two cannot be compared. Up to a factor where the question says so.
+/// Returns the difference of each entry, up to a factor if the question allows one; none if the two are not comparable.
 std::optional<std::vector<double>> differences(std::vector<double> typed, const std::vector<double>& right,
                                                const Ask& ask, double& largest) {
     if (typed.size() != right.size() || right.empty()) return std::nullopt;
@@ -36,7 +36,7 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
     return std::all_of(apart->begin(), apart->end(), [&](double difference) { return difference <= tolerance; });
 }
 
-/// The row or the entry that is farthest from the right one, from 1 on; 0 where there is one alone.
+/// Returns the row or entry farthest from the right one, counted from 1; 0 if there is only one.
 int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
     if (ask.rows == 1 || answer.numbers.empty()) return 0;
     const Result<Answer> model = model_answer(ask, surroundings);
@@ -112,7 +112,7 @@ Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
         if (!value) return Error{value.error()};
         append_numbers(*value, model.numbers);
         if (std::ssize(model.numbers) != ask.rows * ask.columns)
-            return Error{"must be " + std::to_string(ask.rows * ask.columns) + " numbers, is " + describe(*value)};
+            return Error{"must be " + std::to_string(ask.rows * ask.columns) + " numbers, got " + describe(*value)};
     } else if (!ask.expected_items.empty()) {
         model.items = ask.expected_items.front();
     }

@@ -1,4 +1,4 @@
-// What is right and what is said to an answer. Pure, but for what the surroundings look up.
+// Judges answers and picks the feedback. Pure, except for values that the surroundings look up.
 #pragma once
 
 #include <string>
@@ -10,30 +10,29 @@ namespace viewing {
 
 struct Verdict {
     bool right = false;
-    LessonText say;   ///< why it is wrong; empty where nothing fits, or where it is right
+    LessonText say;   ///< why it is wrong; empty if it is right or is no known mistake
     std::string tag;  ///< the misconception
-    int points = 0;   ///< of an exercise, though it is not right
-    int place = 0;    ///< of what was typed and fits nothing: the row, or entry, with the largest difference, from 1 on
+    int points = 0;   ///< in an exercise: earned although the answer is not right
+    int place = 0;    ///< for an unknown mistake: the row or entry with the largest difference, counted from 1
     bool operator==(const Verdict&) const = default;
 };
 
-/// The step's own names, an object; empty without any.
+/// Returns the names that the step defines, as an object; empty if there are none.
 Json constants_of(const Ask& ask);
-/// The same names and the step's own.
+/// Returns the surroundings with the names that the step defines.
 Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 
-/// Whether judging an answer measures something, which may take a second.
+/// Whether judging an answer needs a measurement, which may take a second.
 bool is_measured(const Ask& ask);
 
-/// How the answer stands in expressions: a number, a list of numbers, a list of rows, or a list of places.
+/// Returns the answer as expressions see it: a number, a list of numbers, a list of rows, or a list of indices.
 Json answer_as_json(const Ask& ask, const Answer& answer);
 
-/// The right answer, computed for what the surroundings say; of a goal an empty one. The error is that of the
-/// expression.
+/// Computes the right answer in these surroundings; empty for a goal. Fails with the expression's error.
 Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings);
 
-/// Of a goal, whether it is reached; `answer` then is not looked at. `surroundings.answer` is set here. The first wrong
-/// answer that fits is told. The error is that of an expression.
+/// Judges an answer or, for a goal, whether it is reached; a goal ignores `answer`. Sets `surroundings.answer`. Reports
+/// the first wrong answer that matches. Fails with an expression's error.
 Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings);
 
 }  // namespace viewing

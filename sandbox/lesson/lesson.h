@@ -1,6 +1,6 @@
-// A guided lesson as its file has it: steps that each ask before they show. A step's state is complete by itself, so it
-// can be gone back to, skipped to and tested alone. Read reader.cpp for the file, judge.h for answers, run.h for the
-// way through.
+// A guided lesson as in its file: steps that each ask before they show. Each step's state is complete, so a step can be
+// revisited, reached directly and tested alone. Read reader.cpp for the file, judge.h for answers, run.h for the
+// progress through a lesson.
 #pragma once
 
 #include <array>
@@ -15,29 +15,29 @@
 
 namespace viewing {
 
-/// English, and the other languages that the file has.
+/// A text in English and in the file's other languages.
 struct LessonText {
     std::array<std::string, language_count> by_language;
     bool empty() const { return in_english().empty(); }
     const std::string& in_english() const { return by_language.front(); }
-    /// English where the file has none in that language.
+    /// Returns the text in that language; English if the file lacks it.
     const std::string& in(Language language) const {
         const std::string& text = by_language[static_cast<std::size_t>(language)];
         return text.empty() ? in_english() : text;
     }
-    /// In the language that is spoken now.
+    /// Returns the text in the current language.
     const std::string& shown() const { return in(spoken_language()); }
     bool operator==(const LessonText&) const = default;
 };
 
 enum class AskKind { choice, number, vector, matrix, sequence, order, product, subset, goal };
 
-/// Whether numbers are typed.
+/// Whether the answer is entered as numbers.
 constexpr bool is_typed(AskKind kind) {
     return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
 }
 
-/// Whether items are chosen, or put in order.
+/// Whether items are chosen or put in order.
 constexpr bool has_items(AskKind kind) {
     return kind == AskKind::sequence || kind == AskKind::order || kind == AskKind::product || kind == AskKind::subset;
 }
@@ -46,11 +46,11 @@ constexpr bool has_items(AskKind kind) {
 struct LessonChoice {
     LessonText say;
     bool right = false;
-    LessonText why;   ///< it is wrong
+    LessonText why;   ///< explains why it is wrong
     std::string tag;  ///< the misconception that it shows
 };
 
-/// What somebody answered: numbers row by row, or the places of choices or items in their lists, from 0 on.
+/// An answer: numbers row by row, or indices of choices or items in their lists, from 0.
 struct Answer {
     std::vector<double> numbers;
     std::vector<int> items;
@@ -58,14 +58,14 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-/// An answer that people are known to give wrongly.
+/// A common wrong answer.
 struct WrongAnswer {
-    std::string when;  ///< an expression that recognises it; "" where the answer is compared with `sample`
+    std::string when;  ///< an expression that recognizes it; "" to compare the answer with `sample`
     LessonText say;
     std::string tag;
-    Answer sample;                      ///< one that must be recognised
-    std::vector<std::string> settings;  ///< of a goal: a change that must be
-    int points = 0;                     ///< of an exercise: what it is worth all the same
+    Answer sample;                      ///< an example that must be recognized
+    std::vector<std::string> settings;  ///< for a goal: a change that must be recognized
+    int points = 0;                     ///< in an exercise: points that it still earns
 };
 
 struct Ask {
@@ -73,29 +73,29 @@ struct Ask {
     LessonText question;
     std::vector<LessonText> hints;
     std::vector<LessonChoice> choices;
-    std::vector<LessonText> items;                 ///< of sequence, order, product and subset
-    int rows = 1, columns = 1;                     ///< of what is typed
-    std::string expect;                            ///< an expression: what is to be typed
-    std::vector<std::vector<int>> expected_items;  ///< one or more right lists of items, from 0 on
+    std::vector<LessonText> items;                 ///< for sequence, order, product and subset
+    int rows = 1, columns = 1;                     ///< of the entered answer
+    std::string expect;                            ///< an expression for the right answer
+    std::vector<std::vector<int>> expected_items;  ///< one or more right lists of item indices, from 0
     double tolerance = 0.0;                        ///< absolute, of each entry
-    double relative_tolerance = 0.0;               ///< of the largest entry, where it is not 0
+    double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
-    std::string shows_as;            ///< the field that shows what a typed matrix does; "": none
-    std::string until;               ///< of a goal
-    std::vector<std::string> allow;  ///< what may be changed: fields or groups; empty: all
+    std::string shows_as;            ///< the field that shows the effect of an entered matrix; "": none
+    std::string until;               ///< for a goal: an expression that is true when it is reached
+    std::vector<std::string> allow;  ///< the fields or groups that may change; empty: all
     std::vector<std::string> model;  ///< settings that reach the goal
     std::vector<WrongAnswer> wrong;
-    std::string constants;  ///< names of the step's own for its expressions: a JSON object, or ""
+    std::string constants;  ///< the step's own names for its expressions: a JSON object, or ""
 };
 
 struct Reveal {
     LessonText say;
-    std::vector<std::string> settings;  ///< what changes
-    double over_s = 0.0;                ///< how long numbers take to; the others change at once
+    std::vector<std::string> settings;  ///< the changes
+    double over_s = 0.0;                ///< how long numbers take to change; the rest changes immediately
     std::vector<std::string> highlight;
 };
 
-/// A point of the world that is marked in the pictures.
+/// A point in world space that the pictures mark.
 struct LessonTarget {
     glm::dvec3 point_world{0.0};
     LessonText label;
@@ -103,8 +103,8 @@ struct LessonTarget {
 
 struct LessonStep {
     std::string id;
-    LoadedState start;  ///< before the answer, layout included
-    Params revealed;    ///< after it: with a goal's model, and what the reveal changes
+    LoadedState start;  ///< before the answer, including the layout
+    Params revealed;    ///< after it: with a goal's model and the reveal's changes
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;
@@ -114,7 +114,7 @@ struct LessonStep {
     LessonText note;
 };
 
-/// The exercises of one student, where the steps are such: an entry for each.
+/// The exercises of one student, if the steps are exercises: one entry per step.
 struct Sheet {
     std::string course, student;
     struct Item {
@@ -131,15 +131,15 @@ struct Lesson {
     LessonText title;
     std::vector<int> slides;
     int minutes = 0;
-    std::vector<std::string> needs;                        ///< lessons that come before
+    std::vector<std::string> needs;                        ///< lessons to do first
     std::vector<std::pair<std::string, LessonText>> tags;  ///< misconceptions by their short names
     std::vector<LessonStep> steps;                         ///< at least one
-    std::optional<LoadedState> picture;                    ///< on its card, in place of the first step
+    std::optional<LoadedState> picture;                    ///< shown on its card instead of the first step
     std::filesystem::path file;
     std::optional<Sheet> sheet = {};
 };
 
-/// A lesson as far as a list shows it.
+/// The part of a lesson that a list shows.
 struct LessonFile {
     std::string id;
     LessonText title;
@@ -149,14 +149,15 @@ struct LessonFile {
     std::filesystem::path path;
 };
 
-/// The lessons of the assets directory in the order of the lecture: by their file names, which begin with a number. One
-/// that cannot be read stands there by its file name; loading it says why.
+/// Returns the lessons of the assets directory in the order of the lecture: by file name, which begins with a number. A
+/// lesson that cannot be read is listed by its file name; loading it reports why.
 std::vector<LessonFile> lessons();
 
-/// The lesson of that id, or the file at that path. The error is one sentence with file, step and field.
+/// Loads the lesson with that id, or the file at that path. The error is one sentence with file, step and field.
 Result<Lesson> load_lesson(const std::string& argument);
 
-/// The same of a text; `source` opens every message ("mine.json"), `folder` is what its scenes' files are relative to.
+/// Reads a lesson from a string. `source` ("mine.json") starts every message; files of its scenes are relative to
+/// `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
 }  // namespace viewing

@@ -18,7 +18,7 @@ Result<LinkedStep> load_linked_step(const Link& link) {
     if (!lesson) return Error{"link: " + lesson.error()};
     const std::size_t count = lesson->steps.size();
     if (link.step > count)
-        return Error{"link: step " + std::to_string(link.step) + ": " + lesson->id + " has the steps 1 to " +
+        return Error{"link: step " + std::to_string(link.step) + ": " + lesson->id + " has steps 1 to " +
                      std::to_string(count)};
     return LinkedStep{*std::move(lesson), link.step - 1};
 }

@@ -1,5 +1,5 @@
-// A step of a lesson as a link: #lesson=ID&step=N (state/file/link.h). Only the program's own lessons can be named: a
-// link opens no files.
+// A step of a lesson as a link: #lesson=ID&step=N (state/file/link.h). Links can name only the program's own lessons: a
+// link never opens a file.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace viewing {
 
 struct LinkedStep {
     Lesson lesson;
-    std::size_t step = 0;  ///< from 0 on
+    std::size_t step = 0;  ///< from 0
 };
 
-/// None where the text is anything else than a lesson's link.
+/// Returns the link if the text is a link to a lesson, else none.
 std::optional<Link> lesson_link(std::string_view text);
 
-/// Reads the lesson that such a link names. The error is one sentence: there is none of that name, or no such step.
+/// Loads the lesson that such a link names. The error, in one sentence: no such lesson, or no such step.
 Result<LinkedStep> load_linked_step(const Link& link);
 
-/// What to put behind an address; `step` counts from 0 on. None where the lesson is not one of the program's.
+/// Returns the text to append to an address; `step` counts from 0. None if the lesson is not one of the program's.
 std::optional<std::string> link_to(const Lesson& lesson, std::size_t step);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Lua's headers for the names that its library exports: Debian 12's has those of C, Debian 13's those of C++.
+// Lua's headers with the linkage of its library: Debian 12's exports C names, Debian 13's C++ names.
 #pragma once
 
 #ifdef VIEWING_LUA_HAS_CXX_NAMES

@@ -34,12 +34,13 @@ constexpr bool continues_word(char c) {
     return starts_word(c) || is_digit(c);
 }
 
-/// Goes through the tokens of a source, comments left out.
+/// Iterates over the tokens of a source, skipping comments.
 class Tokens {
 public:
     explicit Tokens(std::string_view source) : source_(source) {}
 
-    /// The next one, "" at the end. A text is its first quote or bracket, a number its digits up to the first sign.
+    /// Returns the next token, "" at the end. For a string, that is only its opening quote or bracket; for a number,
+    /// only its first digits and letters.
     std::string_view next() {
         skip_blanks_and_comments();
         const std::size_t begin = at_;
@@ -68,7 +69,7 @@ private:
         at_ = std::min(at_ + 1, source_.size());
     }
 
-    /// [[…]], [=[…]=] and so on; false, and nothing skipped, where none begins.
+    /// Skips [[…]], [=[…]=] and so on; returns false and skips nothing if none begins here.
     bool skip_long_bracket() {
         if (source_[at_] != '[') return false;
         std::size_t second = at_ + 1;

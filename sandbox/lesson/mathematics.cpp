@@ -17,7 +17,7 @@ namespace {
 
 constexpr int largest_dimension = 4;
 
-/// A number (0 × 0), a vector (n × 0) or a matrix (n × m): what a table of numbers is, with up to 4 × 4 entries.
+/// A table of numbers, up to 4 × 4 entries: a number (0 × 0), a vector (n × 0) or a matrix (n × m).
 struct Tensor {
     int rows = 0, columns = 0;
     std::array<double, 16> at{};
@@ -60,7 +60,7 @@ glm::dvec4 dvec4_of(const Tensor& vector) {
 
 // ---- Lua's stack ---------------------------------------------------------------------------------------------------
 
-/// Lists of the state begin at 0, those that Lua's own braces make at 1.
+/// Returns the index of a list's first entry: 0 in lists from the state, 1 in lists that Lua's braces make.
 int first_index(lua_State* lua, int table) {
     lua_rawgeti(lua, table, 0);
     const bool begins_at_zero = !lua_isnil(lua, -1);
@@ -171,7 +171,7 @@ int push_truth(lua_State* lua, bool truth) {
 // ---- products ------------------------------------------------------------------------------------------------------
 
 Tensor product(lua_State* lua, const Tensor& a, const Tensor& b) {
-    if (a.columns != b.rows) luaL_error(lua, "%d columns cannot be multiplied with %d rows", a.columns, b.rows);
+    if (a.columns != b.rows) luaL_error(lua, "%d columns cannot be multiplied by %d rows", a.columns, b.rows);
     Tensor result = b.is_vector() ? vector_of(a.rows) : Tensor{a.rows, b.columns, {}};
     const int columns = std::max(b.columns, 1);
     for (int row = 0; row < a.rows; ++row)
@@ -185,7 +185,7 @@ int times(lua_State* lua) {
     return push(lua, product(lua, matrix_at(lua, 1), vector_at(lua, 2)));
 }
 
-/// A point through a matrix: with w = 1, divided by the w that comes out. 3 × 3 matrices have no w.
+/// Transforms a point by a matrix: appends w = 1 and divides by the resulting w. A 3 × 3 matrix has no w.
 int apply(lua_State* lua) {
     const Tensor matrix = matrix_at(lua, 1), point = vector_at(lua, 2, 3, 3);
     if (matrix.rows == 3) return push(lua, product(lua, matrix, point));
@@ -204,7 +204,7 @@ int mul(lua_State* lua) {
     for (int i = 2; i <= count; ++i) {
         const Tensor factor = tensor_at(lua, i);
         if (factor.is_number() || result.is_vector())
-            luaL_argerror(lua, i, "must follow a matrix and be a matrix or a vector");
+            luaL_argerror(lua, i, "must be a matrix or a vector that follows a matrix");
         result = product(lua, result, factor);
     }
     return push(lua, result);
@@ -221,7 +221,7 @@ int transpose(lua_State* lua) {
     return push(lua, transposed(matrix_at(lua, 1)));
 }
 
-/// Gauss with the largest pivot on [M | I]; the determinant by the way.
+/// Gaussian elimination with the largest pivot on [M | I]; it also gives the determinant.
 struct Eliminated {
     Tensor inverse;
     double determinant = 1.0;
@@ -297,7 +297,7 @@ int rotation_z(lua_State* lua) {
 
 int rotation_of(lua_State* lua) {
     const Tensor matrix = square_at(lua, 1);
-    if (matrix.rows < 3) luaL_argerror(lua, 1, "must have three rows or four");
+    if (matrix.rows < 3) luaL_argerror(lua, 1, "must have three or four rows");
     Tensor result = square(3);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) result.entry(row, column) = matrix.entry(row, column);
@@ -320,7 +320,7 @@ double length_of(const Tensor& tensor, int entries) {
     return std::sqrt(sum);
 }
 
-/// A plane by the length of its normal, another vector by its own.
+/// Divides a plane by the length of its normal, any other vector by its own length.
 int unit(lua_State* lua) {
     Tensor vector = vector_at(lua, 1);
     const double length = length_of(vector, std::min(vector.rows, 3));
@@ -334,7 +334,7 @@ int norm(lua_State* lua) {
     return push(lua, length_of(vector, vector.size()));
 }
 
-/// Two arguments of one shape.
+/// Returns two arguments of the same shape.
 std::pair<Tensor, Tensor> alike(lua_State* lua) {
     const Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     if (!a.has_shape_of(b)) luaL_error(lua, "both must have the same number of entries");
@@ -389,7 +389,7 @@ int close(lua_State* lua) {
     return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), scalar_at(lua, 3)));
 }
 
-/// By the entry that is largest in the first one, which then is 1 in both.
+/// Compares up to scale: divides both by their entry where the first has its largest one, which becomes 1 in both.
 int same_map(lua_State* lua) {
     Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     const double tolerance = scalar_at(lua, 3);
@@ -459,7 +459,7 @@ int count(lua_State* lua) {
 
 // ---- lists ---------------------------------------------------------------------------------------------------------
 
-/// Calls `each` with every entry's place, from 0 on, while the entry is on top of the stack.
+/// Calls `each` with every entry's index, from 0, while the entry is on top of the stack.
 template <typename Each>
 void for_each_entry(lua_State* lua, int table, const Each& each) {
     luaL_checktype(lua, table, LUA_TTABLE);
@@ -471,7 +471,8 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
     }
 }
 
-/// A list of what `of` makes of the codes that fragments, as pixel() has them, would store, one after the other.
+/// Pushes a list of of(code) for the stored code of each fragment; the argument is a list of fragments, as from
+/// pixel().
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);
@@ -495,7 +496,7 @@ int trace(lua_State* lua) {
     const std::span<const char* const> names = names_of<CompareFunc>();
     const std::string wanted = luaL_checkstring(lua, 2);
     const auto at = std::find(names.begin(), names.end(), wanted);
-    if (at == names.end()) luaL_argerror(lua, 2, "must be a name of glDepthFunc, such as less");
+    if (at == names.end()) luaL_argerror(lua, 2, "must be the name of a depth function, such as less");
     const auto func = static_cast<CompareFunc>(at - names.begin());
     double stored = luaL_optnumber(lua, 3, 255.0);
     return push_codes(lua, [&](double code) { return compare(func, code, stored) ? stored = code : stored; });
@@ -540,11 +541,11 @@ struct Function {
 };
 
 constexpr Function functions[] = {
-    {{"apply", "apply(M, p)", "point p through M: with w = 1, divided by w"}, apply},
-    {{"times", "times(M, v)", "M v, not divided"}, times},
+    {{"apply", "apply(M, p)", "point p transformed by M: w = 1 appended, divided by w"}, apply},
+    {{"times", "times(M, v)", "M v, not divided by w"}, times},
     {{"mul", "mul(A, B, …)", "the product of matrices; the last factor may be a vector"}, mul},
     {{"transpose", "transpose(M)", "rows become columns"}, transpose},
-    {{"inverse", "inverse(M)", "of a square matrix; an error where there is none"}, inverse},
+    {{"inverse", "inverse(M)", "of a square matrix; an error if there is none"}, inverse},
     {{"det", "det(M)", "determinant"}, det},
     {{"translation", "translation(v)", "4 by 4"}, translation},
     {{"rotation_x", "rotation_x(degrees)", "4 by 4"}, rotation_x},
@@ -554,10 +555,9 @@ constexpr Function functions[] = {
     {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"},
      reflection_matrix},
     {{"shadow_matrix", "shadow_matrix(plane, light)", "S = (P·L) I − L Pᵀ"}, shadow_matrix_of},
-    {{"unit", "unit(v)", "of length 1; a plane (a, b, c, d) with a normal of length 1"}, unit},
-    {{"close", "close(a, b, tolerance)", "every entry differs by no more than that; false where the shapes differ"},
-     close},
-    {{"same_map", "same_map(A, B, tolerance)", "the same up to a factor"}, same_map},
+    {{"unit", "unit(v)", "v with length 1; a plane (a, b, c, d) with a unit normal"}, unit},
+    {{"close", "close(a, b, tolerance)", "whether no entry differs by more; false if the shapes differ"}, close},
+    {{"same_map", "same_map(A, B, tolerance)", "whether they are equal up to a factor"}, same_map},
     {{"norm", "norm(v)", "length"}, norm},
     {{"dot", "dot(a, b)", "a · b"}, dot},
     {{"cross", "cross(a, b)", "a × b"}, cross},
@@ -572,21 +572,21 @@ constexpr Function functions[] = {
     {{"cos", "cos(radians)", "cosine"}, number_function<cosine>},
     {{"tan", "tan(radians)", "tangent"}, number_function<tangent>},
     {{"atan", "atan(x)", "in radians"}, number_function<arc_tangent>},
-    {{"radians", "radians(degrees)", "π ÷ 180 of it"}, number_function<radians_of>},
-    {{"degrees", "degrees(radians)", "180 ÷ π of it"}, number_function<degrees_of>},
+    {{"radians", "radians(degrees)", "degrees times π ÷ 180"}, number_function<radians_of>},
+    {{"degrees", "degrees(radians)", "radians times 180 ÷ π"}, number_function<degrees_of>},
     {{"round", "round(x)", "to a whole number, halves away from 0"}, number_function<rounded>},
-    {{"text", "text(x)", "a number as a text: text(8) is '8'"}, text_of_number},
+    {{"text", "text(x)", "a number as a string: text(8) is '8'"}, text_of_number},
     {{"reversed", "reversed(list)", "the last entry first"}, reversed},
-    {{"places", "places(list)", "every entry less 1: places that are counted from 0 on"}, places},
+    {{"places", "places(list)", "every entry minus 1: places counted from 0"}, places},
     {{"codes", "codes(fragments)", "the codes of a pixel's fragments, in drawing order"}, codes},
     {{"trace", "trace(fragments, func)",
-      "what the depth buffer holds after each of them, cleared to 255 or to a third argument"},
+      "the stored depth after each fragment, if first cleared to 255 or to a third argument"},
      trace},
-    {{"count", "count(list)", "how many entries it has"}, count},
+    {{"count", "count(list)", "the number of entries"}, count},
 };
 
 constexpr MathematicsName constants[] = {
-    {"identity", "identity", "the 4 by 4 identity"},
+    {"identity", "identity", "the 4 by 4 identity matrix"},
     {"pi", "pi", "3.14159…"},
 };
 

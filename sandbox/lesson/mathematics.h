@@ -1,4 +1,4 @@
-// Internal to lesson/: the vectors and matrices of expressions, as functions that Lua can call.
+// Internal to lesson/: the vectors and matrices of expressions, as functions for Lua.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct MathematicsName {
 };
 std::span<const MathematicsName> mathematics_names();
 
-/// Sets each of the names in the table on top of Lua's stack.
+/// Adds all names to the table on top of Lua's stack.
 void add_mathematics(lua_State* lua);
 
 }  // namespace viewing

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// The first part of each path of the state, in the order of the file.
+/// Returns the first part of each path of the state, in the order of the file.
 std::vector<ExpressionName> names_of_state() {
     std::vector<ExpressionName> names;
     for (const Field& field : fields()) {
@@ -17,7 +17,7 @@ std::vector<ExpressionName> names_of_state() {
         if (!names.empty() && names.back().name == name) continue;
         const bool is_group = field.path.size() > name.size();
         names.push_back({name, NameKind::value, is_group ? name + ".…" : name,
-                         is_group ? "as `viewing-sandbox params` lists its fields" : std::string(field.help)});
+                         is_group ? "with the fields that `viewing-sandbox params` lists" : std::string(field.help)});
     }
     return names;
 }
@@ -32,11 +32,11 @@ std::vector<ExpressionName> all_names() {
         {"PV", NameKind::value, "PV", "clip_from_world"},
         {"S", NameKind::value, "S", "shadow_from_world of the first plane and light"},
         {"R", NameKind::value, "R", "mirror_from_world of the first plane"},
-        {"shadow_sign", NameKind::value, "shadow_sign", "1 or −1: what is uploaded is shadow_sign · S"},
+        {"shadow_sign", NameKind::value, "shadow_sign", "1 or −1: the uploaded matrix is shadow_sign · S"},
         {"facts", NameKind::value, "facts.…", "as `viewing-sandbox matrices` prints them"},
         {"followed", NameKind::value, "followed.…", "the followed point, as `viewing-sandbox matrices` prints it"},
-        {"problems", NameKind::value, "problems", "the sentences about what is wrong"},
-        {"answer", NameKind::value, "answer", "what was typed: a number, or a list of numbers"},
+        {"problems", NameKind::value, "problems", "the sentences about problems"},
+        {"answer", NameKind::value, "answer", "the entered answer: a number or a list of numbers"},
         {"depth_step", NameKind::measured, "depth_step(z)", "width of one stored code at eye distance z"},
         {"fighting", NameKind::measured, "fighting()", "as `measure --what fighting` prints it, at 1280x720"},
         {"visibility_counts", NameKind::measured, "visibility_counts()",
@@ -44,11 +44,11 @@ std::vector<ExpressionName> all_names() {
         {"mirror_ways", NameKind::measured, "mirror_ways()", "as `measure --what mirror` prints it, at 1280x720"},
         {"order", NameKind::measured, "order()", "as `measure --what order` prints it, at 1280x720"},
         {"bsp_order", NameKind::measured, "bsp_order()",
-         "count of the BSP tree's nodes, and order: their numbers from 1 on as the camera draws them, farthest first"},
+         "count: the number of BSP nodes; order: their numbers from 1, in the camera's drawing order, farthest first"},
         {"newell_step", NameKind::measured, "newell_step()",
-         "of Newell's ladder at visibility.step: test, action, and a and b with left, right, bottom, top, nearest, "
-         "farthest"},
-        {"pixel", NameKind::measured, "pixel(x, y)", "as `inspect` prints it, at 1280x720; (0, 0) is the top left one"},
+         "one step of Newell's ladder, at visibility.step: test, action, and a and b with left, right, bottom, top, "
+         "nearest, farthest"},
+        {"pixel", NameKind::measured, "pixel(x, y)", "as `inspect` prints it, at 1280x720; (0, 0) is at the top left"},
     };
     names.insert(names.end(), std::begin(others), std::end(others));
     for (const MathematicsName& name : mathematics_names())

@@ -1,4 +1,4 @@
-// The closed list of names that expressions in lesson files may use; `lesson --names` prints it.
+// The closed list of names for expressions in lesson files; `lesson --names` prints it.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace viewing {
 
 enum class NameKind {
-    value,       ///< known at once
+    value,       ///< known immediately
     measured,    ///< a function whose value may take a second
     mathematics  ///< a function of its arguments alone
 };
@@ -21,10 +21,10 @@ struct ExpressionName {
     std::string help;
 };
 
-/// Paths of the state first, by their groups, then matrices, measures and mathematics.
+/// Returns the state's paths first, by group, then matrices, measurements and mathematics.
 const std::vector<ExpressionName>& expression_names();
 
-/// As a text for a terminal, a name a line.
+/// Returns text for a terminal, one name per line.
 std::string expression_names_as_text();
 
 }  // namespace viewing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "state/fields.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -9,12 +10,20 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t line_width = 78, label_width = 8;  // "Asks    …", with what goes on below its beginning
+constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …", continued below its beginning
 
 std::string joined_texts(const std::vector<std::string>& texts, const char* between) {
     std::string all;
     for (const std::string& text : texts) all += (all.empty() ? "" : between) + text;
     return all;
+}
+
+/// Returns "z-near = 0.3" for "projection.near=0.3", with the label of the panel.
+std::string setting_in_words(const std::string& setting) {
+    const std::size_t end = setting.find('=');
+    const Field* const field = find_field(std::string_view(setting).substr(0, end));
+    if (!field || end == std::string::npos) return setting;
+    return tr(std::string(field->label).c_str()) + (" = " + setting.substr(end + 1));
 }
 
 int minutes_of(double seconds) {
@@ -32,7 +41,7 @@ std::string time_text(const Lesson& lesson, double presented_s) {
                "left"_a = minutes_of(left_s));
 }
 
-/// Steps are taken to last equally long.
+/// Returns whether the lecturer is behind schedule, if all steps take equally long.
 bool is_late(const LessonRun& run, double presented_s) {
     constexpr double patience_s = 120.0;
     const Lesson& lesson = run.lesson();
@@ -43,7 +52,11 @@ bool is_late(const LessonRun& run, double presented_s) {
 }  // namespace
 
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
-    if (ask.kind == AskKind::goal) return joined_texts(ask.model, ", ");
+    if (ask.kind == AskKind::goal) {
+        std::vector<std::string> settings;
+        for (const std::string& setting : ask.model) settings.push_back(setting_in_words(setting));
+        return joined_texts(settings, ", ");
+    }
     const Result<Answer> model = model_answer(ask, surroundings);
     if (!model) return ask.expect;
     if (ask.kind == AskKind::choice) {
@@ -66,7 +79,7 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
-    static constexpr const char* phases[] = {marked("asks"), marked("shows"), marked("answered")};
+    static constexpr const char* phases[] = {marked("asking"), marked("showing"), marked("answered")};
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
     Notes notes;
@@ -75,11 +88,11 @@ Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surrou
                   tr(phases[static_cast<std::size_t>(phase)]) + " · " + time_text(lesson, presented_s);
     notes.is_late = is_late(run, presented_s);
     const std::string next =
-        run.is_last() ? tr("The lesson ends.") : lesson.steps[run.index() + 1].ask.question.shown();
-    const Notes::Part parts[] = {{tr("Says"), step.say.shown()},
-                                 {tr("Asks"), step.ask.question.shown()},
-                                 {tr("Right"), answer_in_words(step.ask, surroundings)},
-                                 {tr("Shows"), step.reveal.say.shown()},
+        run.is_last() ? tr("End of the lesson.") : lesson.steps[run.index() + 1].ask.question.shown();
+    const Notes::Part parts[] = {{tr("Say"), step.say.shown()},
+                                 {tr("Ask"), step.ask.question.shown()},
+                                 {tr("Answer"), answer_in_words(step.ask, surroundings)},
+                                 {tr("Reveal"), step.reveal.say.shown()},
                                  {tr("Note"), step.note.shown()},
                                  {tr("Then"), next}};
     for (const Notes::Part& part : parts)

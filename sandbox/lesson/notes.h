@@ -1,4 +1,4 @@
-// What the lecturer reads while the room sees the step: its note, the right answer, what comes next, the time.
+// The lecturer's page while the audience sees the step: its note, the right answer, the next step, the time.
 #pragma once
 
 #include <string>
@@ -9,28 +9,28 @@
 
 namespace viewing {
 
-/// The right answer in words: "B: the farthest", "−10", "1 3 2", of a goal the settings that reach it. What cannot be
-/// computed stands as its expression.
+/// Returns the right answer in words: "B: the farthest", "−10", "1 3 2"; for a goal, the settings that reach it. An
+/// answer that cannot be computed appears as its expression.
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
 
-/// Where a step is: what the second line of the notes says.
+/// The phase of a step, on the second line of the notes.
 enum class StepPhase { asks, shows, answered };
 
-/// The page in the language that is spoken now.
+/// The lecturer's page in the current language.
 struct Notes {
     std::string title;
-    std::string place;  ///< "3 / 8 · asks · 12 min of 15, 3 min left"
+    std::string place;  ///< "3 / 8 · asking · 12 of 15 min, 3 left"
     struct Part {
         std::string label, text;
     };
-    std::vector<Part> parts;  ///< what is said, asked, right, shown, to be thought of, and what comes next
-    bool is_late = false;     ///< by more than two minutes for the steps that are left
+    std::vector<Part> parts;  ///< say, ask, answer, reveal, note, and what comes next
+    bool is_late = false;     ///< more than two minutes behind, if all steps take equally long
 };
 
-/// `presented_s`: since the lesson began.
+/// `presented_s` counts from the start of the lesson.
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s);
 
-/// As plain text, lines up to 78 characters, ended by a newline.
+/// Returns plain text, lines of up to 78 characters, with a newline at the end.
 std::string notes_page(const Notes& notes);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Lesson files: read with the same care as states. Every message names the file, the step and the field.
+// Reads lesson files with the same checks as state files. Every message names the file, the step and the field.
 #include <algorithm>
 
 #include "lesson/step_reader.h"
@@ -16,7 +16,7 @@ constexpr std::size_t most_steps = 200;
 Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where) {
     require_keys(document, where, {"lesson", "id", "title", "slides", "minutes", "picture", "needs", "tags", "steps"});
     if (!has(document, "lesson") || document["lesson"] != 1)
-        where.key("lesson").refuse("must be 1, the version of the form that this program reads");
+        where.key("lesson").refuse("must be 1, the version of the format that this program reads");
     Lesson lesson;
     lesson.id = name_at(document, "id", where);
     lesson.title = text_at(document, "title", where, true);
@@ -27,7 +27,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     const Where steps = where.key("steps");
     if (!has(document, "steps")) steps.refuse("is missing: a list of steps");
     require_array(document["steps"], steps, most_steps, "a list of 1 to 200 steps");
-    if (document["steps"].empty()) steps.refuse("must have one step or more");
+    if (document["steps"].empty()) steps.refuse("must have at least one step");
     PresetShelf presets;
     if (has(document, "picture")) lesson.picture = state_at(document, "picture", folder, presets, where);
     for (std::size_t i = 0; i < document["steps"].size(); ++i) {
@@ -40,7 +40,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     return lesson;
 }
 
-/// As much as a list shows, whatever else may be wrong with the file.
+/// Reads the part that a list shows, even if the rest of the file is invalid.
 LessonFile glance_at(const fs::path& path) {
     LessonFile file{path.stem().string(), {path.stem().string(), ""}, {}, 0, 0, path};
     const Result<std::string> text = read_text_file(path);
@@ -55,7 +55,7 @@ LessonFile glance_at(const fs::path& path) {
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
         return true;
     });
-    (void)glance;  // what could not be read stays as it was
+    (void)glance;  // unreadable parts keep their defaults
     return file;
 }
 

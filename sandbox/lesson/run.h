@@ -1,5 +1,5 @@
-// One person's way through a lesson: which step, what was answered, whether it is revealed. Knows no window and changes
-// no parameters itself; session/lesson_session.h does what it says.
+// One user's progress through a lesson: the step, the answers and the reveals. Independent of windows, and never
+// changes parameters; session/guide.h does that.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace viewing {
 
 class LessonRun {
 public:
-    /// `step` counts from 0 on and is put into the lesson's range.
+    /// `step` counts from 0 and is clamped to the lesson's range.
     explicit LessonRun(Lesson lesson, std::size_t step = 0);
 
     const Lesson& lesson() const { return *lesson_; }
@@ -23,29 +23,29 @@ public:
     bool is_last() const { return index_ + 1 == lesson_->steps.size(); }
 
     bool is_revealed() const { return now().revealed; }
-    /// Whether the step shows its answer: by an answer that was right, or because it was asked to.
+    /// Shows the step's answer, after a right answer or on request.
     void reveal() { now().revealed = true; }
-    /// The question again.
+    /// Shows the question again.
     void cover() { now().revealed = false; }
     void go_to(std::size_t step);
 
-    /// What is typed or chosen so far; kept for each step.
+    /// Returns the answer entered or chosen so far; each step keeps its own.
     Answer& answer() { return now().answer; }
     const Answer& answer() const { return now().answer; }
-    /// The latest judgement of it; none before Check was pressed, or since it was changed.
+    /// Returns the latest verdict on the answer; none before Check is pressed, or after a change.
     const std::optional<Verdict>& verdict() const { return now().verdict; }
-    /// A right one reveals.
+    /// A right verdict reveals the answer.
     void take(const Verdict& verdict);
     void forget_verdict() { now().verdict.reset(); }
-    /// Of an exercise: what one had made of its state when one left it; none before anything was changed.
+    /// Returns the state in which the student left an exercise; none before any change.
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
 
     int hints_shown() const { return now().hints; }
     void show_hint();
-    /// Hands that were raised for each choice, as the lecturer counts them.
+    /// Returns the number of raised hands for each choice, as counted by the lecturer.
     std::vector<int>& votes() { return now().votes; }
-    /// What was done at a step another time. `reached`: as reached() has it.
+    /// Restores earlier work on a step. `reached` is the value that reached() returns.
     void restore(std::size_t step, const Answer& answer, int hints, bool is_done, std::optional<Params> reached);
     bool is_done(std::size_t step) const { return visits_[step].done; }
     int done_count() const;
@@ -63,7 +63,7 @@ private:
     Visit& now() { return visits_[index_]; }
     const Visit& now() const { return visits_[index_]; }
 
-    std::shared_ptr<const Lesson> lesson_;  ///< shared with copies: it never changes
+    std::shared_ptr<const Lesson> lesson_;  ///< shared with copies, since it never changes
     std::size_t index_ = 0;
     std::vector<Visit> visits_;
 };

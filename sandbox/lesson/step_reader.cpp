@@ -20,7 +20,7 @@ constexpr int most_points = 100, most_entries_of_vector = 12;
 constexpr const char* kind_names[] = {"choice", "number",  "vector", "matrix", "sequence",
                                       "order",  "product", "subset", "goal"};
 
-/// What a step covers or points out.
+/// Reads the targets that a step covers or highlights.
 std::vector<std::string> targets_at(const Json& object, const char* key, const Where& where) {
     std::vector<std::string> targets = names_at(object, key, where);
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<std::string> targets_at(const Json& object, const char* key, const W
     return targets;
 }
 
-/// A number or a list of numbers as Lua writes it.
+/// Returns a number or a list of numbers in Lua's syntax.
 std::string as_expression(const Json& value, const Where& where) {
     if (value.is_number()) return value.dump();
     require_array(value, where, most_entries, "an expression, a number or a list of numbers");
@@ -63,7 +63,7 @@ std::string expression_in(const Json& value, const Where& where, const std::vect
 void require_constant_name(const std::string& name, const Where& where) {
     if (!is_constant_name(name))
         where.refuse("\"" + excerpt(name) +
-                     "\" is no name: it has other signs than letters, digits and _, or means something already");
+                     "\" is not a valid name: use letters, digits and _, and a word without another meaning");
 }
 
 std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
@@ -101,7 +101,7 @@ Params changed(const Params& params, const std::vector<std::string>& settings, c
 
 // ---- a step's state ------------------------------------------------------------------------------------------------
 
-/// What a step may say of the window, and where the state has it.
+/// A key of a step's layout, and its path in the state.
 struct LayoutPlace {
     const char *key, *path;
 };
@@ -143,7 +143,7 @@ LoadedState state_at(const Json& object, const char* key, const fs::path& folder
 LoadedState read_start(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
     LoadedState start = state_at(object, "state", folder, presets, where);
     if (has(object, "layout")) start.params = laid_out(start.params, object["layout"], where.key("layout"));
-    start.preset = nullptr;  // a step is no preset: nothing departs from it
+    start.preset = nullptr;  // a step is not a preset, so it never counts as changed
     start.scene_origin = where.prefix + "scene";
     return start;
 }
@@ -174,27 +174,28 @@ std::vector<LessonChoice> read_choices(const Json& ask, const Where& where) {
         LessonChoice read{
             text_at(choice, "say", at, true), has(choice, "right") && read_bool(choice["right"], at.key("right")),
             text_at(choice, "why", at, false), has(choice, "tag") ? read_name(choice["tag"], at.key("tag")) : ""};
-        if (!read.right && read.why.empty()) at.key("why").refuse("is missing: a wrong answer is told why");
+        if (!read.right && read.why.empty()) at.key("why").refuse("is missing: every wrong answer needs a reason");
         choices.push_back(std::move(read));
     }
     const auto right =
         std::count_if(choices.begin(), choices.end(), [](const LessonChoice& choice) { return choice.right; });
-    if (choices.size() < 2 || right != 1) inside.refuse("must be two or more, one of them \"right\": true");
+    if (choices.size() < 2 || right != 1)
+        inside.refuse("must have at least two answers, exactly one with \"right\": true");
     return choices;
 }
 
 std::vector<int> read_items(const Json& value, std::size_t count, const Where& where) {
-    require_array(value, where, most_entries, "a list of items' places, from 0 on");
+    require_array(value, where, most_entries, "a list of item indices, from 0");
     std::vector<int> items;
     for (std::size_t i = 0; i < value.size(); ++i)
         items.push_back(read_whole(value[i], where.at(i), 0, static_cast<int>(count) - 1));
     return items;
 }
 
-/// One list of places, or several that are as right.
+/// Reads one list of indices, or several lists that are equally right.
 std::vector<std::vector<int>> read_expected_items(const Json& ask, std::size_t count, const Where& where) {
     const Where inside = where.key("expect");
-    if (!has(ask, "expect")) inside.refuse("is missing: a list of items' places, from 0 on");
+    if (!has(ask, "expect")) inside.refuse("is missing: a list of item indices, from 0");
     const Json& value = ask["expect"];
     const bool are_several = value.is_array() && !value.empty() && value[0].is_array();
     if (!are_several) return {read_items(value, count, inside)};
@@ -263,7 +264,7 @@ void read_typed(const Json& object, Ask& ask, const std::vector<std::string>& co
         ask.rows = ask.columns = has(object, "size") ? read_whole(object["size"], where.key("size"), 2, 4) : 4;
 }
 
-/// Names of one's own, each a value that stays: a JSON object as text.
+/// Reads the names that a step defines, each with a constant value. Returns a JSON object as text.
 std::string read_constants(const Json& object, const Where& where) {
     require_object(object, where, "an object of names and values");
     for (const auto& [name, value] : object.items()) require_constant_name(name, where);
@@ -281,7 +282,7 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
     ask.kind = static_cast<AskKind>(read_choice(object["kind"], where.key("kind"), kind_names));
     ask.question = text_at(object, "question", where, true);
     if (has(object, "hints")) {
-        require_array(object["hints"], where.key("hints"), 9, "a list of texts");
+        require_array(object["hints"], where.key("hints"), 9, "a list of strings");
         for (std::size_t i = 0; i < object["hints"].size(); ++i)
             ask.hints.push_back(read_text_of(object["hints"][i], where.key("hints").at(i)));
     }
@@ -289,11 +290,11 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
         ask.choices = read_choices(object, where);
     } else if (has_items(ask.kind)) {
         const Where items = where.key("items");
-        if (!has(object, "items")) items.refuse("is missing: a list of texts");
-        require_array(object["items"], items, 12, "a list of two to twelve texts");
+        if (!has(object, "items")) items.refuse("is missing: a list of strings");
+        require_array(object["items"], items, 12, "a list of two to twelve strings");
         for (std::size_t i = 0; i < object["items"].size(); ++i)
             ask.items.push_back(read_text_of(object["items"][i], items.at(i)));
-        if (ask.items.size() < 2) items.refuse("must be two or more");
+        if (ask.items.size() < 2) items.refuse("must have at least two items");
         ask.expected_items = read_expected_items(object, ask.items.size(), where);
     } else if (ask.kind == AskKind::goal) {
         ask.until = expression_at(object, "until", where, true, constants);
@@ -318,7 +319,7 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
 
 void read_reveal(const Json& object, LessonStep& step, const Where& where) {
     require_keys(object, where, {"set", "over_s", "highlight", "say"});
-    // A goal is reached by the one who answers: what the reveal adds, it adds to the model.
+    // Showing the answer reaches the goal, so the reveal adds its changes to the goal's model.
     const Params before = changed(step.start.params, step.ask.model, where);
     step.reveal.settings = settings_at(object, "set", where);
     step.revealed = changed(before, step.reveal.settings, where.key("set"));
@@ -342,7 +343,7 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
     step.say = text_at(object, "say", inside, true);
     step.cover = targets_at(object, "cover", inside);
     step.highlight = targets_at(object, "highlight", inside);
-    if (!has(object, "ask")) inside.key("ask").refuse("is missing: every step asks before it shows");
+    if (!has(object, "ask")) inside.key("ask").refuse("is missing: every step must ask a question");
     if (has(object, "let")) step.ask.constants = read_constants(object["let"], inside.key("let"));
     step.ask = read_ask(object["ask"], step, inside.key("ask"));
     if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");

@@ -11,7 +11,8 @@
 namespace viewing {
 namespace {
 
-/// One kind of names and what may follow its colon; the kinds with a list of their own are added in target_names().
+/// A kind of target, and the names that may follow its colon; target_names() adds kinds whose names are listed
+/// elsewhere.
 struct Kind {
     std::string_view kind;
     std::span<const char* const> names;
@@ -31,15 +32,15 @@ constexpr const char* code_views[] = {"display",
                                       "lecture",
                                       "lecture.shadow",
                                       "lecture.mirror"};
-constexpr const char* charts[] = {"precision.near", "precision.far", "precision.quantisation", "precision.arithmetic"};
+constexpr const char* charts[] = {"precision.near", "precision.far", "precision.quantization", "precision.arithmetic"};
 constexpr const char* columns[] = {
     "fighting.pair",      "fighting.z",         "fighting.gap",     "fighting.step",         "fighting.safe_gap",
     "fighting.predicted", "fighting.trembling", "fighting.counted", "fighting.wrong_pixels", "pixel.object",
     "pixel.eye_z",        "pixel.facing",       "pixel.stored",     "pixel.compare",         "pixel.test"};
 constexpr const char* facts[] = {"det_mirror", "det_shadow", "rank_shadow", "plane_dot_light"};
 constexpr const char* followed[] = {"p", "S p", "shadow", "mirrored", "foot", "distance"};
-constexpr const char* buttons[] = {"show C", "show V",    "normalise",  "copy",
-                                   "edit",   "mend",      "raise near", "lower near",
+constexpr const char* buttons[] = {"show C", "show V",    "normalize",  "copy",
+                                   "edit",   "fix",       "raise near", "lower near",
                                    "home",   "frame all", "level",      "find a view where this key fails"};
 constexpr const char* texts[] = {"mirror_derivation",        "mirror_derivation.k",
                                  "mirror_derivation.foot",   "mirror_derivation.mirrored",
@@ -52,10 +53,17 @@ constexpr const char* bars[] = {"pixel"};
 constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
                           {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
-/// What is said anywhere: red sentences, advice on z-near, formulas of tooltips, links between entries and controls.
+/// Names without a kind, for things in many places: red sentences, advice on z-near, formulas of tooltips, links
+/// between entries and controls.
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
-/// Fields that no control of the panel or of the camera view's headline shows.
+/// Names in lessons from before the labels changed.
+constexpr std::pair<std::string_view, const char*> former_names[] = {
+    {"button:mend", "button:fix"},
+    {"button:normalise", "button:normalize"},
+    {"chart:precision.quantisation", "chart:precision.quantization"}};
+
+/// Fields that have a control neither in the panel nor in the camera view's headline.
 constexpr const char* without_control[] = {"version",
                                            "overrides",
                                            "follow",
@@ -86,7 +94,7 @@ int component_count(const Field& field) {
     return type == "vec3" ? 3 : type == "vec4" ? 4 : 0;
 }
 
-/// "[2]" at the front of `rest`, which it takes away; none where there is no index below `count`.
+/// Removes "[2]" from the front of `rest`; none if there is no index below `count`.
 std::optional<int> take_index(std::string_view& rest, int count) {
     if (rest.size() < 3 || rest[0] != '[' || rest[2] != ']' || rest[1] < '0' || rest[1] >= '0' + count)
         return std::nullopt;
@@ -95,7 +103,7 @@ std::optional<int> take_index(std::string_view& rest, int count) {
     return index;
 }
 
-/// How many indices a name may have behind it, and below what each must be.
+/// The number of indices that may follow a name, and the limit of each.
 struct Indices {
     int depth = 0, count = 0;
 };
@@ -138,6 +146,8 @@ std::vector<std::string> target_names() {
 Result<std::string> read_target(std::string_view name) {
     for (const char* shows : names_of<Shows>())
         if (name == std::string("view:camera(") + shows + ")") return std::string("view:camera");
+    for (const auto& [former, present] : former_names)
+        if (name == former) return std::string(present);
     static const std::vector<std::string> known = target_names();
     const std::string whole(name.substr(0, name.find('[')));
     if (std::find(known.begin(), known.end(), whole) == known.end()) {

@@ -1,6 +1,7 @@
-// The names by which a lesson covers and points out what the window shows: "matrix:V[2][3]", "control:camera.yaw",
-// "view:observer". A closed list, of what the window can find. A name stands for all that it contains: "matrix:V" for
-// every entry of V, "control:camera" for all of the camera's controls. widgets/targets.h covers and finds them.
+// Names of the window's parts, which lessons cover and highlight: "matrix:V[2][3]", "control:camera.yaw",
+// "view:observer". The list is closed: it has only parts that the window can find. A name includes everything inside
+// that part: "matrix:V" every entry of V, "control:camera" all of the camera's controls. widgets/targets.h covers and
+// finds them.
 #pragma once
 
 #include <string>
@@ -11,12 +12,13 @@
 
 namespace viewing {
 
-/// The name as the window knows it; for another, a sentence with the nearest known one.
+/// Returns the name in the form that the window uses; for an unknown one, fails with a sentence that suggests the
+/// nearest.
 Result<std::string> read_target(std::string_view name);
 
-/// Every name, in the order of their kinds, but for components of fields ("control:light.position[3]") and entries of
-/// matrices ("matrix:V[2][3]", and "matrix:S[3]" for a row), which are names too. Behind "view:camera" there may stand
-/// what it shows then, "view:camera(difference)": a note for whoever reads it, which the window does not need.
+/// Returns every name, in the order of their kinds, except components of fields ("control:light.position[3]") and
+/// entries of matrices ("matrix:V[2][3]", and "matrix:S[3]" for a row), which are valid too. "view:camera" may be
+/// followed by a note on the content of the view, "view:camera(difference)", which the window ignores.
 std::vector<std::string> target_names();
 
 }  // namespace viewing

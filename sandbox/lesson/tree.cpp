@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t longest_text = 4000;  // bytes
 
 std::string read_plain_text(const Json& value, const Where& where) {
-    if (!value.is_string()) refuse_value(value, where, "a text");
+    if (!value.is_string()) refuse_value(value, where, "a string");
     std::string text = value.get<std::string>();
     if (text.size() > longest_text) where.refuse("longer than " + std::to_string(longest_text) + " bytes");
     if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
-        where.refuse("has a line break or another control character");
+        where.refuse("must not contain line breaks or other control characters");
     return text;
 }
 
@@ -35,7 +35,7 @@ LessonText read_text_of(const Json& value, const Where& where) {
         text.by_language.front() = read_plain_text(value, where);
         return text;
     }
-    if (!value.is_object()) refuse_value(value, where, "a text or {\"en\": …, \"ko\": …}");
+    if (!value.is_object()) refuse_value(value, where, "a string or {\"en\": …, \"ko\": …}");
     const std::span<const char* const> languages = names_of<Language>();
     require_keys(value, where, {languages.begin(), languages.end()});
     if (!has(value, "en")) where.key("en").refuse("is missing");
@@ -47,7 +47,7 @@ LessonText read_text_of(const Json& value, const Where& where) {
 
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed) {
     if (!has(object, key)) {
-        if (is_needed) where.key(key).refuse("is missing: a text");
+        if (is_needed) where.key(key).refuse("is missing: a string");
         return {};
     }
     LessonText text = read_text_of(object[key], where.key(key));
@@ -72,7 +72,7 @@ std::vector<std::string> names_at(const Json& object, const char* key, const Whe
 std::vector<int> read_slides(const Json& object, const Where& where) {
     std::vector<int> slides;
     if (!has(object, "slides")) return slides;
-    require_array(object["slides"], where.key("slides"), 100, "a list of slides' numbers");
+    require_array(object["slides"], where.key("slides"), 100, "a list of slide numbers");
     for (std::size_t i = 0; i < object["slides"].size(); ++i)
         slides.push_back(read_whole(object["slides"][i], where.key("slides").at(i), 1, 9999));
     return slides;
@@ -81,7 +81,7 @@ std::vector<int> read_slides(const Json& object, const Where& where) {
 std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where) {
     std::vector<std::pair<std::string, LessonText>> tags;
     if (!has(object, "tags")) return tags;
-    require_object(object["tags"], where.key("tags"), "an object of names and texts");
+    require_object(object["tags"], where.key("tags"), "an object of names and strings");
     for (const auto& [tag, text] : object["tags"].items())
         tags.emplace_back(tag, read_text_of(text, where.key("tags").key(tag)));
     return tags;

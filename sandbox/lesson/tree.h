@@ -1,4 +1,4 @@
-// Internal to lesson/: the parts of lesson and exercise files that both have, from JSON trees. Everything here throws
+// Internal to lesson/: reads the common parts of lesson and exercise files from JSON trees. Everything here throws
 // Refusal with the whole message.
 #pragma once
 
@@ -15,11 +15,11 @@ bool has(const Json& object, const char* key);
 
 std::vector<std::string> keys_of(const Json& object);
 
-/// A text, or {"en": …, "ko": …}.
+/// Reads a string, or {"en": …, "ko": …}.
 LessonText read_text_of(const Json& value, const Where& where);
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed);
 
-/// What stands there by name; nothing where the key is missing.
+/// Reads a name or a list of names at a key; empty if the key is missing.
 std::string name_at(const Json& object, const char* key, const Where& where);
 std::vector<std::string> names_at(const Json& object, const char* key, const Where& where);
 

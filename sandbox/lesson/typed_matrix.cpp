@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Of a point in the middle of what is shown.
+/// Returns the w of (0, 0.5, 0), a point in the middle of the scene.
 double w_of_middle(const std::vector<double>& rows) {
     constexpr double height = 0.5;
     return rows[13] * height + rows[15];

@@ -1,4 +1,4 @@
-// What a matrix that somebody typed does to the picture, beside what the right one does.
+// The effect of an entered matrix on the picture, next to that of the right one.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace viewing {
 
-/// The beginning of a step as it is, but that a shadow which falls beside the plane can be seen.
+/// Returns the start of a step, but with a shadow that also shows beyond the edge of the plane.
 LoadedState with_right_matrix(const LessonStep& step);
 
-/// The same with 16 numbers, row by row, in place of the matrix that the step asks for (Ask::shows_as). A matrix counts
-/// up to its factor where the question says so: of its two signs it has the one that leaves what is near the origin in
-/// front of the eye, w > 0. The error: the field refuses the numbers.
+/// Returns the same start with 16 entered numbers, row by row, as the matrix that the step asks for (Ask::shows_as). If
+/// the question allows any factor, uses the sign that keeps points near the origin in front of the eye, w > 0. Fails if
+/// the field refuses the numbers.
 Result<LoadedState> with_typed_matrix(const LessonStep& step, const std::vector<double>& numbers);
 
 }  // namespace viewing

@@ -1,4 +1,5 @@
-// A variant of an exercise as a lesson's step: constants put into its state, the state's numbers into all else.
+// Turns a variant of an exercise into a lesson's step: fills its constants into the state, then the state's numbers
+// into everything else.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +13,11 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t most_computed = 4096;             // expressions and {…} of a variant
-constexpr std::size_t most_computed_bytes = 4U << 20U;  // of their values in all, as JSON
+constexpr std::size_t most_computed = 4096;             // expressions and {…} per variant
+constexpr std::size_t most_computed_bytes = 4U << 20U;  // total of their values, as JSON
 constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items"};
 
-/// Whole numbers as such: a vertex is number 3, not 3.0.
+/// Converts whole numbers to integers: vertex 3, not 3.0.
 Json with_whole_numbers(Json value) {
     if (value.is_array())
         for (Json& entry : value) entry = with_whole_numbers(std::move(entry));
@@ -27,7 +28,7 @@ Json with_whole_numbers(Json value) {
     return value;
 }
 
-/// As a sentence has it: 0.25, −3, (0, 1, 0, 0), a name as it is.
+/// Returns a value in the form for a sentence: 0.25, −3, (0, 1, 0, 0), a name unchanged.
 std::string in_words(const Json& value) {
     constexpr int digits = 6;
     if (value.is_number()) return figures(value.get<double>(), digits);
@@ -38,13 +39,13 @@ std::string in_words(const Json& value) {
     return "(" + list + ")";
 }
 
-/// A value that a sentence can name: neither nothing nor NaN.
+/// Whether a sentence can contain the value: it is neither null nor NaN.
 bool has_words(const Json& value) {
     if (value.is_array()) return std::all_of(value.begin(), value.end(), has_words);
     return !value.is_null() && !(value.is_number() && std::isnan(value.get<double>()));
 }
 
-/// Puts values in: strings that begin with "=" and places in texts and keys.
+/// Fills in values: strings that begin with "=", and placeholders in texts and keys.
 class Filling {
 public:
     explicit Filling(const Surroundings& surroundings) : surroundings_(surroundings) {}
@@ -72,14 +73,13 @@ public:
 private:
     Json computed(const std::string& expression, const Where& where) {
         if (++computed_ > most_computed)
-            where.refuse("is one more than the " + std::to_string(most_computed) +
-                         " expressions and {…} that a variant may have");
+            where.refuse("exceeds the limit of " + std::to_string(most_computed) + " expressions and {…} in a variant");
         Result<Json> value = evaluate(expression, surroundings_);
         if (!value) where.refuse(value.error());
         computed_bytes_ += value->dump().size();
         if (computed_bytes_ > most_computed_bytes)
-            where.refuse("has a value too many: those of a variant may have " +
-                         std::to_string(most_computed_bytes >> 20U) + " MiB as JSON");
+            where.refuse("exceeds the limit of " + std::to_string(most_computed_bytes >> 20U) +
+                         " MiB for the values of a variant as JSON");
         return *std::move(value);
     }
 
@@ -88,7 +88,7 @@ private:
         std::size_t at = 0;
         for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', at)) {
             const std::size_t close = text.find('}', open);
-            if (close == std::string::npos) where.refuse("has a { without its }");
+            if (close == std::string::npos) where.refuse("has a { without a }");
             result += text.substr(at, open - at);
             const Json value = computed(text.substr(open + 1, close - open - 1), where);
             if (!has_words(value)) where.refuse(excerpt(text.substr(open, close + 1 - open)) + " has no value");
@@ -102,7 +102,7 @@ private:
     std::size_t computed_ = 0, computed_bytes_ = 0;
 };
 
-/// Without those that say the same as the right one.
+/// Drops wrong answers whose "unless" is true: for these numbers, they are not wrong.
 Json wrong_answers(const Json& wrong, const Surroundings& surroundings, const Where& where) {
     Json kept = Json::array();
     for (std::size_t i = 0; i < wrong.size(); ++i) {
@@ -124,7 +124,7 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     const Where root{exercise.source + ": variant " + std::to_string(variant) + ": ", ""};
     const Json constants = Json::parse(exercise.variants[variant]);
     const auto only_constants = [](const std::string& name, std::span<const double>) -> Result<Json> {
-        return Error{name + " is not known before the state is"};
+        return Error{name + " is not known here: it depends on the state"};
     };
     Json step = Json::parse(exercise.pattern);
     PresetShelf presets;
@@ -190,7 +190,7 @@ Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& 
         if (!step) return Error{step.error()};
         add_to_sheet(lesson, exercise, variant, *step);
     }
-    if (lesson.steps.empty()) return Error{"there is no exercise to be done"};
+    if (lesson.steps.empty()) return Error{"there are no exercises to do"};
     return lesson;
 }
 

@@ -1,4 +1,4 @@
-// The camera view alone, as `snapshot --view camera` draws it.
+// Draws the camera view alone, like `snapshot --view camera`.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,7 @@
 
 namespace viewing {
 
-/// With the samples and the colours (view.shows) that the state says. `background` in the place of the theme's. The
-/// error is GL's.
+/// Draws with the state's samples and colors (view.shows). `background` replaces the theme's color. The error is GL's.
 Result<Image> camera_picture(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
                              std::optional<Color> background = std::nullopt);
 

@@ -8,12 +8,12 @@
 namespace viewing {
 namespace {
 
-/// The block's top left pixel, so that the pixel is in its middle where the picture has room for that.
+/// Returns the block's top left pixel, so that the pixel is in the middle if the picture has space for that.
 glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px) {
     return glm::clamp(pixel - cells / 2, glm::ivec2(0), glm::max(size_px - cells, glm::ivec2(0)));
 }
 
-/// The fragment that the last triangle of a limited frame sends, among all of a pixel.
+/// Returns the fragment at the pixel that the last triangle of a limited frame produces.
 std::optional<Fragment> latest_of(const std::vector<Fragment>& fragments, const DrawCall& call, int triangle) {
     const auto found = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
         return fragment.pass == call.pass && std::max(fragment.object_index, -1) == call.object &&
@@ -85,7 +85,8 @@ Result<std::optional<PixelReport>> DepthInspector::follow(Renderer& renderer, co
 }
 
 bool DepthInspector::is_told(const Scene& scene, glm::ivec2 pixel) {
-    // One at a time: while the pointer moves on, the latest place is asked for when the one before has come.
+    // Request one pixel at a time: while the pointer keeps moving, request its latest pixel when the previous one has
+    // arrived.
     if (std::optional<PixelReport> come = now_.take(scene)) told_ = std::move(come);
     is_following_ = !told_ || told_->pixel != pixel;
     if (is_following_ && !now_.is_asked()) now_.ask(pixel);

@@ -17,7 +17,7 @@ auto counting(IdImage drawn, const Params& params, const Scene& scene) {
 
 void FightingCounter::start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait) {
     asked_ = question;
-    task_.drop();  // what was counted for the question before would be taken for this one's
+    task_.drop();  // otherwise the counts for the previous question would be used for this one
     derived_ = derive(question.params, scene, renderer.viewport(question.size_px, question.params.depth.format));
     search_.emplace(renderer, question.params, derived_.facts.target_distance);
     picture_ = -1;
@@ -33,7 +33,7 @@ void FightingCounter::start(Renderer& renderer, const Scene& scene, const Questi
     }
 }
 
-/// Nothing more is counted for this question.
+/// Ends the counting for this question.
 void FightingCounter::give_up(std::string problem) {
     report_->problem = std::move(problem);
     picture_ = cure_count() + spread_cameras;

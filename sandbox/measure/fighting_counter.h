@@ -1,8 +1,7 @@
-// The numbers of the view of depth fighting, kept up with the state beside a window that must not wait: GL's pictures
-// are drawn when nothing is held, exact visibility is found in a thread, and the search for the smallest gap goes on a
-// few pictures a frame; then the same is counted with each cure and from trembling cameras, one after the other. Read
-// fighting_measure.h
-// for what is counted.
+// Keeps the numbers of the depth fighting view up to date without blocking the window. GL draws its pictures while
+// nothing is being dragged, a background thread computes exact visibility, and the search for the smallest gap draws a
+// few pictures per frame. Then everything is counted again with each cure, and from jittered cameras. Read
+// fighting_measure.h for the counts.
 #pragma once
 
 #include <memory>
@@ -15,16 +14,16 @@ namespace viewing {
 
 class FightingCounter {
 public:
-    /// What is known, marked where it belongs to an earlier state; null while there is nothing. `may_wait`: everything
-    /// is counted at once. Else work begins, and goes on, only at rest.
+    /// Returns the report so far, marked if it belongs to an earlier state; null while there is none. `may_wait`:
+    /// counts everything before it returns. Otherwise work starts, and continues, only at rest.
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
 
-    /// More frames are wanted though nothing is edited.
+    /// Whether more frames are needed without an edit.
     bool wants_frames() const { return task_.is_running() || search_.has_value() || has_more_pictures(); }
 
 private:
-    /// What the numbers depend on.
+    /// The inputs of the counts.
     struct Question {
         Params params;
         int scene_version = -1;
@@ -38,16 +37,17 @@ private:
     void count_next(Renderer& renderer, const Scene& scene);
     void give_up(std::string problem);
 
-    /// How many pictures are counted beside the state's own: with its cures, then from its trembling cameras.
+    /// Returns the number of pictures with a cure, which are counted after the state's own and before the jittered
+    /// cameras.
     int cure_count() const { return report_ ? static_cast<int>(report_->cured.size()) : 0; }
     bool has_more_pictures() const { return picture_ < cure_count() + spread_cameras; }
 
     std::optional<Question> asked_;
-    Derived derived_;  ///< of the question
+    Derived derived_;  ///< for the question
     std::shared_ptr<FightingReport> report_;
     BackgroundTask<FightingCounts> task_;
     std::optional<MinimumGapSearch> search_;
-    /// The one that task_ counts, or that was counted last: −1 is the state's own.
+    /// The index of the picture that task_ is counting or counted last; −1 is the state's own.
     int picture_ = spread_cameras;
 };
 

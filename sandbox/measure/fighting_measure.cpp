@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// What is seen, as the objects it belongs to, and the rays to ask more.
+/// The object visible at each pixel, and rays for more detailed questions.
 class ExactVisibility {
 public:
     ExactVisibility(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px,
@@ -23,7 +23,7 @@ public:
     const std::string& problem() const { return result_->problem; }
     const IdImage& objects() const { return objects_; }
 
-    /// Which of two objects that coincide is seen is no question for rays: it is the one that is meant to lie on top.
+    /// Rays cannot decide which of two coincident objects is visible, so choose the one that is meant to be on top.
     void decide_between(const FlatPair& pair) {
         const std::vector<std::uint8_t> met = where_both_are_met(pair);
         const int seen = pair.first_lies_on_top() ? pair.first : pair.second;
@@ -31,13 +31,13 @@ public:
             if (met[pixel] != 0) objects_.ids[pixel] = seen;
     }
 
-    /// 1 for the pixels whose rays meet both objects, where one of them is seen; not all of them once it is cancelled.
+    /// Returns 1 for each pixel that shows one of the two objects and whose ray hits both; incomplete if canceled.
     std::vector<std::uint8_t> where_both_are_met(const FlatPair& pair) const {
         const RayScene first(polygons_of_object(pair.first)), second(polygons_of_object(pair.second));
         const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
         RayCounters counters;
         std::vector<std::uint8_t> met(objects_.ids.size(), 0);
-        for (int y = 0; y < objects_.height && !is_cancelled(progress_); ++y) {
+        for (int y = 0; y < objects_.height && !is_canceled(progress_); ++y) {
             for (int x = 0; x < objects_.width; ++x) {
                 const int seen = objects_.id(x, y);
                 if (seen != pair.first && seen != pair.second) continue;
@@ -65,7 +65,7 @@ private:
     IdImage objects_;
 };
 
-/// Whether all pixels around this one, and itself, are marked.
+/// Whether this pixel and all pixels around it are marked.
 bool is_inside(const std::vector<std::uint8_t>& marked, const IdImage& image, int x, int y) {
     if (x < 1 || y < 1 || x + 1 >= image.width || y + 1 >= image.height) return false;
     for (int ny = y - 1; ny <= y + 1; ++ny)
@@ -117,7 +117,7 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
     std::vector<std::uint8_t> of_pairs(seen.ids.size(), 0);
     for (const FlatPair& pair : pairs) {
         const std::vector<std::uint8_t> met = exact.where_both_are_met(pair);
-        if (is_cancelled(progress)) return Error{tr("The count was cancelled.")};
+        if (is_canceled(progress)) return Error{tr("The count was canceled.")};
         CountedPair counted{.pair = pair};
         for (int y = 0; y < seen.height; ++y) {
             for (int x = 0; x < seen.width; ++x) {

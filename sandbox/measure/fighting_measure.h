@@ -1,5 +1,5 @@
-// Depth fighting counted: GL's picture by object identities, read back, against exact visibility by ray casting.
-// Read minimum_gap.h next: from which gap on a depth buffer tells two surfaces apart.
+// Counts depth fighting by comparing GL's picture of object ids, read back, with exact visibility from ray casting.
+// Read minimum_gap.h next: it finds the smallest gap at which a depth buffer resolves two surfaces.
 #pragma once
 
 #include <span>
@@ -11,34 +11,34 @@
 
 namespace viewing {
 
-/// The part of the state that the counts depend on, the rest as it is by default: nothing is drawn but the objects,
-/// wholly, by GL's depth buffer.
+/// Returns the part of the state that the counts depend on, with defaults for the rest: GL's depth buffer draws the
+/// objects and nothing else, completely.
 Params counted_params(const Params& state);
 
-/// GL's picture of the objects, by their indices.
+/// Returns GL's picture of the objects as indices.
 Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px);
 
-/// Counts these pairs, near_coplanar_pairs(scene) as a rule, in such a picture of the same state, by casting rays.
-/// Knows no GL: can run in a thread. The error says that the work was cancelled.
+/// Counts these pairs, usually near_coplanar_pairs(scene), in such a picture of the same state, by casting rays. Needs
+/// no GL, so it can run in a thread. The error says that the work was canceled.
 Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
                                    std::span<const FlatPair> pairs, WorkProgress* progress = nullptr);
 
-/// Both: draws the scene's objects, alone, with the depth buffer of the state, whatever its hidden-surface method, and
-/// counts. The error is GL's, or says that the work was cancelled.
+/// Does both: draws only the scene's objects, with the state's depth buffer whatever its hidden-surface method, and
+/// counts. The error is GL's, or says that the work was canceled.
 Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);
 
-/// The size of the pictures that a spread is counted in: that of the report's, but no wider than 480 pixels.
+/// Returns the size of the pictures for a spread: that of the report, but at most 480 pixels wide.
 glm::ivec2 spread_size(glm::ivec2 size_px);
 
-/// Adds what was counted from one of the trembling() cameras to the rows' spreads.
+/// Adds the counts for one of the trembling() cameras to the spreads of the rows.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
-/// Counts with each of the report's cures. The error is GL's, or says that the work was cancelled.
+/// Counts with each of the report's cures. The error is GL's, or says that the work was canceled.
 Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
 
-/// Counts from all of the trembling cameras. The error is GL's, or says that the work was cancelled.
+/// Counts from all jittered cameras. The error is GL's, or says that the work was canceled.
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);
 

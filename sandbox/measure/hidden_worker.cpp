@@ -5,7 +5,8 @@
 namespace viewing {
 namespace {
 
-/// The same method with the same options; only the camera, the picture's size or the step are others.
+/// Whether both questions use the same method with the same options; the camera, the picture's size and the step may
+/// differ.
 bool is_same_work(const HiddenQuestion& a, const HiddenQuestion& b) {
     VisibilityParams of_a = a.camera.visibility, of_b = b.camera.visibility;
     of_a.step = of_b.step = -1;
@@ -85,7 +86,7 @@ void HiddenWorker::drop_current() {
 void HiddenWorker::take_over() {
     if (std::optional<Result<Answer>> made = task_.take()) {
         const std::optional<HiddenQuestion> question = std::exchange(current_, std::nullopt);
-        if (!*made) solver_.reset();  // who knows how far it came
+        if (!*made) solver_.reset();  // its state is unknown
         if (!is_dropped_ && *made) {
             answer_ = **std::move(made);
             answer_version_ = current_version_;
@@ -108,7 +109,7 @@ void HiddenWorker::start(Job job) {
         if (const Status fits = check_hidden_budget(job.scene, job.question); !fits) return Error{fits.error()};
         if (kept->scene_version != job.scene_version) {
             kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene, &progress);
-            kept->scene_version = is_cancelled(&progress) ? Solver::no_scene : job.scene_version;  // not all of it
+            kept->scene_version = is_canceled(&progress) ? Solver::no_scene : job.scene_version;  // it is incomplete
         }
         return std::make_shared<const HiddenAnswer>(answer_hidden_question(*kept->solver, job.question, &progress));
     });

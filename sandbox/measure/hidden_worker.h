@@ -1,5 +1,5 @@
-// Hidden-surface methods beside the window: long ones run in the background, show how far they are and can be
-// cancelled, while the window goes on with the answer before. Knows no GL. Read studio.h next.
+// Runs hidden-surface methods in the background: long ones report their progress and can be canceled, while the window
+// keeps the previous answer. Does not use GL. Read studio.h next.
 #pragma once
 
 #include <memory>
@@ -11,34 +11,34 @@
 
 namespace viewing {
 
-/// Used from one thread. Whatever is asked of it, it first takes over what has been finished meanwhile.
+/// For use from one thread. Every call first collects work that has finished since the last call.
 class HiddenWorker {
 public:
-    /// Starts on the question, unless it is the one that is answered, worked on, was cancelled or failed. A question
-    /// that differs only in where the camera is lets the one before come to its end, so that a moving camera gets
-    /// answers.
+    /// Starts work on the question, unless it is already answered, in progress, canceled or failed. If only the camera
+    /// differs, the previous question is completed first, so that answers appear even while the camera moves.
     void ask(const HiddenQuestion& question, const Scene& scene, int scene_version);
 
-    /// Waits until nothing is worked on, at most so long; negative: as long as it takes.
+    /// Waits until no work is left, at most `seconds`; negative: without a limit.
     void wait(double seconds);
 
-    /// The newest answer for this scene; null while there is none. The same pointer until there is another.
+    /// Returns the newest answer for this scene; null while there is none. The pointer stays the same until there is
+    /// another answer.
     std::shared_ptr<const HiddenAnswer> answer(int scene_version);
 
-    /// Whether the latest work was on this question and failed: there will be no answer.
+    /// Whether the latest work was on this question and failed, so that no answer will come.
     bool has_failed(const HiddenQuestion& question, int scene_version);
 
-    /// Why the latest work failed, once.
+    /// Returns why the latest work failed, once.
     std::optional<std::string> take_failure();
 
-    /// 0 … 1 while it works.
+    /// Returns the progress from 0 to 1; nothing if no work is in progress.
     std::optional<float> fraction();
 
-    /// A person's wish: gives up what is worked on. Its unfinished answer is the answer, and the same question is not
-    /// worked on again.
+    /// Ends the current work at a person's request. Its incomplete result becomes the answer, and the same question
+    /// does not start again.
     void cancel();
 
-    /// Nobody wants an answer any more: what is worked on is given up and leaves nothing behind, nor does the last one.
+    /// Ends the current work without a result, and forgets the last answer.
     void forget();
 
 private:
@@ -47,24 +47,24 @@ private:
         Scene scene;
         int scene_version = -1;
     };
-    /// Kept from one job to the next on the same scene.
+    /// Reused by all work on the same scene.
     struct Solver;
     using Answer = std::shared_ptr<const HiddenAnswer>;
 
     void start(Job job);
-    void take_over();  ///< what is finished becomes the answer, and what waits is begun
+    void take_over();  ///< makes finished work the answer, and starts the waiting question
     void drop_current();
 
     std::optional<Job> waiting_;
-    std::optional<HiddenQuestion> current_;  ///< worked on
+    std::optional<HiddenQuestion> current_;  ///< the question in progress
     int current_version_ = -1;
-    bool is_dropped_ = false;  ///< the current one's answer is not wanted
+    bool is_dropped_ = false;  ///< the answer to the current question is not needed
     Answer answer_;
     int answer_version_ = -1;
     std::optional<HiddenQuestion> failed_;
     int failed_version_ = -1;
-    std::optional<std::string> failure_;  ///< until it is taken
-    std::shared_ptr<Solver> solver_;      ///< while something is worked on, only for that
+    std::optional<std::string> failure_;  ///< until take_failure()
+    std::shared_ptr<Solver> solver_;      ///< used only by the current work
     BackgroundTask<Answer> task_;
 };
 

@@ -11,16 +11,16 @@ namespace viewing {
 namespace {
 
 constexpr glm::ivec2 size_px(48, 48);
-constexpr double most_turned_deg = 8.0;      ///< away from the eye, as the pairs of the scene `coplanar` are
-constexpr double share_of_view = 0.6;        ///< of its half height: half the side of a quad
-constexpr double share_of_room = 0.9;        ///< of the way to the near plane: the widest gap tried
-constexpr double narrowest = 1e-12;          ///< of the distance: the smallest gap tried
-constexpr double widest_narrow_code = 1e-3;  ///< of the distance
-constexpr int places = 8;                    ///< of the pair for each gap
-constexpr int halvings = 4;                  ///< of the factor 2 between too narrow and wide enough
+constexpr double most_turned_deg = 8.0;      ///< rotation of the quads, like the pairs of the scene `coplanar`
+constexpr double share_of_view = 0.6;        ///< half the side of a quad, relative to half the view's height
+constexpr double share_of_room = 0.9;        ///< the widest gap tried, relative to the distance to the near plane
+constexpr double narrowest = 1e-12;          ///< the smallest gap tried, relative to the distance
+constexpr double widest_narrow_code = 1e-3;  ///< relative to the distance
+constexpr int places = 8;                    ///< positions of the pair for each gap
+constexpr int halvings = 4;                  ///< bisections between too narrow and wide enough, initially a factor of 2
 
-/// The state with a camera at the origin, looking along −z, and nothing that moves depth or keeps it from being
-/// cleared.
+/// Returns the state with a camera at the origin that looks along −z, without settings that offset depth or keep it
+/// from being cleared.
 Params plain(const Params& state) {
     Params params;
     params.projection = state.projection;
@@ -31,18 +31,20 @@ Params plain(const Params& state) {
     return params;
 }
 
-/// The far end of a code, next to the distance. Of a float format every distance is as good.
+/// Returns the far end of a depth code near the distance. For a float format, returns the distance itself: every
+/// distance is as good.
 double far_end_of_a_code(const DepthCoding& coding, double distance) {
     if (coding.precision.is_float) return distance;
     const double levels = coding.precision.greatest_code();
     const double code = window_depth(coding.lens, coding.mapping, distance) * levels;
-    // Depth is rounded to the nearest code, so a code ends halfway to the next one; a hundredth before that is sure.
+    // Depth is rounded to the nearest code, so a code ends halfway to the next one. Stay a hundredth of a code before
+    // that end.
     const double end = std::min(std::floor(code), levels - 1.0) + 0.5;
     const double inside = coding.mapping == DepthMapping::reversed ? 0.01 : -0.01;
     return distance_of_window_depth(coding.lens, coding.mapping, (end + inside) / levels);
 }
 
-/// Of a quad at a distance: the same part of the view.
+/// Returns half the side of a quad that covers the same part of the view at any distance.
 double half_side(const Lens& lens, double distance) {
     const double half_height =
         lens.orthographic ? lens.height / 2.0 : distance * std::tan(glm::radians(std::abs(lens.fovy_deg)) / 2.0);
@@ -51,7 +53,7 @@ double half_side(const Lens& lens, double distance) {
 
 }  // namespace
 
-/// Doubles the gap until it is wide enough, halves it until it is too narrow, and then halves what lies between.
+/// Doubles the gap until it is wide enough, halves it until it is too narrow, and then bisects.
 struct MinimumGapSearch::Implementation {
     enum class Phase { widening, narrowing, between, done };
 
@@ -68,9 +70,10 @@ struct MinimumGapSearch::Implementation {
         sine = std::min(std::sin(glm::radians(most_turned_deg)), 0.2 * room / half_side(lens, found.distance));
         found.predicted = fighting_onset(coding, found.distance, 2.0 * half_side(lens, found.distance) * sine);
         gap = std::min(found.predicted.gap(), room);
-        // Rounding differs from place to place: each is many units in the last place from the next and, where codes are
-        // as narrow as float32's numbers, elsewhere within its code. Wide codes are left where they are.
-        const double code = found.predicted.quantisation;  // 0 where a float's numbers are finer than a double's
+        // Rounding varies with the position. The positions are many units in the last place apart and, if codes are as
+        // narrow as float32's steps, at different points within a code. Wide codes keep the pair's position within its
+        // code.
+        const double code = found.predicted.quantisation;  // 0 where a float's steps are finer than a double's
         const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
         const bool is_narrow = is_fine && code > 0.0 && code < widest_narrow_code * found.distance;
         for (int place = 0; place < places; ++place) {
@@ -84,7 +87,7 @@ struct MinimumGapSearch::Implementation {
         phase = Phase::done;
     }
 
-    /// Goes on to another gap when it is known of this one.
+    /// Chooses the next gap after the result for this one.
     void decide(bool is_wide_enough) {
         next_picture = 0;
         switch (phase) {
@@ -94,7 +97,7 @@ struct MinimumGapSearch::Implementation {
                     wide = gap;
                     gap /= 2.0;
                 } else if (gap >= room) {
-                    end(tr("Not even a surface next to the near plane is told apart everywhere."));
+                    end(tr("Even a surface right at the near plane cannot be distinguished everywhere."));
                 } else {
                     gap = std::min(2.0 * gap, room);
                 }
@@ -105,7 +108,7 @@ struct MinimumGapSearch::Implementation {
                     narrow = gap;
                     gap = std::sqrt(narrow * wide);
                 } else if (gap < found.distance * narrowest) {
-                    end(tr("However narrow the gap, no pixel was wrong."));
+                    end(tr("No pixel was wrong, however narrow the gap."));
                 } else {
                     wide = gap;
                     gap /= 2.0;
@@ -123,7 +126,7 @@ struct MinimumGapSearch::Implementation {
         }
     }
 
-    /// A quad around the line of sight.
+    /// Returns a quad centered on the view axis.
     SceneObject quad(double distance) const {
         const double turned_deg = glm::degrees(std::asin(sine));
         SceneObject made;
@@ -133,7 +136,7 @@ struct MinimumGapSearch::Implementation {
         return made;
     }
 
-    /// In the next picture.
+    /// Draws the next picture. Returns whether no pixel is wrong.
     Result<bool> is_told_apart(Renderer& renderer, WorkProgress* progress) {
         const double distance = found.distance - shifts[next_picture / 2];
         Scene scene;
@@ -152,11 +155,11 @@ struct MinimumGapSearch::Implementation {
     Params params;
     Lens lens;
     double room = 0.0;           ///< the widest gap
-    double sine = 0.0;           ///< of the angle by which quads are turned twice: so little that they keep off near
-    std::vector<double> shifts;  ///< of the pair towards the eye
+    double sine = 0.0;           ///< of both rotation angles of a quad, which must not reach the near plane
+    std::vector<double> shifts;  ///< shifts of the pair toward the eye
     Phase phase = Phase::widening;
-    double gap = 0.0;                 ///< tried now
-    std::size_t next_picture = 0;     ///< of this gap: each shift twice, the second time with the nearer quad first
+    double gap = 0.0;                 ///< the gap being tried
+    std::size_t next_picture = 0;     ///< for this gap: each shift twice, the second time with the nearer quad first
     double narrow = 0.0, wide = 0.0;  ///< too narrow, wide enough
     int halved = 0;
     MinimumGap found;

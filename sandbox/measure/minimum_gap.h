@@ -1,6 +1,5 @@
-// The smallest gap that a depth buffer tells apart, found by drawing: a pair of parallel quads is pushed together until
-// a pixel shows the wrong one. Read frame/depth/fighting.h for what the formulas say, fighting_measure.h for the
-// counting.
+// Finds the smallest gap that a depth buffer resolves, by drawing: two parallel quads move closer together until a
+// pixel shows the wrong one. Read frame/depth/fighting.h for the formulas, and fighting_measure.h for the counting.
 #pragma once
 
 #include <memory>
@@ -11,10 +10,10 @@
 
 namespace viewing {
 
-/// Searches with GL at the state's lens, depth format, mapping, test, function and mask; its offset and scene, and
-/// whether it clears rightly, play no part. The pair stands where depth tells the least apart: at the far end of a
-/// code, the one nearest to `distance`. A gap is wide enough when no pixel is wrong whichever quad is drawn first. Goes
-/// on picture by picture, so that a window can do something else in between.
+/// Searches with GL, using the state's lens, depth format, mapping, test, function and mask; ignores its offset, its
+/// scene, and whether it clears correctly. The pair is at the distance where depth resolves least: at the far end of
+/// the code nearest to `distance`. A gap is wide enough if no pixel is wrong, whichever quad is drawn first. Draws one
+/// picture per step, so that a window can do other work in between.
 class MinimumGapSearch {
 public:
     MinimumGapSearch(const Renderer& renderer, const Params& state, double distance);
@@ -23,16 +22,16 @@ public:
     ~MinimumGapSearch();
 
     bool is_done() const;
-    /// One small picture further. The error is GL's, or says that the work was cancelled; the search is over then.
+    /// Draws one more small picture. The error is GL's, or says that the work was canceled; an error ends the search.
     Status step(Renderer& renderer, WorkProgress* progress = nullptr);
-    const MinimumGap& found() const;  ///< once it is done
+    const MinimumGap& found() const;  ///< valid once the search is done
 
 private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// The whole search at once.
+/// Runs the whole search.
 Result<MinimumGap> find_minimum_gap(Renderer& renderer, const Params& params, double distance,
                                     WorkProgress* progress = nullptr);
 

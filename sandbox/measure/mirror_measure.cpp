@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// What GL's depth buffer makes of it in colour, whatever the state's own view shows.
+/// Returns the plan for one way with GL's depth buffer, in color, whatever the state's own view shows.
 FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const Viewport& viewport) {
     Params params = mirrored_in(state, way);
     params.visibility = {};
@@ -18,7 +18,8 @@ FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const 
     return plan(params, derive(params, scene, viewport));
 }
 
-/// The frame until the first image is there and its mirror not yet; without a mirror it has no passes.
+/// Returns the frame up to and including the first mirror image, without the mirror itself; without a mirror it has no
+/// passes.
 FramePlan until_image(FramePlan frame) {
     const auto first =
         std::find_if(frame.passes.begin(), frame.passes.end(), [](const Pass& pass) { return pass.is_mirror_image; });
@@ -26,13 +27,13 @@ FramePlan until_image(FramePlan frame) {
     frame.passes.erase(after, frame.passes.end());
     if (frame.passes.empty() || !frame.passes.back().is_mirror_image) {
         frame.passes.clear();
-    } else if (!frame.passes.back().stencil.test) {  // nothing tells its pixels from those of other passes
+    } else if (!frame.passes.back().stencil.test) {  // no stencil bit separates its pixels from those of other passes
         std::erase_if(frame.passes, [](const Pass& pass) { return !pass.is_mirror_image; });
     }
     return frame;
 }
 
-/// The depths that the image leaves inside its mask.
+/// Reads the depths that the image writes inside its mask.
 Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& whole, const Scene& scene,
                    glm::ivec2 size_px, MirrorWayReport& report) {
     const FramePlan frame = until_image(whole);
@@ -53,7 +54,7 @@ Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& wh
     return std::monostate{};
 }
 
-/// What differs from the first way's picture; edges that moved by a pixel are no difference.
+/// Marks the pixels that differ from the first way's picture; an edge that moved by a pixel does not count.
 std::vector<std::uint8_t> differing(const Image& reference, const Image& picture, MirrorWayReport& report) {
     constexpr CompareOptions alike{.worst = 2, .share = 0.0, .reach_px = 1};
     std::vector<std::uint8_t> pixels = pixel_differences(reference, picture, alike);
@@ -69,10 +70,11 @@ std::vector<std::uint8_t> differing(const Image& reference, const Image& picture
     return pixels;
 }
 
-/// Lays what differs over the picture.
+/// Draws the differences over the picture.
 void show_difference(FramePlan& frame, std::span<const std::uint8_t> differs, glm::ivec2 size_px) {
     frame.hidden.difference = std::make_shared<const DifferenceDrawing>(difference_drawing(differs, size_px));
-    frame.passes.push_back(difference_pass(tr("red where the picture differs from the first way's, a veil elsewhere")));
+    frame.passes.push_back(
+        difference_pass(tr("red where the picture differs from the first method's, dimmed elsewhere")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The mirror image in four ways, drawn by GL and compared: read frame/planes/mirror_ways.h for what is counted.
+// Draws the mirror image with GL in four ways and compares them. Read frame/planes/mirror_ways.h for the counts.
 #pragma once
 
 #include "frame/planes/mirror_ways.h"
@@ -6,9 +6,9 @@
 
 namespace viewing {
 
-/// Draws all ways of the state with GL's depth buffer, whole, in colour and without samples, and compares them with the
-/// first one. With `pictures` each becomes what shows its differences. Depths are those of the frame's first image; 0
-/// where there is none. The error is GL's.
+/// Draws the state in all ways with GL's depth buffer, completely, in color and without multisampling, and compares
+/// them with the first one. `pictures` receives the differences, one for each way. Depths are those of the frame's
+/// first mirror image; 0 if there is none. The error is GL's.
 Result<MirrorWays> compare_mirror_ways(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px,
                                        std::array<View, mirror_way_count>* pictures = nullptr);
 

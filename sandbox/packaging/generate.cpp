@@ -1,5 +1,5 @@
-// Writes what a package has beside the program and its assets: the man page, completions for bash and zsh. Runs when
-// the program is built; everything comes from the table that --help comes from. Usage: generate FOLDER.
+// Writes the man page and the completions for bash and zsh, which a package contains besides the program and its
+// assets. Runs during the build and uses the same table as --help. Usage: generate FOLDER.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

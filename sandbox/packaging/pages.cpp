@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "text/manual.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
 
-/// Every place of a text that has one of these signs gets a backslash in front.
+/// Inserts a backslash before each of these characters.
 std::string escaped(std::string_view text, std::string_view signs) {
     std::string result;
     for (const char sign : text) {
@@ -19,7 +21,7 @@ std::string escaped(std::string_view text, std::string_view signs) {
     return result;
 }
 
-/// A line of a man page: no sign is taken for a command of troff, and "-" is the one that a shell takes.
+/// Returns a line of a man page: escapes troff commands, and keeps "-" as the character that a shell expects.
 std::string troff(std::string_view text) {
     std::string line;
     for (const char sign : text) line += sign == '\\' ? "\\e" : sign == '-' ? "\\-" : std::string(1, sign);
@@ -52,7 +54,33 @@ void describe_command(std::string& page, const Command& command) {
     page += ".fi\n";
 }
 
-/// What a shell offers behind an option or for a positional.
+/// Adds a topic of the manual; its title becomes the title of the section.
+void describe_topic(std::string& page, const char* topic) {
+    bool is_title = true;
+    for (const ManualBlock& block : manual_topic(topic)) {
+        const std::string& text = block.cells.front();
+        switch (block.part) {
+            case ManualPart::heading:
+                page += (is_title ? ".SS " : ".PP\n.B ") + troff(text);
+                break;
+            case ManualPart::paragraph:
+                page += ".PP\n" + troff(text);
+                break;
+            case ManualPart::item:
+                page += ".IP\n" + troff(text);
+                break;
+            case ManualPart::code:
+                page += ".nf\n" + troff("    " + text) + ".fi\n";
+                break;
+            case ManualPart::row:
+                page += ".TP\n" + troff(text) + troff(joined(std::span<const std::string>(block.cells).subspan(1)));
+                break;
+        }
+        is_title = false;
+    }
+}
+
+/// The completions that a shell offers for an option's value or a positional.
 enum class Offer { nothing, files, folders, presets, words };
 
 Offer offer_of(const OptionDescription& option) {
@@ -60,7 +88,7 @@ Offer offer_of(const OptionDescription& option) {
     if (value == "STATE") return Offer::presets;
     if (value == "DIR") return Offer::folders;
     if (value.find("FILE") != std::string::npos || value.find(".png") != std::string::npos) return Offer::files;
-    // "json|text", "0|4": the words themselves
+    // "json|text", "0|4": offer these words
     if (value.find('|') != std::string::npos && value.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos)
         return Offer::words;
     return Offer::nothing;
@@ -78,7 +106,7 @@ std::string joined_names(const std::vector<std::string>& names, std::string_view
     return all;
 }
 
-/// "'" within a text that stands between such signs.
+/// Quotes a text for a shell, including any "'" in it.
 std::string in_quotes(std::string_view text) {
     std::string result = "'";
     for (const char sign : text) result += sign == '\'' ? "'\\''" : std::string(1, sign);
@@ -89,7 +117,7 @@ std::string first_sentence(const std::string& help) {
     return help.substr(0, help.find_first_of(";:"));
 }
 
-/// The line of bash that offers what an option or a positional takes.
+/// Returns the line of bash that completes the value of an option or a positional.
 std::string bash_offer(const OptionDescription& option) {
     switch (offer_of(option)) {
         case Offer::files:
@@ -129,23 +157,25 @@ constexpr std::string_view presets_in_shell = "viewing-sandbox presets 2>/dev/nu
 std::string man_page() {
     std::string page =
         ".TH VIEWING\\-SANDBOX 1 \"\" \"viewing\\-sandbox " VIEWING_SANDBOX_VERSION "\" \"User Commands\"\n";
-    page += ".SH NAME\nviewing\\-sandbox \\- camera, hidden surfaces, planar shadow and reflection to try out\n";
+    page +=
+        ".SH NAME\nviewing\\-sandbox \\- experiment with cameras, hidden surfaces, planar shadows and reflections\n";
     page += ".SH SYNOPSIS\n";
     for (const Command* command : commands())
         page += ".B viewing\\-sandbox " + std::string(command->name) + "\n" + troff(command->synopsis) + ".br\n";
-    page += ".SH DESCRIPTION\n" +
-            troff(
-                "A teaching sandbox for one lecture of computer graphics, Viewing. Without a command it opens the "
-                "window; the other commands need no display. STATE is a state file, the name of a preset, a "
-                "Wavefront file, or - for standard input.");
+    page += ".SH DESCRIPTION\n" + troff(
+                                      "A teaching sandbox for the computer graphics lecture Viewing. Without a command "
+                                      "it opens the window; the other commands need no display. STATE is a state file, "
+                                      "the name of a preset, a Wavefront file, or - for standard input.");
     page += ".SH COMMANDS\n";
     for (const Command* command : commands()) describe_command(page, *command);
+    page += ".SH TOPICS\n";
+    for (const char* topic : manual_topics()) describe_topic(page, topic);
     page += ".SH EXIT STATUS\n";
     for (int status = 0; status <= static_cast<int>(ExitStatus::internal_error); ++status)
         page += ".TP\n\\fB" + std::to_string(status) + "\\fR\n" + troff(meaning(static_cast<ExitStatus>(status)));
     page += ".SH ENVIRONMENT\n.TP\n\\fBVIEWING_SANDBOX_ASSETS\\fR\n" +
             troff(
-                "The folder with presets, scenes, lessons and exercises, in place of assets beside the program and "
+                "The folder with presets, scenes, lessons and exercises, instead of assets beside the program or "
                 "../share/viewing-sandbox.");
     return page;
 }
@@ -153,7 +183,7 @@ std::string man_page() {
 std::string bash_completion() {
     std::string names;
     for (const Command* command : commands()) names += std::string(names.empty() ? "" : " ") + command->name;
-    std::string text = "# bash completion for viewing-sandbox, made from its table of options\n\n";
+    std::string text = "# bash completion for viewing-sandbox, generated from its table of options\n\n";
     text += "_viewing_sandbox_presets() { " + std::string(presets_in_shell) + "; }\n\n";
     text += "_viewing_sandbox() {\n    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
     text += "    local command=${COMP_WORDS[1]} options=\n";
@@ -182,7 +212,7 @@ std::string bash_completion() {
 }
 
 std::string zsh_completion() {
-    std::string text = "#compdef viewing-sandbox\n# made from the program's table of options\n\n";
+    std::string text = "#compdef viewing-sandbox\n# generated from the program's table of options\n\n";
     text += "_viewing_sandbox_states() {\n    local -a presets\n    presets=(${(f)\"$(" +
             std::string(presets_in_shell) +
             ")\"})\n    _alternative 'presets:preset:compadd -a presets' 'files:state file:_files'\n}\n\n";
@@ -199,7 +229,7 @@ std::string zsh_completion() {
         for (const OptionDescription& option : options_of(*command)) {
             const std::string help = escaped(first_sentence(option.help), "[]:\\");
             if (option.is_positional) {
-                if (has_positional) continue;  // the first one stands for all
+                if (has_positional) continue;  // the first one covers all of them
                 has_positional = true;
                 text += "                " +
                         in_quotes("*:" + escaped(option.names.front(), ":") + ":" + zsh_action(option)) + " \\\n";
@@ -211,7 +241,7 @@ std::string zsh_completion() {
                 text += "                " + in_quotes("*" + name + "[" + help + "]" + value) + " \\\n";
             }
         }
-        text += "                " + in_quotes("(- *)--help[all about this command]") + "\n            ;;\n";
+        text += "                " + in_quotes("(- *)--help[help for this command]") + "\n            ;;\n";
     }
     return text + "    esac\n}\n\n_viewing_sandbox \"$@\"\n";
 }

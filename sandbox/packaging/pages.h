@@ -1,4 +1,4 @@
-// The pages that are made from the table of commands and options. Read cli/options.h for the table.
+// The man page and completions, generated from the table of commands and options in cli/options.h.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace viewing {
 
 std::string man_page();         ///< troff, for section 1
-std::string bash_completion();  ///< commands, options, files, and names of presets asked from the program itself
-std::string zsh_completion();   ///< the same with what each option does
+std::string bash_completion();  ///< commands, options, files, and names of presets that the program itself lists
+std::string zsh_completion();   ///< the same, with a description of each option
 
 }  // namespace viewing

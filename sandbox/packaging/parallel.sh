@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# A suite in shards by GNU parallel (Debian: parallel), on this machine or several that share its folder:
+# Runs a suite in shards with GNU parallel (Debian: parallel), on this machine or on several that share its folder:
 #     sandbox/packaging/parallel.sh SUITE [SHARDS [LOGINS]]
-# SHARDS: default one for each core. LOGINS: as parallel's --sshlogin takes them, "8/render1,8/render2"; the program is
-# then found on each machine's PATH. VIEWING_SANDBOX is the program here. Ends as the merged run ends.
+# SHARDS: default one per core. LOGINS: for parallel's --sshlogin, "8/render1,8/render2"; the program must then be on
+# each machine's PATH. VIEWING_SANDBOX is the program here. Exits with the status of the merged run.
 set -euo pipefail
 suite=${1:?which suite? parallel.sh SUITE [SHARDS [LOGINS]]}
 shards=${2:-$(nproc)}
@@ -13,7 +13,7 @@ earlier=()
 
 hosts=()
 [[ -n ${3:-} ]] && hosts=(--sshlogin "$3" --workdir "$PWD")
-# A shard in which something differs ends with 1: no reason to stop, the merged report tells it.
+# A shard in which something differs ends with 1. Go on: the merged report shows it.
 parallel --will-cite --jobs "$shards" "${hosts[@]}" --tag \
     "$program" suite run "$suite" --shard "{}/$shards" "${earlier[@]}" '|| test $? = 1' ::: $(seq "$shards")
 reports=()

@@ -11,11 +11,11 @@ Error failure_of_work() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return Error{tr("the memory does not suffice for this work: it is given up")};
+        return Error{tr("the computation stopped: not enough memory")};
     } catch (const std::exception& thrown) {
-        return Error{say("this work is given up: {reason}", "reason"_a = thrown.what())};
+        return Error{say("the computation stopped: {reason}", "reason"_a = thrown.what())};
     } catch (...) {
-        return Error{tr("this work is given up, nobody knows why")};
+        return Error{tr("the computation stopped for an unknown reason")};
     }
 }
 

@@ -1,6 +1,6 @@
-// Work beside the window: started, watched, cancelled; its result is taken when it is there, or one sentence about why
-// there is none. The one place that makes threads: where there are none (a browser), another file stands in the place
-// of desktop/background.cpp.
+// Background work that can be started, watched and canceled; it ends with a result, or with one sentence that says why
+// there is none. The only code that makes threads: browsers, which have none, use another file instead of
+// desktop/background.cpp.
 #pragma once
 
 #include <functional>
@@ -16,24 +16,24 @@
 
 namespace viewing {
 
-/// From now on `wake` is called whenever work has ended, in its thread: for a window that sleeps until something
-/// happens. Null: nobody is waked.
+/// Sets a function to call whenever work ends, in the thread of the work, to wake a window that sleeps until something
+/// happens. Null: no function.
 void wake_when_work_ends(void (*wake)());
 
-/// What a person is told instead of a result, where `std::current_exception` is what ended the work.
+/// Returns the sentence that replaces the result if `std::current_exception` ended the work.
 Error failure_of_work();
 
-/// One call of a function beside the caller's. BackgroundTask is what others use.
+/// Runs a function in the background. Outside this file, use BackgroundTask instead.
 class BackgroundCall {
 public:
-    /// `work` throws nothing.
+    /// `work` must not throw.
     explicit BackgroundCall(std::function<void()> work);
-    ~BackgroundCall();  ///< waits for its end
+    ~BackgroundCall();  ///< waits until the work ends
     BackgroundCall(const BackgroundCall&) = delete;
     BackgroundCall& operator=(const BackgroundCall&) = delete;
 
     bool is_done() const;
-    /// Waits for its end, at most so long; negative: as long as it takes.
+    /// Waits until the work ends, at most `seconds`; negative: without a limit.
     void wait(double seconds) const;
 
 private:
@@ -41,14 +41,14 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// A computation of a T. All of it is used from one thread; only `Work` runs in another. Its end waits for all work
-/// that was begun, nothing else does unless it is told to.
+/// Computes a T. Use it from one thread; only `Work` runs in another. The destructor waits for all work that was
+/// started; before that, only wait() does.
 template <typename T>
 class BackgroundTask {
 public:
     using Work = std::function<Result<T>(WorkProgress&)>;
 
-    /// What was running is dropped.
+    /// Starts work, and drops the work in progress.
     void start(Work work) {
         drop();
         job_ = std::make_unique<Job>();
@@ -60,31 +60,32 @@ public:
                     job->result.emplace(failure_of_work());
                 }
             });
-        } catch (...) {  // no thread for it
+        } catch (...) {  // no thread available
             job_->result.emplace(failure_of_work());
         }
     }
 
-    /// Cancels what is running and forgets its result. It ends by itself, be that soon or late.
+    /// Cancels the work in progress and forgets its result. The work ends by itself, sooner or later.
     void drop() {
         std::erase_if(dropped_, [](const auto& job) { return is_over(*job); });
         if (!job_) return;
-        job_->progress.cancelled = true;
+        job_->progress.canceled = true;
         dropped_.push_back(std::move(job_));
     }
 
-    bool is_running() const { return job_ != nullptr; }  ///< until its result is taken
+    bool is_running() const { return job_ != nullptr; }  ///< until take() returns the result
     bool is_done() const { return job_ && is_over(*job_); }
     float fraction() const { return job_ ? job_->progress.fraction.load() : 0.0F; }
     void cancel() {
-        if (job_) job_->progress.cancelled = true;
+        if (job_) job_->progress.canceled = true;
     }
-    /// At most so long; negative: as long as it takes.
+    /// Waits, at most `seconds`; negative: without a limit.
     void wait(double seconds) const {
         if (job_ && job_->call) job_->call->wait(seconds);
     }
 
-    /// The result, once, when there is one; a cancelled task gives what it had. What the work threw is an error.
+    /// Returns the result once, as soon as there is one; a canceled task returns its incomplete result. An exception in
+    /// the work becomes an error.
     std::optional<Result<T>> take() {
         if (!is_done()) return std::nullopt;
         const std::unique_ptr<Job> job = std::move(job_);
@@ -93,18 +94,19 @@ public:
 
 private:
     struct Job {
-        ~Job() { progress.cancelled = true; }
+        ~Job() { progress.canceled = true; }
         WorkProgress progress;
         std::optional<Result<T>> result;
-        std::unique_ptr<BackgroundCall> call;  ///< last: its end is waited for before the others go; null: no thread
+        std::unique_ptr<BackgroundCall> call;  ///< declared last: waits for its end before the others go; null: no
+                                               ///< thread
     };
     static bool is_over(const Job& job) { return !job.call || job.call->is_done(); }
 
     std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> dropped_;  ///< not ended yet, when last looked at
+    std::vector<std::unique_ptr<Job>> dropped_;  ///< still running at the last check
 };
 
-/// What a task tells before its end, in order; filled and read from any thread.
+/// Entries that a task reports before it ends, in order. Any thread may write and read them.
 template <typename Entry>
 class BackgroundLog {
 public:

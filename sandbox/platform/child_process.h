@@ -1,5 +1,5 @@
-// A program beside this one, spoken to in lines: what it says on standard output comes back line by line, what it
-// complains of on standard error as a text. For work that may crash without taking this process along.
+// Runs another program that communicates in lines: its standard output is returned line by line, its standard error as
+// one text. For work that may crash without taking this process down with it.
 #pragma once
 
 #include <memory>
@@ -14,36 +14,36 @@ namespace viewing {
 
 class ChildProcess {
 public:
-    /// `arguments`: the program's path, then what it is given. The error is the system's reason.
+    /// Starts the program. `arguments`: its path, then its arguments. The error is the system's reason.
     static Result<ChildProcess> start(const std::vector<std::string>& arguments);
     ChildProcess(ChildProcess&&) noexcept;
     ChildProcess& operator=(ChildProcess&&) noexcept;
-    /// One that still runs is ended (end()).
+    /// Ends a child that is still running (end()).
     ~ChildProcess();
 
-    /// Into its standard input, with an end of line or as it is. False: it does not listen any more.
+    /// Write a text to its standard input, with a line end or unchanged. Return false if the program no longer reads.
     bool tell(const std::string& line) { return give(line + "\n"); }
     bool give(std::string_view bytes);
-    /// It is told nothing any more, and ends by itself.
+    /// Closes its standard input, so that the program ends by itself.
     void finish_telling();
 
-    /// The lines that have come since the last call, without their ends; what is not ended yet waits.
+    /// Returns the lines written since the last call, without line ends; an incomplete line is kept until it ends.
     std::vector<std::string> take_lines();
-    /// What it complained of since the last call; the last 64 KiB of it.
+    /// Returns its standard error output since the last call; at most the last 64 KiB.
     std::string take_complaints();
 
-    /// Whether it may still say something; reads what is there.
+    /// Whether it may still write something. Reads available output.
     bool is_running() const;
-    /// SIGTERM, so that it can remove what it has not finished; SIGKILL where it has not ended two seconds later. Then
-    /// wait().
+    /// Sends SIGTERM, so that it can remove unfinished files, and SIGKILL if it is still running two seconds later.
+    /// Then calls wait().
     std::string end();
-    /// Waits for its end. How it ended, in words: "exit status 9", "signal 11 (Segmentation fault)".
+    /// Waits until it ends. Returns how it ended, in words: "exit status 9", "signal 11 (Segmentation fault)".
     std::string wait();
-    /// Of one that was waited for: its exit status, −1 where a signal ended it.
+    /// Returns the exit status after wait(); −1 if a signal ended it.
     int exit_status() const;
 
-    /// Sleeps until one of them has said something or has ended, or the file can be read, at most so long. Reads what
-    /// was said.
+    /// Sleeps until one of the children writes output or ends, or `wake_file` becomes readable, for at most `seconds`.
+    /// Reads the available output.
     static void listen(std::span<ChildProcess* const> children, double seconds, int wake_file = -1);
 
 private:
@@ -53,11 +53,11 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The file of the program that runs.
+/// Returns the path of the running program.
 std::string own_program();
 
-/// For a child: from now on it ends with the thread that started it, however that ended, as by SIGTERM. Ctrl+C and the
-/// end of the terminal are the parent's to answer.
+/// Call in a child process: makes it end when the thread that started it ends, for whatever reason, as if by SIGTERM.
+/// Leaves Ctrl+C and a closed terminal to the parent.
 void end_with_parent();
 
 }  // namespace viewing

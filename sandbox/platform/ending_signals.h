@@ -1,15 +1,15 @@
-// The signals that ask a process to end: Ctrl+C, kill, a terminal that is closed, a pipe without a reader, and the
-// clock of --timeout. For faults read cli/signals.h.
+// Handles the signals that ask a process to end: Ctrl+C, kill, a closed terminal, a pipe without a reader, and the
+// timer of --timeout. cli/signals.h handles faults.
 #pragma once
 
 namespace viewing {
 
-/// For the whole process, once, at its beginning: SIGINT, SIGTERM, SIGHUP and SIGPIPE end it as they would have, but
-/// what waits for its name is removed first (remove_unfinished_files). One that is ignored stays so (nohup).
+/// Call once, at the start of the process: SIGINT, SIGTERM, SIGHUP and SIGPIPE still end it, but unfinished files are
+/// removed first (remove_unfinished_files). A signal that is already ignored stays ignored (nohup).
 void clean_up_at_ending_signals();
 
-/// As long as one lives, the first SIGINT, SIGTERM, SIGHUP or SIGALRM is only noted, for work that leaves a report of
-/// how far it came. A second one ends the process at once. One at a time.
+/// While an object of this class exists, the first SIGINT, SIGTERM, SIGHUP or SIGALRM is only noted, so that work can
+/// stop and report its results so far. A second one ends the process immediately. Only one object may exist at a time.
 class EndingNote {
 public:
     EndingNote();
@@ -17,22 +17,23 @@ public:
     EndingNote(const EndingNote&) = delete;
     EndingNote& operator=(const EndingNote&) = delete;
 
-    /// The signal that was noted; 0: none.
+    /// Returns the noted signal; 0: no signal.
     static int signal();
-    /// A file that can be read from then on, for who sleeps in poll().
+    /// Returns a file descriptor that becomes readable when a signal is noted, for use in poll().
     static int file();
 };
 
-/// "SIGTERM (kill)"; of SIGALRM "--timeout".
+/// Returns a name such as "SIGTERM (kill)"; "--timeout" for SIGALRM.
 const char* name_of_ending_signal(int signal);
 
-/// Whether it is the clock's of --timeout.
+/// Whether the signal is that of --timeout.
 bool is_timeout(int signal);
 
-/// Ends the process as this signal does.
+/// Ends the process as if by this signal.
 [[noreturn]] void end_by_signal(int signal);
 
-/// For a child of a program that answers to Ctrl+C for both: SIGINT and SIGHUP are left to the parent.
+/// Call in a child process whose parent handles Ctrl+C for both: ignores SIGINT and SIGHUP, and leaves them to the
+/// parent.
 void leave_terminal_to_parent();
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Write beside, then rename: see file.h.
+// Writes to a new file next to the target, then renames it: see file.h.
 #include "platform/file.h"
 
 #include <fcntl.h>
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 constexpr const char *unfinished_begin = ".viewing-sandbox-", *unfinished_end = ".partial";
 
-/// Writes all bytes and closes the file; 0 or the errno of what failed. `keeps`: until they are on the disk.
+/// Writes all bytes and closes the file. Returns 0 or the errno of the failure. `keeps`: also flushes them to the disk.
 int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     int failure = 0;
     while (!bytes.empty() && failure == 0) {
@@ -50,7 +50,7 @@ int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     return failure;
 }
 
-/// A new file beside the target; −1 with errno.
+/// Opens a new file next to the target; returns −1 with errno on failure.
 int open_new(const fs::path& target, fs::path& made) {
     constexpr int tries = 100;
     int file = -1;
@@ -62,17 +62,18 @@ int open_new(const fs::path& target, fs::path& made) {
     return file;
 }
 
-/// What waits for its name, for who ends the process from within a signal: no locks and no memory there.
+/// Unfinished files and folders, in a form for a signal handler that ends the process and can neither lock nor
+/// allocate.
 std::array<std::atomic<const char*>, 64> unfinished{};
 
-/// A file, or a folder with all that is in it. Only what a signal's handler may do.
+/// Removes a file, or a folder with its contents. Calls only functions that a signal handler may call.
 void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as deep as the folder
     if (::unlinkat(parent, name, 0) == 0) return;
 #ifdef SYS_getdents64
     const int folder = ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (folder < 0) return;
-    // struct linux_dirent64: at 16 the record's length, at 19 the name. Where names were removed while they are listed,
-    // some file systems pass over others.
+    // Offsets in struct linux_dirent64: the record's length is at 16, the name at 19. List the folder again after
+    // removing names, because some file systems then skip others.
     alignas(8) std::array<char, 2048> entries{};
     for (int pass = 0; pass < 8 && ::unlinkat(parent, name, AT_REMOVEDIR) != 0; ++pass) {
         ::lseek(folder, 0, SEEK_SET);
@@ -92,10 +93,10 @@ void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as
 #endif
 }
 
-/// A file that is complete beside its target and waits for its name; gone if that never comes.
+/// A complete file next to its target that is about to get the target's name; removed if that does not happen.
 class Prepared {
 public:
-    /// 0 or the errno of what failed.
+    /// Returns 0 or the errno of the failure.
     int prepare(const fs::path& target, std::span<const std::uint8_t> bytes) {
         target_ = target;
         const int file = open_new(target, beside_);
@@ -110,7 +111,8 @@ public:
 
     const fs::path& target() const { return target_; }
 
-    /// 0 or the errno of what failed. What was there before has the name beside it until this ends.
+    /// Returns 0 or the errno of the failure. Until this object is destroyed, the previous file keeps the temporary
+    /// name.
     int take_name() {
         has_exchanged_ = exchange_names(beside_, target_);
         if (!has_exchanged_) {
@@ -121,7 +123,7 @@ public:
         return 0;
     }
 
-    /// As if it had not taken its name, where the file system can.
+    /// Undoes take_name(), if the file system can exchange names.
     void give_name_back() {
         if (!has_name_) return;
         if (has_exchanged_)
@@ -149,20 +151,21 @@ private:
     }
 
     fs::path target_, beside_;
-    bool is_there_ = false;  ///< something has the name beside the target
+    bool is_there_ = false;  ///< a file with the temporary name exists
     bool was_new_ = false, has_exchanged_ = false, has_name_ = false;
 };
 
-/// A device or pipe; 0 or the errno of what failed.
+/// Writes to a device or pipe. Returns 0 or the errno of the failure.
 int write_into(const fs::path& path, std::span<const std::uint8_t> bytes) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     return file < 0 ? errno : write_all(file, bytes, false);
 }
 
-/// Whether the kernel makes the file up while it is read: some of these wait for what happens next (/proc/kmsg).
+/// Whether the kernel generates the file while it is read: reading some of these blocks until something happens
+/// (/proc/kmsg).
 bool is_made_up([[maybe_unused]] const fs::path& file) {
 #ifdef __linux__
-    // The file systems proc, sys, debug and trace, by their magic numbers.
+    // The magic numbers of the file systems proc, sysfs, debugfs and tracefs.
     constexpr std::array<unsigned long, 4> made_up{0x9fa0, 0x62656572, 0x64626720, 0x74726163};
     struct statfs system {};
     return ::statfs(file.c_str(), &system) == 0 &&
@@ -181,7 +184,7 @@ fs::path folder_of(const fs::path& file) {
 void keep_folder(const fs::path& folder) {
     const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (opened < 0) return;
-    ::fsync(opened);  // some file systems have nothing to do here and refuse
+    ::fsync(opened);  // some file systems refuse, because they have nothing to flush
     ::close(opened);
 }
 
@@ -214,7 +217,7 @@ std::optional<fs::path> end_of_links(fs::path path) {
         if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
         const fs::path next = fs::read_symlink(path, error);
         if (error) return std::nullopt;
-        path = path.parent_path() / next;  // which an absolute one replaces
+        path = path.parent_path() / next;  // an absolute path replaces the whole path
     }
     return std::nullopt;
 }
@@ -236,7 +239,7 @@ Status write_file(const fs::path& path, std::string_view text) {
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names) {
     std::deque<Prepared> prepared;
     for (const FileBytes& file : files) {
-        if (file.path.empty()) return Error{"an output needs a file name, and this one is empty"};
+        if (file.path.empty()) return Error{"an output file name must not be empty"};
         std::error_code ignored;
         const fs::file_status there = fs::status(file.path, ignored);
         if (fs::is_directory(there)) return Error{file.path.string() + ": cannot be written: it is a directory"};
@@ -293,7 +296,7 @@ bool are_same_file(const fs::path& a, const fs::path& b) {
 }
 
 Status check_readable(const fs::path& file) {
-    if (file.empty()) return Error{"an input needs a file name, and this one is empty"};
+    if (file.empty()) return Error{"an input file name must not be empty"};
     const auto cannot_read = [&file](const std::error_code& why) {
         return Error{file.string() + ": cannot be read: " + why.message()};
     };

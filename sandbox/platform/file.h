@@ -1,5 +1,5 @@
-// Writing a whole file so that nobody ever finds half of it, and what is asked of a file before it is read. Every file
-// that is written goes through here.
+// Writes files completely, so that nobody ever finds half of one, and checks files before they are read. All files are
+// written by these functions.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@
 
 namespace viewing {
 
-/// Puts `bytes` into `path`: first into a new file beside it (.viewing-sandbox-….partial), which is on the disk before
-/// it takes its name, so that a failure leaves what was there before. The mode of what was there is kept. A link is
-/// followed, to a file that is not there yet as well; a device or pipe (/dev/null) is written into, never replaced. The
-/// sentence of a failure names the path and the system's reason.
+/// Writes `bytes` to `path`: first to a new file next to it (.viewing-sandbox-….partial), which is flushed to the disk
+/// before it gets its final name, so that a failure preserves the previous file. Keeps the previous file's mode.
+/// Follows links, even to a file that does not exist yet; writes into a device or pipe (/dev/null) and never replaces
+/// it. The error names the path and the system's reason.
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// The same of a text.
+/// Does the same for a string.
 Status write_file(const std::filesystem::path& path, std::string_view text);
 
-/// The files of a folder whose names end so (".json"), sorted; none where it cannot be read.
+/// Returns the files in a folder with this extension (".json"), sorted; none if the folder cannot be read.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension);
 
-/// All of a file, however large; "" where it cannot be read.
+/// Returns the whole content of a file, however large; "" if it cannot be read.
 std::string all_bytes(const std::filesystem::path& file);
 
 struct FileBytes {
@@ -35,36 +35,37 @@ struct FileBytes {
     std::span<const std::uint8_t> bytes;
 };
 
-/// All of them or none: each is complete before the first one takes its name, and where one cannot take it those before
-/// it give theirs back (on a file system that cannot exchange names, only what is new). `before_names` runs in between;
-/// where it throws, none does.
+/// Writes all files or none. All of them are complete before the first one gets its name; if one cannot get its name,
+/// the files before it give theirs back (on a file system that cannot exchange names, only new files do).
+/// `before_names` runs between the two stages; if it throws, no file is written.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
 
-/// The bytes of one file into another, as write_file.
+/// Copies the content of one file to another in the same way as write_file().
 Status copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes what still waits for its name. For who ends the process at once, also from within a signal.
+/// Removes all unfinished files. For code that ends the process immediately, including signal handlers.
 void remove_unfinished_files();
 
-/// Where a chain of links ends, be there a file or not; none for one that goes round.
+/// Returns the file at the end of a chain of links, whether or not it exists; nothing for a circular chain.
 std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 
-/// A name beside a file that nobody can know before, for what grows until it takes that file's name. It is not longer
-/// for a longer one, which may be as long as the file system allows.
+/// Returns an unpredictable name next to a file, for data that are complete only when they get that file's name. Its
+/// length does not depend on the file's name, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
-/// The files of a folder that have such names: what a program that was ended while it wrote has left.
+/// Returns the files in a folder with such names, which are left over from a program that ended while it was writing.
 std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::path& folder);
 
-/// Whether there is such a file or folder; one that cannot be looked at is not.
+/// Whether such a file or folder exists; false if that cannot be determined.
 bool is_there(const std::filesystem::path& file);
 
-/// Whether two names are those of one file or folder, through links of both kinds, "." and ".."; of files that are not
-/// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
+/// Whether two names refer to the same file or folder, through links of both kinds, "." and ".."; for files that do not
+/// exist yet, whether they would be the same. Always false for devices and pipes, which store nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Whether a file is there that can be read without waiting for anybody: a pipe is refused, and what the kernel makes
-/// up while it is read. The sentence names it and says why it cannot be: missing, a directory, or what the system says.
+/// Checks that a file exists and can be read without blocking: refuses a pipe, and files that the kernel generates
+/// while they are read. The error names the file and says why it cannot be read: missing, a directory, or the system's
+/// reason.
 Status check_readable(const std::filesystem::path& file);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Names for files that nobody chose.
+// Chooses a name for a file that the person did not name.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// A file in the working folder that is not there yet: "flight.json", and where that is taken "flight-2.json",
+/// Returns a file in the working directory that does not exist yet: "flight.json", or, if that exists, "flight-2.json",
 /// "flight-3.json" …
 std::filesystem::path free_file(const std::string& stem, const std::string& extension);
 

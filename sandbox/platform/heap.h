@@ -1,22 +1,22 @@
-// How the program's memory is laid out: for processes that live a tenth of a second and touch a hundred megabytes.
+// Tunes memory allocation for processes that run for a tenth of a second and touch a hundred megabytes.
 #pragma once
 
 #include <chrono>
 
 namespace viewing {
 
-/// The heap gets 32 MB at once, of which none is touched yet, and blocks up to that size come from there. Call before
-/// memory is asked for; where it cannot be, nothing changes.
+/// Reserves 32 MB for the heap in one step, without touching them; blocks up to that size are allocated from there.
+/// Call before the first allocation. If it fails, nothing changes.
 void reserve_heap();
 
-/// From now on blocks of 1 MB and more are the system's and go back to it when they are freed. For a process that makes
-/// pictures by the thousand, whose heap they would leave in pieces too small for the next one.
+/// From now on, gets blocks of 1 MB and more from the system and returns them when they are freed. For a process that
+/// makes thousands of pictures: otherwise such blocks would fragment its heap until the next one no longer fits.
 void give_large_blocks_back();
 
-/// What is still untouched of the reserve becomes pages of 2 MB where the system has them on request, one after the
-/// other as long as none takes longer than `longest`: then a picture's start to its end takes a tenth less. Processors
-/// clear one in 40 to 300 µs; a virtual machine whose host must find the memory first takes 5 ms for each, more than it
-/// saves, so there the first one is the last. Before the first driver is loaded; later calls do nothing.
+/// Turns the untouched part of the reserve into 2 MB pages, if the system provides them on request, one after another
+/// as long as none takes longer than `longest`. A picture then takes a tenth less time from start to end. Processors
+/// clear a page in 40 to 300 µs; a virtual machine whose host must find the memory first takes 5 ms, more than a page
+/// saves, so there the first page is also the last. Call before the first driver is loaded; later calls do nothing.
 void take_large_pages(std::chrono::microseconds longest = std::chrono::microseconds(700));
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// A text that is still written where a signal ends the process. Everything that asks for memory is done beforehand.
+// Writes a final text when a signal ends the process. All memory is allocated in advance.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,15 @@
 
 namespace viewing {
 
-/// From now on say_last_words() puts one of these texts, by exit status, into the file: whole or not at all where it is
-/// or will be a plain one, else as far as nobody has to be waited for. "-" is standard output. In place of those
-/// before.
+/// Sets the texts, by exit status, of which say_last_words() writes one to the file. It writes the whole text or
+/// nothing if the file is or will be a plain file, otherwise as much as possible without blocking. "-" is standard
+/// output. Replaces earlier texts.
 void set_last_words(const std::filesystem::path& file, std::vector<std::pair<int, std::string>> text_by_status);
 
 void forget_last_words();
 
-/// Only what a signal's handler may do. Nothing where no text is set for this status, or it cannot be written.
+/// Calls only functions that a signal handler may call. Writes nothing if no text is set for this status or it cannot
+/// be written.
 void say_last_words(int status) noexcept;
 
 }  // namespace viewing

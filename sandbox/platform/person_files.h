@@ -1,5 +1,6 @@
-// Files and the person: on a desktop they lie where they were written. A browser has a folder of its own that nobody
-// sees: what is to be read is asked for with the browser's dialog, what was written is handed over.
+// Moves files between the program and the person. On a desktop, files stay in the folder where they were written. A
+// browser has its own folder, which nobody can see: the browser's dialog chooses a file to read, and written files are
+// handed over.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +9,21 @@
 
 namespace viewing {
 
-/// Asks for a file with a dialog of the surroundings. False: they have none, and the program asks by itself.
+/// Asks for a file with a dialog of the system. Returns false if the system has none, and the program must ask by
+/// itself.
 bool ask_for_file();
 
-/// The one that was chosen since then, once.
+/// Returns the file chosen in the dialog, once.
 std::optional<std::filesystem::path> chosen_file();
 
-/// Gives a file that has been written to the person.
+/// Gives a written file to the person.
 void hand_over(const std::filesystem::path& written);
 
-/// Whether writing a file can replace one of the person's: what is handed over never does.
+/// Whether writing a file can replace one of the person's files: handing over never does.
 bool can_replace_files();
 
-/// What a written file is called in a sentence: its path, or its name where the folder is the program's own.
+/// Returns the name to use for a written file in a sentence: its path, or only its name if the folder is internal to
+/// the program.
 std::string place_for_person(const std::filesystem::path& written);
 
 }  // namespace viewing

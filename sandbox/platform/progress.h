@@ -1,4 +1,4 @@
-// How long work tells how far it is and is told to stop. Read background.h next.
+// Lets long work report its progress and find out that it must stop. Read background.h next.
 #pragma once
 
 #include <algorithm>
@@ -8,53 +8,53 @@
 
 namespace viewing {
 
-/// `fraction` is written by the worker, `cancelled` is read by it. A cancelled method returns soon, with a defined,
-/// unfinished result and a sentence that says so. A work may be part of a longer one: then what is done of it is shown
-/// there between `begin` and `end`, and it is cancelled with it.
+/// The worker writes `fraction` and reads `canceled`. A canceled method returns soon, with a defined but incomplete
+/// result and a sentence that says so. Work may be part of other work, `whole`: its progress then appears there between
+/// `begin` and `end`, and canceling the whole also cancels the part.
 struct WorkProgress {
     std::atomic<float> fraction{0.0F};  ///< 0 … 1
-    std::atomic<bool> cancelled{false};
+    std::atomic<bool> canceled{false};
 
     WorkProgress* whole = nullptr;
-    double begin = 0.0, end = 1.0;  ///< of `whole`
+    double begin = 0.0, end = 1.0;  ///< this part's range in `whole`
 
     using Clock = std::chrono::steady_clock;
-    Clock::time_point deadline = Clock::time_point::max();  ///< from then on as if it were cancelled
+    Clock::time_point deadline = Clock::time_point::max();  ///< after this time, as if canceled
 };
 
 #ifdef __EMSCRIPTEN__
-/// A page has one thread: long work lets it have its turn wherever it asks whether it is cancelled.
+/// A page has one thread: long work yields to it whenever it checks for cancellation.
 void give_way();
 #else
 inline void give_way() {}
 #endif
 
-/// Whether the time that it had has run out.
+/// Whether the time for the work has run out.
 inline bool is_late(const WorkProgress& progress) {
     return progress.deadline != WorkProgress::Clock::time_point::max() &&
            WorkProgress::Clock::now() > progress.deadline;
 }
 
-inline bool is_cancelled(const WorkProgress* progress) {
+inline bool is_canceled(const WorkProgress* progress) {
     if (progress != nullptr) give_way();
     return progress != nullptr &&
-           (progress->cancelled.load(std::memory_order_relaxed) || is_late(*progress) || is_cancelled(progress->whole));
+           (progress->canceled.load(std::memory_order_relaxed) || is_late(*progress) || is_canceled(progress->whole));
 }
 
-/// Whether the item of a long row is one before which the worker looks whether it is cancelled: not before each, which
-/// would cost more than the items.
+/// Whether to check for cancellation before this item of a long sequence: checking before each one would cost more than
+/// the items.
 constexpr bool is_time_to_look(std::size_t item) {
     return item % 4096 == 0;
 }
 
-/// For what is worth having whole where it is quickly made: cancelled, it ends before this item, which is none of the
-/// first 32,768.
+/// Whether canceled work ends before this item: never within the first 32,768 items, since quick work is worth
+/// completing.
 inline bool is_cut_short(std::size_t item, const WorkProgress* progress) {
     constexpr std::size_t quickly_made = 32'768;
-    return item >= quickly_made && is_time_to_look(item) && is_cancelled(progress);
+    return item >= quickly_made && is_time_to_look(item) && is_canceled(progress);
 }
 
-/// The whole of a part never falls back, even when the part is done once more.
+/// Reports a fraction of the work. The progress of `whole` never decreases, even if a part is done again.
 inline void report(WorkProgress* progress, double fraction) {
     if (progress == nullptr) return;
     progress->fraction.store(static_cast<float>(fraction), std::memory_order_relaxed);

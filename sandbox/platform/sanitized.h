@@ -1,4 +1,4 @@
-// Whether a sanitizer watches this program: it wants the faults for itself, and to see what is left at the end.
+// Whether the program runs under a sanitizer, which handles faults itself and checks for leaks at the end.
 #pragma once
 
 #if defined(__has_feature)

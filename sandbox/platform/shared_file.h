@@ -1,6 +1,6 @@
-// A file that several windows of one person write: each adds what it has changed to what the file holds at that moment,
-// while no other does. Where a window ends in between (kill -9), the system lets go of the lock and the file is the one
-// before or the one after.
+// A file that several windows of one person write. Each adds its changes to the file's current content, while no other
+// window writes. If a window is killed during that time (kill -9), the system releases the lock, and the file has the
+// previous or the new content.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,9 @@
 
 namespace viewing {
 
-/// Keeps everybody else who has such a lock on the folder waiting while it lives: other processes and other threads. A
-/// folder that is missing is made. Where the folder cannot be locked, or a stopped process has held the lock for ten
-/// seconds, the work goes on without: to write without a lock loses less than not to write. In a browser nothing is
-/// locked: the page merges what another tab has written since (kept.js).
+/// As long as it exists, makes other processes and threads that lock the folder wait. Creates a missing folder. If the
+/// folder cannot be locked, or a stopped process has held the lock for ten seconds, the caller continues without a
+/// lock: that loses less than not writing. A browser locks nothing: the page merges changes by other tabs (kept.js).
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);
@@ -20,19 +19,19 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// The name of the file in the folder that is locked. It stays there, empty.
+    /// The locked file in the folder. It is empty and is not removed.
     static constexpr const char* file_name = ".viewing-sandbox-lock";
 
 private:
     [[maybe_unused]] int file_ = -1;
 };
 
-/// Gives a file that cannot be understood another name beside it (FILE.unreadable, FILE.unreadable-2 …).
+/// Renames a file that cannot be parsed to FILE.unreadable, FILE.unreadable-2 …
 Status set_aside(const std::filesystem::path& file);
 
-/// Reads `file`, merges and writes it under the folder's lock; the result is what the file holds then. `load` gives a
-/// Result<T> of a file; one that it cannot understand is set aside, never written over. `merge` makes what is to be
-/// written from what is there, T{} where nothing is. `write` puts a T there; it is not called where nothing changes.
+/// Reads `file`, merges and writes it under the folder's lock; returns its new content. `load` returns a Result<T> for
+/// a file; a file that it cannot parse is set aside, never overwritten. `merge` makes the new content from the current
+/// one, or from T{} if there is none. `write` stores a T; it is not called if nothing has changed.
 template <typename T, typename Load, typename Merge, typename Write>
 Result<T> merge_into_file(const std::filesystem::path& file, const Load& load, const Merge& merge, const Write& write) {
     const FolderLock lock(file.parent_path());

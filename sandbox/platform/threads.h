@@ -1,12 +1,13 @@
-// Whether there can be threads at all: a graphics driver that gets none may wait for them for ever.
+// Checks whether threads can be started at all: a graphics driver that cannot start its threads may wait for them
+// forever.
 #pragma once
 
 namespace viewing {
 
-/// Tries it: so many at once, all gone again afterwards.
+/// Starts that many threads at the same time, and ends them all. Returns whether that worked.
 bool can_start_threads(int count);
 
-/// As many as a graphics driver may start: one for each core and some beside.
+/// Returns the number of threads that a graphics driver may start: one for each core, and a few more.
 int threads_of_a_driver();
 
 }  // namespace viewing

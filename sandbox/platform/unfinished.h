@@ -1,5 +1,5 @@
-// What grows beside its target until it takes its name: for who writes such a thing, and for who ends the process from
-// within a signal. Read file.h and whole_folder.h for what is written so.
+// Registers files and folders that are written next to their target until they get its name: for code that writes them,
+// and for a signal handler that ends the process. file.h and whole_folder.h write in this way.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +8,21 @@
 
 namespace viewing {
 
-/// From the one to the other remove_unfinished_files() (file.h) removes `beside`, a file or a folder with all that is
-/// in it. Its text must stay where it is meanwhile.
+/// Between these two calls, remove_unfinished_files() (file.h) removes `beside`, a file or a folder with its contents.
+/// The string in `beside` must not move during that time.
 void note_unfinished(const std::filesystem::path& beside);
 void forget_unfinished(const std::filesystem::path& beside);
 
-/// Two names change places. False: not on this file system.
+/// Exchanges two names. Returns false if the file system does not support that.
 bool exchange_names(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// The folder that a name stands in; "." where the name says none.
+/// Returns the folder part of a name; "." if there is none.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
-/// Brings a folder's names onto the disk.
+/// Flushes the entries of a folder to the disk.
 void keep_folder(const std::filesystem::path& folder);
 
-/// "frames: cannot be written: No space left on device", from an errno.
+/// Returns, for example, "frames: cannot be written: No space left on device", from an errno.
 Error write_error(const std::filesystem::path& path, int code);
 
 }  // namespace viewing

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 Error no_folder(const fs::path& target, const std::string& why) {
-    return {target.string() + ": cannot be the folder of results: " + why};
+    return {target.string() + ": cannot be used as the results folder: " + why};
 }
 
-/// The first thing in a folder that is not the program's own; none: there is no such thing.
+/// Returns the first entry of a folder that is not one of the program's own results, or nothing.
 std::optional<fs::path> stranger_in(const fs::path& folder, const IsOwnResult& is_own, std::error_code& error) {
     std::vector<fs::path> strangers;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
@@ -32,7 +32,7 @@ std::optional<fs::path> stranger_in(const fs::path& folder, const IsOwnResult& i
     return *std::min_element(strangers.begin(), strangers.end());
 }
 
-/// Where the folder will be, without a slash at its end.
+/// Returns the final path of the folder, without a trailing slash.
 std::optional<fs::path> place_of(const fs::path& target) {
     fs::path place = target.lexically_normal();
     if (!place.has_filename()) place = place.parent_path();
@@ -42,7 +42,7 @@ std::optional<fs::path> place_of(const fs::path& target) {
 }  // namespace
 
 struct WholeFolder::Growing {
-    fs::path named;  ///< as it was given
+    fs::path named;  ///< as given
     fs::path target, beside;
     IsOwnResult is_own;
     bool is_there = false;
@@ -64,7 +64,7 @@ const fs::path& WholeFolder::beside() const {
 }
 
 Status check_folder_free(const fs::path& target, const IsOwnResult& is_own) {
-    if (target.empty()) return Error{"a folder of results needs a name, and this one is empty"};
+    if (target.empty()) return Error{"a results folder name must not be empty"};
     const std::optional<fs::path> place = place_of(target);
     if (!place) return no_folder(target, std::generic_category().message(ELOOP));
     std::error_code error;
@@ -72,10 +72,10 @@ Status check_folder_free(const fs::path& target, const IsOwnResult& is_own) {
     if (there.type() == fs::file_type::not_found) return std::monostate{};
     if (there.type() == fs::file_type::none) return no_folder(target, error.message());
     if (!fs::is_directory(there)) return no_folder(target, "it is a file");
-    if (are_same_file(*place, ".")) return no_folder(target, "it is the working folder; name a new one");
+    if (are_same_file(*place, ".")) return no_folder(target, "it is the working folder; name another folder");
     if (const std::optional<fs::path> stranger = stranger_in(*place, is_own, error))
-        return no_folder(target, "it holds " + one_line(stranger->filename().string()) +
-                                     ", which is no such result; name a new or an empty folder");
+        return no_folder(target, "it contains " + one_line(stranger->filename().string()) +
+                                     ", which is not such a result; name a new or an empty folder");
     if (error) return no_folder(target, error.message());
     return std::monostate{};
 }
@@ -104,7 +104,7 @@ Status WholeFolder::take_name() {
     struct stat old {};
     const bool replaces = ::stat(own.target.c_str(), &old) == 0;
     if (replaces) ::chmod(own.beside.c_str(), old.st_mode & 07777U);
-    // Exchanged, the old one has the name beside and goes with it.
+    // After the exchange, the old folder has the temporary name and is removed under it.
     if (!replaces || !exchange_names(own.beside, own.target)) {
         std::error_code error;
         if (replaces) fs::remove_all(own.target, error);

@@ -1,5 +1,5 @@
-// A folder of results that nobody ever finds half of: it grows beside its name and takes it when it is complete. For
-// one file read file.h.
+// A folder of results that nobody ever finds half complete: it is written next to its target and gets the target's name
+// when it is complete. Read file.h for single files.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,30 @@
 
 namespace viewing {
 
-/// What says of something in a folder that it is a result of the same kind, which a new one may replace.
+/// Whether a file in a folder is a result of the same kind, which a new one may replace.
 using IsOwnResult = std::function<bool(const std::filesystem::path&)>;
 
-/// Whether a folder of this name can be written: it is new, empty, or holds nothing but what is the program's own.
-/// Links are followed. The sentence names the first thing that is not, or why there can be no such folder. Without
-/// `is_own` only a new or empty one will do.
+/// Checks that a folder with this name can be written: it does not exist, is empty, or contains nothing but the
+/// program's own results. Follows links. The error names the first foreign entry, or says why there can be no such
+/// folder. Without `is_own`, only a new or empty folder is accepted.
 Status check_folder_free(const std::filesystem::path& target, const IsOwnResult& is_own = {});
 
 class WholeFolder {
 public:
-    /// Begins it beside `target`, or beside the first of its parents that is missing: they are made with it. The error:
-    /// check_folder_free, or what the system says.
+    /// Creates the folder next to `target`, or next to the first of its missing parents, which will be created with it.
+    /// The error is that of check_folder_free, or the system's.
     static Result<WholeFolder> begin(const std::filesystem::path& target, const IsOwnResult& is_own = {});
     WholeFolder(WholeFolder&& other) noexcept;
     WholeFolder& operator=(WholeFolder&&) = delete;
-    /// Removed unless it has its name, as a signal's end removes it (remove_unfinished_files).
+    /// Removes the folder unless it has got its final name; a signal that ends the process does the same
+    /// (remove_unfinished_files).
     ~WholeFolder();
 
-    /// Where files go until then.
+    /// The folder for the files until take_name().
     const std::filesystem::path& beside() const;
 
-    /// In place of the folder that was there, which is removed with what it held; its permissions are kept. Checks
-    /// again that it holds nothing foreign.
+    /// Gives the folder its final name: replaces the previous folder and removes its contents, but keeps its
+    /// permissions. Checks again that it contains nothing foreign.
     Status take_name();
 
 private:

@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// As GL copies it into a buffer; of the stencil the first byte counts.
+/// One pixel in the layout in which GL copies it into a buffer; only the first byte of the stencil matters.
 struct CopiedPixel {
     glm::u8vec4 color{0};
     std::uint32_t depth = 0;
@@ -24,7 +24,7 @@ std::size_t pixel_count(const PixelRect& rect) {
     return static_cast<std::size_t>(rect.size.x) * static_cast<std::size_t>(rect.size.y);
 }
 
-/// GL counts rows from the bottom: the lowest row of the rectangle.
+/// Returns the lower left pixel of the rectangle, counting rows from the bottom like GL.
 glm::ivec2 lowest_left(const View& view, const PixelRect& rect) {
     return {rect.first_pixel.x, view.size_px().y - rect.first_pixel.y - rect.size.y};
 }
@@ -32,17 +32,17 @@ glm::ivec2 lowest_left(const View& view, const PixelRect& rect) {
 void read_pixels(const View& view, const PixelRect& rect, GLenum format, GLenum type, void* values) {
     const glm::ivec2 at = lowest_left(view, rect);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glFinish();  // as in gl::read_pixels
+    glFinish();  // see gl::read_pixels
     glReadPixels(at.x, at.y, rect.size.x, rect.size.y, format, type, values);
 }
 
-/// Where a pixel of the rectangle, the top row first, lies among rows from the bottom.
+/// Converts the index of a pixel in the rectangle from top row first to bottom row first.
 std::size_t from_the_bottom(std::size_t index, const PixelRect& rect) {
     const auto columns = static_cast<std::size_t>(rect.size.x), rows = static_cast<std::size_t>(rect.size.y);
     return (rows - 1 - index / columns) * columns + index % columns;
 }
 
-/// Of a code or the bits of a float, as the buffer holds them.
+/// `depth` is a code or the bits of a float, as stored in the buffer.
 StoredPixel stored_pixel(std::uint32_t depth, int stencil, const DepthPrecision& in_buffer,
                          const DepthPrecision& asked) {
     StoredPixel pixel{0.0, depth, stencil};
@@ -56,7 +56,8 @@ StoredPixel stored_pixel(std::uint32_t depth, int stencil, const DepthPrecision&
     return pixel;
 }
 
-/// How the buffer of a target holds depths. Formats with fewer bits are kept exactly inside 24.
+/// Returns the precision in which a target's buffer stores depths. Formats with fewer bits are exactly representable in
+/// 24.
 DepthPrecision precision_in(const gl::Target& target) {
     switch (target.spec().depth) {
         case gl::DepthKind::d16:
@@ -168,7 +169,7 @@ void BufferReader::ask(const View& view, glm::ivec2 pixel) {
     asked_ = Asked{pixel, gl::Fence::after_all_so_far(), {}};
 }
 
-/// Into the buffer, one after the other.
+/// Copies color, depth, stencil and identity into the buffer, one after another.
 void BufferReader::copy(const View& view, const View& identities) {
     if (!copied_) copied_ = gl::make_buffer();
     glBindBuffer(GL_PIXEL_PACK_BUFFER, copied_.name());
@@ -208,7 +209,7 @@ std::optional<ReadPixel> BufferReader::take(const View& view, const View& identi
                      stored_pixel(depth_of(read.depth, in_buffer), read.stencil[0], in_buffer, precision_of(format))};
 }
 
-/// Whatever is drawn next changes only the rectangle.
+/// Restricts further drawing to the rectangle.
 void BufferReader::begin_bytes(gl::ColorTarget& bytes, const View& view, const PixelRect& rect) {
     if (bytes.size_px() != view.size_px()) bytes = gl::ColorTarget(view.size_px());
     const glm::ivec2 at = lowest_left(view, rect);
@@ -235,7 +236,7 @@ void BufferReader::draw_depths(const View& view, const PixelRect& rect) {
 void BufferReader::draw_stencil(const View& view, const PixelRect& rect) {
     if (capabilities_.read_depth_stencil || !view.target().has_stencil()) return;
     begin_bytes(stencil_bytes_, view, rect);
-    const gl::Framebuffer both = gl::make_framebuffer();  // the bytes beside the view's stencil
+    const gl::Framebuffer both = gl::make_framebuffer();  // the bytes, with the view's stencil
     glBindFramebuffer(GL_FRAMEBUFFER, both.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, stencil_bytes_.texture(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, view.target().depth_texture(),

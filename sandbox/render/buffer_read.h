@@ -1,4 +1,4 @@
-// A view's buffers as numbers: colours, depths as they are stored, stencil values. Read probe.h for what they mean.
+// Reads the buffers of a view as numbers: colors, depths as stored, stencil values. Read probe.h for their meaning.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace viewing {
 
-/// Some pixels of a view; (0, 0) is the top left one. It must lie inside the view.
+/// A rectangle of pixels inside a view; (0, 0) is the top left one.
 struct PixelRect {
     glm::ivec2 first_pixel{0};
     glm::ivec2 size{1};
 };
 
-/// Depth and stencil of one pixel, as the buffers hold them; of a target without a stencil, its mask.
+/// Depth and stencil of one pixel, as stored in the buffers; the mask, if the target has no stencil.
 struct StoredPixel {
     double window_depth = 1.0;
     std::uint32_t code = 0;  ///< the integer code, or the bits of the float
@@ -24,45 +24,46 @@ struct StoredPixel {
     bool operator==(const StoredPixel&) const = default;
 };
 
-/// What a pixel of two views holds, whose targets are alike: one shows colours, the other identities.
+/// The same pixel of two views with targets of the same kind: one shows colors, the other identities.
 struct ReadPixel {
     Color color, identity;
     StoredPixel stored;
 };
 
-/// Reads views that were drawn without samples, and leaves GL's default state. Rows come from the top.
+/// Reads views that were drawn without multisampling, and leaves GL in its default state. Rows are ordered from the
+/// top.
 ///
-/// Where GL cannot read depth and stencil they are drawn into a picture, depth as the bytes of a float32: exact but for
-/// 24 bits, where a code may be off by one.
+/// If GL cannot read depth and stencil, they are drawn into a color buffer, depth as the bytes of a float32. That is
+/// exact, except that a 24-bit code may be off by one.
 class BufferReader {
 public:
-    /// For the capabilities of the renderer that drew the views.
+    /// `capabilities` are those of the renderer that drew the views.
     static Result<BufferReader> make(const gl::Capabilities& capabilities);
 
-    /// The colours that the passes drew, also where the view shows depth or counts in their place.
+    /// Returns the colors that the passes drew, even if the view shows depth or counts instead.
     std::vector<Color> colors(const View& view, const PixelRect& rect) const;
     std::vector<StoredPixel> stored(const View& view, DepthFormat format, const PixelRect& rect);
 
-    /// The whole buffer on the plan's depth scale: 128 bins of equal width, between near and far or from 0 to 1. What a
-    /// view with samples holds cannot be read: nothing is counted.
+    /// Makes a histogram of the whole buffer on the plan's depth scale: 128 bins of equal width, between near and far
+    /// or from 0 to 1. For a view with multisampling, which cannot be read, the counts are empty.
     DepthCounts count_depths(const View& view, const FramePlan& plan);
 
-    /// Asks for a pixel without waiting; what was asked for before and has not come is dropped. The views have to stay
-    /// as they are until it has come.
+    /// Requests a pixel without waiting; drops an earlier request that has not arrived. The views must not change until
+    /// the pixel has arrived.
     void ask(const View& view, glm::ivec2 pixel);
     bool is_asked() const { return asked_.has_value(); }
-    /// The pixel that was asked for, once, when it has come. Never waits.
+    /// Returns the requested pixel once, as soon as it has arrived. Never waits.
     std::optional<ReadPixel> take(const View& view, const View& identities, DepthFormat format);
     void drop() { asked_.reset(); }
 
 private:
-    /// A pixel is first waited for to be drawn, then to be copied: llvmpipe of Mesa 22.3 at times reads before its
-    /// threads have drawn.
+    /// A request first waits for the drawing, then for the copy, because llvmpipe in Mesa 22.3 sometimes reads before
+    /// its threads have finished drawing.
     struct Asked {
         glm::ivec2 pixel{0};
         gl::Fence drawn, copied;
     };
-    /// The framebuffer to be read is bound.
+    /// The format in which to read the bound framebuffer.
     struct ReadFormat {
         GLenum format, type;
     };
@@ -71,24 +72,24 @@ private:
 
     void read_depths(const View& view, const PixelRect& rect);
     void read_stencil(const View& view, const PixelRect& rect);
-    /// Where GL cannot read them; else nothing.
+    /// Draw depths or stencil values as colors if GL cannot read them; otherwise do nothing.
     void draw_depths(const View& view, const PixelRect& rect);
     void draw_stencil(const View& view, const PixelRect& rect);
     void begin_bytes(gl::ColorTarget& bytes, const View& view, const PixelRect& rect);
     ReadFormat bind_depths(const View& view) const;
     ReadFormat bind_stencil(const View& view) const;
-    /// The code or the bits of the float, of what GL gave.
+    /// Converts a value read from GL to the code or the bits of the float.
     std::uint32_t depth_of(std::uint32_t given, const DepthPrecision& in_buffer) const;
     void copy(const View& view, const View& identities);
 
     gl::Capabilities capabilities_;
     Programs programs_;
     Fullscreen fullscreen_;
-    gl::ColorTarget depth_bytes_, stencil_bytes_;  ///< what they are drawn into
+    gl::ColorTarget depth_bytes_, stencil_bytes_;  ///< depths and stencil values, drawn as bytes
     std::optional<Asked> asked_;
-    gl::Buffer copied_;                   ///< four bytes each: colour, depth, stencil, identity
+    gl::Buffer copied_;                   ///< four bytes each for color, depth, stencil, identity
     std::vector<std::uint32_t> depths_;   ///< as read: codes of 16 or 24 bits, or bits of floats; rows from the bottom
-    std::vector<std::uint8_t> stencils_;  ///< alike
+    std::vector<std::uint8_t> stencils_;  ///< in the same order
 };
 
 }  // namespace viewing

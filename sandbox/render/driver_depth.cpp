@@ -9,7 +9,8 @@ namespace {
 
 constexpr int columns = 64;
 
-/// A rectangle for each column of pixels, each at one depth: rounding before the buffer is the same for all of it.
+/// Draws one rectangle for each column of pixels, with the same depth at all corners, so that rounding before the
+/// buffer is the same everywhere in a column.
 constexpr const char* vertex_source = R"(
 uniform float first_ndc;
 uniform float step_ndc;
@@ -34,7 +35,8 @@ public:
           first_(glGetUniformLocation(program.name(), "first_ndc")),
           step_(glGetUniformLocation(program.name(), "step_ndc")) {}
 
-    /// How many columns of a ramp of window depths from `first` on have not the depth of their right neighbour.
+    /// Draws a ramp of window depths that begins at `first`. Returns the number of columns whose stored depth differs
+    /// from that of their right neighbor.
     int differing(double first, double step) const {
         begin();
         draw(GL_ALWAYS, first, step);
@@ -43,7 +45,7 @@ public:
         return columns - passed();
     }
 
-    /// How many steps a plane at that depth is moved by so many units, at most 64.
+    /// Returns the number of steps by which `units` of polygon offset move a plane at that depth, at most 64.
     int moved(double depth, double step, float units) const {
         begin();
         glEnable(GL_POLYGON_OFFSET_FILL);
@@ -65,12 +67,13 @@ private:
         glEnable(GL_DEPTH_TEST);
         glDepthMask(GL_TRUE);
     }
-    /// What passes from here on is white, and stores nothing.
+    /// From here on, fragments that pass draw white and write no depth.
     void begin_count() const {
         glClear(GL_COLOR_BUFFER_BIT);
         glDepthMask(GL_FALSE);
     }
-    /// Window depths from 1/4 to 1 that are whole multiples of 2⁻²⁵, above 1/2 of 2⁻²⁴, arrive exactly.
+    /// Draws a ramp. Window depths from 1/4 to 1 reach the buffer exactly if they are multiples of 2⁻²⁵, or of 2⁻²⁴
+    /// above 1/2.
     void draw(GLenum func, double first, double step) const {
         glDepthFunc(func);
         glUniform1f(first_, static_cast<GLfloat>(2.0 * first - 1.0));
@@ -90,7 +93,7 @@ private:
     GLint first_, step_;
 };
 
-/// Of a ramp by steps of a code all neighbours differ, by steps of a half of one every other.
+/// If a ramp's steps are one code, all neighbors differ; if they are half a code, only every other pair differs.
 bool all_differ(int count) {
     return count > columns * 3 / 4;
 }
@@ -98,11 +101,11 @@ bool all_differ(int count) {
 DepthPrecision precision_of(const Rows& rows) {
     const int fine = rows.differing(0.75, std::exp2(-24));
     if (all_differ(fine)) {
-        // Below 1/2 a float has places half as wide.
+        // Below 1/2, the steps of a float are half as wide.
         const bool is_float = all_differ(rows.differing(0.375, std::exp2(-25)));
         return is_float ? DepthPrecision{32, true} : DepthPrecision{24, false};
     }
-    // A few that differ may be one code beside the next one of far fewer bits.
+    // A few differences may be due to a single boundary between two codes of a format with far fewer bits.
     const bool has_many = fine >= columns / 8;
     const int steps = has_many ? 24 : 16, differ = has_many ? fine : rows.differing(0.75, std::exp2(-16));
     return {steps + static_cast<int>(std::lround(std::log2(std::max(differ, 1) / static_cast<double>(columns)))),
@@ -111,7 +114,7 @@ DepthPrecision precision_of(const Rows& rows) {
 
 StoredDepth measured(const gl::Program& program, gl::DepthKind kind) {
     const Rows rows(program, kind);
-    constexpr float units = 4.0F;  // so that a unit may be a part of a code
+    constexpr float units = 4.0F;  // detects units that are only a fraction of a code
     StoredDepth stored;
     stored.precision = precision_of(rows);
     const int codes = rows.moved(0.75, std::exp2(-std::min(stored.precision.bits, 24)), units);

@@ -1,5 +1,5 @@
-// Measures what the driver stores as depth, and the unit of its polygon offset, by drawing: some rows of pixels that
-// the depth test lets pass or not. Works where depth cannot be read back.
+// Measures in which precision the driver stores depth, and the unit of its polygon offset, by drawing rows of pixels
+// that pass or fail the depth test. Works even if depth cannot be read back.
 #pragma once
 
 #include "frame/depth/driver_depth.h"
@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Of what the driver gives for that name. Needs a current context; leaves GL's default state. The error is a driver
-/// that refuses the shader.
+/// Measures what the driver provides for `kind`. Needs a current context; leaves GL in its default state. Fails if the
+/// driver refuses the shader.
 Result<StoredDepth> measure_stored_depth(const gl::Capabilities& capabilities, gl::DepthKind kind);
 
 }  // namespace viewing

@@ -79,7 +79,7 @@ void GpuDrawing::bind_textures() const {
 
 const GpuDrawing& GpuDrawings::of(const std::shared_ptr<const HiddenDrawing>& drawing) {
     Drawing& entry = drawings_[drawing.get()];
-    if (entry.source.lock() != drawing)  // new, or a new one at a freed one's address
+    if (entry.source.lock() != drawing)  // a new drawing, possibly at the address of a freed one
         entry = {drawing, drawing->pixels.empty() ? upload_triangles(*drawing) : upload_pixels(*drawing)};
     return entry.uploaded;
 }

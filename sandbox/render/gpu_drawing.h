@@ -1,4 +1,4 @@
-// What hidden-surface methods found, on the GPU: uploaded once and kept as long as some frame holds it.
+// The results of hidden-surface methods on the GPU: uploaded once and kept as long as a frame refers to them.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace viewing {
 struct GpuDrawing {
     gl::VertexArray vertex_array;
     gl::Buffer vertices;
-    std::array<gl::Texture, 4> surface;  ///< positions, normals, colours, counts
+    std::array<gl::Texture, 4> surface;  ///< positions, normals, colors, counts
 
-    void draw(int first_vertex, int vertex_count) const;  ///< some of the triangles
-    void bind_textures() const;                           ///< to units 0 … 3
+    void draw(int first_vertex, int vertex_count) const;  ///< draws some of the triangles
+    void bind_textures() const;                           ///< binds them to texture units 0 … 3
 };
 
 class GpuDrawings {
@@ -24,7 +24,7 @@ public:
     const GpuDrawing& of(const std::shared_ptr<const HiddenDrawing>& drawing);
     GLuint texture_of(const std::shared_ptr<const DifferenceDrawing>& drawing);
 
-    /// Frees what no frame holds any more.
+    /// Frees drawings to which no frame refers anymore.
     void drop_unused();
 
 private:

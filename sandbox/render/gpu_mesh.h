@@ -1,4 +1,4 @@
-// Meshes on the GPU, uploaded once and kept as long as some scene holds them.
+// Meshes on the GPU: uploaded once and kept as long as a scene refers to them.
 #pragma once
 
 #include <memory>
@@ -13,20 +13,20 @@ struct GpuMesh {
     gl::VertexArray vertex_array;
     gl::Buffer vertices, indices;
     GLsizei index_count = 0;
-    Bounds bounds;  ///< model space
+    Bounds bounds;  ///< in model space
 
     int triangle_count() const { return index_count / 3; }
-    void draw(int triangles) const;  ///< the first ones
+    void draw(int triangles) const;  ///< draws the first `triangles`
 };
 
-/// Interleaves position and normal and uploads; attribute 0 is the position, 1 the normal.
+/// Interleaves positions and normals and uploads them; attribute 0 is the position, 1 the normal.
 GpuMesh upload(const Mesh& mesh);
 
 class GpuMeshes {
 public:
     const GpuMesh& of(const std::shared_ptr<const Mesh>& mesh);
 
-    /// Frees what no scene holds any more.
+    /// Frees meshes to which no scene refers anymore.
     void drop_unused();
 
 private:

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Beyond the units of pictures that surfaces are drawn from.
+/// Above the texture units of the textures that hold a method's surface points.
 constexpr GLint mask_unit = 8, changed_mask_unit = 9;
 
 void bind(GLint unit, GLuint texture) {
@@ -25,7 +25,7 @@ MaskUse mask_use(const Pass& pass, const gl::Target& target) {
     use.tests = pass.stencil.func != CompareFunc::always;
     use.writes = pass.stencil.on_pass != StencilOp::keep;
     use.fills = use.tests && use.writes && pass.color_write && pass.shading == Shading::flat;
-    assert(!use.writes || pass.blend != Blend::add);  // marks are bytes that blending leaves as they are
+    assert(!use.writes || pass.blend != Blend::add);  // blending must not change the mask values
     return use;
 }
 

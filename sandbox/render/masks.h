@@ -1,6 +1,7 @@
-// Stencil tests for targets without a stencil (gl/stencil_mask.h): the fragment shader compares with the mask and
-// writes it beside the colour. What stencil does to overlapping triangles of one pass, where the first one decides,
-// is done in two strokes: the pass changes the mask, and then its one colour fills the pixels that have changed.
+// Stencil tests for targets without a stencil buffer (gl/stencil_mask.h): the fragment shader compares with the mask
+// and writes the mask together with the color. With a stencil buffer, the first of overlapping triangles in a pass
+// excludes the others. A mask needs two steps for that: the pass changes only the mask, and then the pass's single
+// color fills the pixels whose mask has changed.
 #pragma once
 
 #include "frame/plan.h"
@@ -10,22 +11,22 @@
 
 namespace viewing {
 
-/// What becomes of a pass's stencil test in a target. All false where the target has a stencil, or samples: in a frame
-/// with samples no 16-bit pass tests it (plan()).
+/// How a pass emulates its stencil test in a target. All false if the target has a stencil or multisampling: in a frame
+/// with multisampling, no 16-bit pass tests the stencil (plan()).
 struct MaskUse {
-    bool tests = false;   ///< fragments are discarded where the comparison fails
-    bool writes = false;  ///< the mask becomes what stencil's value would become
-    bool fills = false;   ///< its colour comes afterwards, from fill_changed()
+    bool tests = false;   ///< fragments are discarded if the comparison fails
+    bool writes = false;  ///< writes the value that the stencil would get to the mask
+    bool fills = false;   ///< fill_changed() draws the color afterward
 };
 MaskUse mask_use(const Pass& pass, const gl::Target& target);
 
-/// After apply_state(): binds the framebuffer for the pass, and the mask that it is compared with.
+/// Binds the framebuffer for the pass, and the mask to compare with. Call after apply_state().
 void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target);
 
-/// What the stencil would do, for a program in use that may test or write the mask.
+/// Sets the stencil test that the shader emulates. The current program may test or write the mask.
 void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference);
 
-/// Lays the pass's flat colour over the pixels whose mask it has changed.
+/// Draws the pass's single color over the pixels whose mask it has changed.
 void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram& program, const Fullscreen& fullscreen,
                   const gl::Capabilities& capabilities);
 

@@ -1,5 +1,6 @@
-// A pass's state as GL calls. Every pass sets every piece of state it depends on, and after a frame all of it is GL's
-// default again, so that nothing leaks into the next pass or into the user interface. Read renderer.cpp next.
+// Translates the state of a pass into GL calls. Every pass sets all state that it depends on, and after a frame all of
+// it has GL's default values again, so that nothing leaks into the next pass or the user interface. Read renderer.cpp
+// next.
 #pragma once
 
 #include "frame/plan.h"
@@ -9,10 +10,11 @@ namespace viewing {
 
 void enable(GLenum capability, bool on);
 
-/// Tests, masks, culling, blending and clip planes; not the polygon offset, which is each object's own.
+/// Sets tests, masks, culling, blending and clip planes, but not the polygon offset, which differs from object to
+/// object.
 void apply_state(const Pass& pass, const gl::Capabilities& capabilities);
 
-/// The stencil test with a reference in place of the pass's own.
+/// Sets the stencil test, with `reference` instead of the reference in `stencil`.
 void apply_stencil(const StencilState& stencil, int reference);
 
 void restore_defaults(const gl::Capabilities& capabilities);

@@ -7,13 +7,13 @@
 namespace viewing {
 namespace {
 
-/// grey = (value − first) · slope, of an eye distance or a window depth.
+/// gray = (value − first) · slope, where the value is an eye distance or a window depth.
 struct GreyScale {
     float first, slope;
 };
 
-/// A range without width makes a step from black to white.
-GreyScale grey_scale(const FramePlan& plan) {
+/// Returns the scale of the plan; a range of zero width gives a step from black to white.
+GreyScale gray_scale(const FramePlan& plan) {
     const auto value_at = [&](double distance) {
         return plan.depth_scale == DepthScale::linear ? distance
                                                       : window_depth(plan.lens, plan.depth_mapping, distance);
@@ -65,7 +65,7 @@ Status Presenter::depth(const FramePlan& plan, const gl::Target& from, const gl:
     program.linear_scale.set(plan.depth_scale == DepthScale::linear);
     program.orthographic.set(plan.lens.orthographic);
     program.near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
-    const GreyScale scale = grey_scale(plan);
+    const GreyScale scale = gray_scale(plan);
     program.shown_first.set(scale.first);
     program.shown_slope.set(scale.slope);
     program.shows_bands.set(plan.depth_colors == DepthColors::bands);

@@ -1,5 +1,5 @@
-// The buffers of a frame made visible: depth, stencil and counts become colours in a picture of their own.
-// Read buffer_read.h for their numbers.
+// Makes the buffers of a frame visible: draws depth, stencil and counts as colors into another target. Read
+// buffer_read.h for reading their numbers.
 #pragma once
 
 #include "frame/plan.h"
@@ -11,31 +11,31 @@ namespace viewing {
 /// Draws without a mesh: one triangle over the whole target.
 class Fullscreen {
 public:
-    void draw(const ShaderProgram& program) const;  ///< which is in use then
+    void draw(const ShaderProgram& program) const;  ///< leaves it current
 
 private:
     gl::VertexArray no_vertices_ = gl::make_vertex_array();
 };
 
-/// Adds up the stencil bits of the framebuffer as its red, one masked test each: stencil cannot be sampled or read
-/// everywhere. Its other colours become 0; the caller restores state.
+/// Adds up the stencil bits of the framebuffer in its red channel, with one masked test for each bit: not every context
+/// can sample or read the stencil. The other channels become 0; the caller restores the state.
 void gather_stencil(GLuint framebuffer, const ConstantProgram& constant, const Fullscreen& fullscreen);
 
-/// Needs a frame that was drawn without samples; leaves GL's default state.
+/// Needs a frame drawn without multisampling; leaves GL in its default state.
 class Presenter {
 public:
-    /// Keeps references to both.
+    /// Keeps references to both arguments.
     Presenter(const gl::Capabilities& capabilities, Programs& programs)
         : capabilities_(capabilities), programs_(programs) {}
 
     const Fullscreen& fullscreen() const { return fullscreen_; }
 
     Status depth(const FramePlan& plan, const gl::Target& from, const gl::ColorTarget& into);
-    Status stencil(const gl::Target& from, const gl::ColorTarget& into);  ///< uses up the colours of `from`
+    Status stencil(const gl::Target& from, const gl::ColorTarget& into);  ///< overwrites the colors of `from`
     Status overdraw(const gl::Target& from, const gl::ColorTarget& into);
 
 private:
-    /// With the texture in unit 0.
+    /// Draws with the texture bound to unit 0.
     void draw_into(const gl::ColorTarget& into, GLuint texture, const ShaderProgram& program) const;
 
     const gl::Capabilities& capabilities_;

@@ -15,7 +15,7 @@ Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scen
         if (!made) return Error{made.error()};
         reader_ = *std::move(made);
     }
-    reader_->drop();  // what was asked of the picture before
+    reader_->drop();  // drops requests for the previous picture
     asked_.reset();
     plan_ = std::move(plan);
     world_from_view_ = glm::inverse(derived.view_from_world);

@@ -1,5 +1,5 @@
-// What is at a pixel: read back from the buffers, not computed again. Draws the frame once and then answers for
-// every pixel of it, so that the status bar can follow the pointer.
+// Reports the values at a pixel, read back from the buffers, not recomputed. Draws the frame once and then answers for
+// all of its pixels, so that the status bar can follow the pointer.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,22 @@ namespace viewing {
 
 class PixelProbe {
 public:
-    /// Draws the frame without samples, once with its colours and once with identities; always with one renderer.
+    /// Draws the frame without multisampling, once with its colors and once with identities. Always pass the same
+    /// renderer.
     Status prepare(Renderer& renderer, FramePlan plan, const Scene& scene, const Derived& derived, glm::ivec2 size_px);
 
-    /// The pixel must lie inside the prepared size; `scene` is the one that was prepared.
+    /// Reports a pixel, which must be inside the prepared size; `scene` must be the prepared one.
     PixelReport at(glm::ivec2 pixel, const Scene& scene) const;
 
-    /// The same without waiting: what was asked for last, once, when it has come.
+    /// Does the same without waiting: take() returns the report for the latest request once, as soon as it has arrived.
     void ask(glm::ivec2 pixel);
     bool is_asked() const { return asked_.has_value(); }
     std::optional<PixelReport> take(const Scene& scene);
 
-    /// What lies inside the prepared size; where nothing does the block is empty.
+    /// Returns the part of a block that is inside the prepared size; it may be empty.
     CellBlock block(glm::ivec2 first_pixel, glm::ivec2 size) const;
 
-    /// Of the whole frame, on its plan's depth scale.
+    /// Counts the whole frame on its plan's depth scale.
     DepthCounts count_depths() const;
 
 private:
@@ -34,7 +35,7 @@ private:
     glm::dmat4 world_from_view_{1.0};
     double aspect_ = 1.0;
     View colors_, identities_;
-    mutable std::optional<BufferReader> reader_;  ///< once prepared
+    mutable std::optional<BufferReader> reader_;  ///< set by prepare()
     std::optional<glm::ivec2> asked_;
 };
 

@@ -1,4 +1,4 @@
-// The sandbox's GL programs with their uniforms, compiled when first needed. Read uniforms.h for what the tables do.
+// The sandbox's GL programs with their uniforms, compiled on first use. Read uniforms.h for the tables.
 #pragma once
 
 #include <compare>
@@ -17,9 +17,9 @@ namespace viewing {
 
 inline constexpr std::size_t patch_tone_count = 3;  ///< light square, dark square, line
 
-/// One way to draw a surface: each has a program of its own.
+/// The properties of a surface that select its program.
 struct SurfaceKind {
-    /// Where colour and numbers come from: the object, its vertices, or a picture of surface points.
+    /// The source of color and numbers: the object, its vertices, or textures with surface points.
     enum class Source { object, vertices, picture };
 
     Shading shading = Shading::lit;
@@ -30,15 +30,15 @@ struct SurfaceKind {
     bool mask_test = false;  ///< render/masks.h
     bool mask_write = false;
     bool logarithm_per_vertex = false;
-    std::size_t lights = 0;  ///< with Shading::lit: how many, from 1 on
+    std::size_t lights = 0;  ///< for Shading::lit: number of lights, at least 1
     bool has_gloss = false;
     bool forces_sign = false;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
-/// shaders/surface.*: relative means along the world's axes, from relative_origin() in surface_uniforms.h on.
-/// `WRITE_DEPTH` is for depths the fixed pipeline cannot store by itself (few bits, logarithmic,
-/// found by a method in software).
+/// shaders/surface.*. "relative" means along the world's axes, with the origin from relative_origin() in
+/// surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: with few bits,
+/// logarithmic, or from a method in software.
 struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
     Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};
@@ -126,7 +126,7 @@ struct ConstantProgram : ShaderProgram {
     Uniform<glm::vec4> value{*this, "value"};
 };
 
-/// shaders/fill_changed.frag: the second stroke of render/masks.h.
+/// shaders/fill_changed.frag: the second step described in render/masks.h.
 struct FillProgram : ShaderProgram {
     Uniform<Sampler> previous_mask{*this, "previous_mask"};
     Uniform<Sampler> changed_mask{*this, "changed_mask"};
@@ -147,7 +147,7 @@ public:
     Result<const FillProgram*> fill() { return over_picture(fill_, "fill_changed.frag"); }
 
 private:
-    /// One that covers the whole target.
+    /// Returns a program that draws over the whole target.
     template <typename Kept>
     Result<const Kept*> over_picture(std::unique_ptr<Kept>& kept, const char* fragment) {
         if (kept) return kept.get();
@@ -158,11 +158,11 @@ private:
         return kept.get();
     }
     static Result<gl::Program> load(const char* vertex, const char* fragment, const std::string& defines);
-    /// surface.vert as a stage for all programs that need the same of it.
+    /// Returns surface.vert as a stage, shared by all programs with the same defines.
     Result<const gl::Program*> vertex_stage(const std::string& defines);
 
     gl::Capabilities capabilities_;
-    std::map<std::string, gl::Program> vertex_stages_;  ///< by their defines
+    std::map<std::string, gl::Program> vertex_stages_;  ///< keyed by their defines
     std::map<SurfaceKind, SurfaceProgram> surfaces_;
     std::unique_ptr<ShowDepthProgram> show_depth_;
     std::unique_ptr<ShowStencilProgram> show_stencil_;

@@ -1,4 +1,4 @@
-// Plan in, pixels out: each pass as draw calls. Read pass_state.h and programs.h for what they are drawn with.
+// Turns a plan into pixels: each pass becomes draw calls. Read pass_state.h and programs.h for states and programs.
 #include "render/renderer.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ struct Renderer::Implementation {
                        std::optional<Shading> identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
     bool shows_anything(const FrameState& frame, const Pass& pass);
-    /// Whether the pass has clip planes and would draw the same without: then it needs no program of its own.
+    /// Whether the pass has clip planes that cut nothing off, so that it needs no program with clipping.
     bool cuts_in_vain(const FrameState& frame, const Pass& pass);
     Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
     void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
@@ -73,7 +73,7 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
     gl::set_clear_depth(frame.plan.clear_depth_value);
     glClearStencil(0);
     glStencilMask(0xFF);
-    glDepthMask(clear_depth ? GL_TRUE : GL_FALSE);  // which a clear obeys
+    glDepthMask(clear_depth ? GL_TRUE : GL_FALSE);  // glClear() obeys the mask
     const bool asks_to_clear = clear_depth || frame.plan.clear_depth;
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (asks_to_clear ? GL_DEPTH_BUFFER_BIT : 0U));
     if (target.mask()) target.mask().clear();
@@ -110,8 +110,8 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
         sampler->set(Sampler{unit++});
     set_placement(program, frame, pass, glm::dmat4(1.0));
     set_turned_normals(program, pass);
-    glDisable(GL_CULL_FACE);           // the method has culled already; this triangle only brings its pixels
-    if (capabilities.clip_distance) {  // and the shader clips by itself
+    glDisable(GL_CULL_FACE);           // the method has already culled; this triangle only shows its result
+    if (capabilities.clip_distance) {  // and the shader has its own clipping
         glDisable(GL_CLIP_DISTANCE0);
         glDisable(GL_CLIP_DISTANCE1);
     }
@@ -144,7 +144,7 @@ bool Renderer::Implementation::cuts_in_vain(const FrameState& frame, const Pass&
     if (pass.clip_planes.empty()) return false;
     if (pass.subject == Subject::patch)
         return is_kept_whole(quad.bounds, {}, pass, frame.plan.patches[pass.plane].world_from_patch());
-    // What is drawn in an order found before are pieces of the same objects.
+    // Passes in a precomputed order draw pieces of the same objects as other passes.
     if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;
     return std::all_of(frame.scene.objects.begin(), frame.scene.objects.end(), [&](const SceneObject& object) {
         return !is_chosen(pass.chosen, object) ||
@@ -235,7 +235,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
         const Pass& planned = plan.passes[index];
         const int first_call = next_call;
         next_call += call_count(planned, scene);
-        if (identify && planned.is_mirror_image) continue;  // what is there is the mirror
+        if (identify && planned.is_mirror_image) continue;  // instead of the image, identify the mirror itself
         std::optional<Pass> cheaper;
         if (cuts_in_vain(frame, planned)) cheaper.emplace(planned).clip_planes.clear();
         if (!tests.empty() && tests[index] != planned.stencil)
@@ -245,7 +245,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);
         if (Status drawn = draw_pass(frame, pass, mask, first_call); !drawn) return drawn;
-        if (is_first) glFlush();  // it is rasterised while the driver compiles what the next pass needs
+        if (is_first) glFlush();  // rasterize now, while the driver compiles programs for the next pass
         if (!mask.fills) continue;
         Result<const FillProgram*> fill = programs.fill();
         if (!fill) return Error{fill.error()};
@@ -299,7 +299,7 @@ Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& 
     meshes.drop_unused();
     drawings.drop_unused();
 
-    // A frame that does not clear depth starts from the one before; the first one has only itself.
+    // A frame that does not clear depth starts with the depth of the previous frame; the first one starts with its own.
     if (fresh && !plan.clears_depth())
         if (Status drawn = draw_passes(plan, scene, view.target_, true, identify); !drawn) return drawn;
     return draw_passes(plan, scene, view.target_, plan.clears_depth(), identify);
@@ -325,7 +325,7 @@ Status Renderer::draw_identities(const FramePlan& plan, const Scene& scene, glm:
     plain.samples = 0;
     plain.shows = Shows::color;
     for (Pass& pass : plain.passes) {
-        if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows are nobody
+        if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows have no identity
         pass.blend = Blend::none;
     }
     return implementation_->draw_frame(plain, scene, size_px, view, Shading::identity);

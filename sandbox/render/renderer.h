@@ -1,4 +1,4 @@
-// Executes a frame plan with GL: the only place where passes become calls. Also reads pictures and pixels back.
+// Executes a frame plan with GL: the only code that turns passes into calls. Also reads pictures and pixels back.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace viewing {
 
-/// The framebuffers of one view on screen; kept between frames so that nothing is reallocated while nothing changes.
+/// The framebuffers of one view on screen, kept between frames so that nothing is reallocated without a change.
 class View {
 public:
-    /// The finished picture (resolved, or depth and stencil made visible).
+    /// Returns the finished picture: resolved color, or depth and stencil made visible.
     GLuint texture() const { return presents_ ? shown_.texture() : target_.color_texture(); }
     GLuint framebuffer() const { return presents_ ? shown_.framebuffer() : target_.single_framebuffer(); }
     glm::ivec2 size_px() const { return target_.size_px(); }
@@ -28,8 +28,8 @@ private:
 
 class Renderer {
 public:
-    /// Needs a current context. Fewer capabilities than it has take the fallbacks; more are a programmer's mistake.
-    /// The error is a driver that refuses a shader.
+    /// Needs a current context. Fewer capabilities than the context has select the fallbacks; more are a programming
+    /// error. Fails if the driver rejects a shader.
     static Result<Renderer> make(const gl::Capabilities& capabilities = gl::Capabilities::of_current_context());
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -37,28 +37,29 @@ public:
 
     const gl::Capabilities& capabilities() const;
 
-    /// For derive(). The second one has what the driver makes of the format, which is measured once for each: 20 ms or
-    /// so, then GL is in its default state. Nothing is measured of a format that GL does not have.
+    /// Return the viewport for derive(). The second overload includes the driver's actual precision for the format,
+    /// measured once per format: that takes about 20 ms and leaves GL in its default state. A format that GL lacks is
+    /// not measured.
     Viewport viewport(glm::ivec2 size_px) const;
     Viewport viewport(glm::ivec2 size_px, DepthFormat measured) const;
-    /// Measured where something depends on it (depends_on_stored_depth).
+    /// Measures only if something depends on the result (depends_on_stored_depth).
     Viewport viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const;
 
-    /// Draws the plan into the view, which takes the given size.
+    /// Draws the plan into the view, which gets the size `size_px`.
     Status draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
-    /// The picture of the view, top row first.
+    /// Returns the picture of the view, top row first.
     Image read(const View& view) const;
 
-    /// Draws the plan with identities for colours: red and green hold the number of the object from 1 on
-    /// (from patch_identity on for the patches, 0 where nothing is), blue whether its front is seen. The mirror image
-    /// is left out: the patch is what is there.
+    /// Draws the plan with identities as colors: red and green contain the number of the object, from 1 on (from
+    /// patch_identity on for patches, 0 for the background); blue says whether its front is visible. Does not draw
+    /// mirror images: the pixels get the identity of the mirror.
     Status draw_identities(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
     static constexpr int patch_identity = 255 * 256;
 
-    /// The polygons that GL shows where the plan's hidden surfaces are drawn in order, by Polygon::source, and nothing
-    /// else of the scene. Below 2^24 polygons; depths are left as they are in an empty picture.
+    /// Draws the plan's hidden surfaces in order, without anything else in the scene. Returns for each pixel the
+    /// visible polygon, as its Polygon::source. At most 2^24 − 1 polygons; the depths remain those of an empty picture.
     Result<IdImage> read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
 private:

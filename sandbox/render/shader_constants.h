@@ -1,5 +1,5 @@
-// The numbers that C++ and GLSL share, written from the enumerations and tables in front of every shader: none of them
-// is typed in a shader. Read shaders/surface.frag for their use.
+// The numbers that C++ and GLSL share, generated from enumerations and tables and inserted before every shader, so that
+// no shader repeats them. Read shaders/surface.frag for their use.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct ShaderConstant {
 };
 std::span<const ShaderConstant> shader_constants();
 
-/// "#define SHADING_LIT 0" and so on, a line each.
+/// Returns "#define SHADING_LIT 0" and so on, one definition per line.
 const std::string& shader_constant_lines();
 
 }  // namespace viewing

@@ -5,7 +5,7 @@
 namespace viewing {
 namespace {
 
-/// The highest region that can be in the stencil after a pass; the highest that there is where that is not known.
+/// Returns the highest region that the stencil may contain after a pass; the highest possible one if that is unknown.
 int highest_after(const Pass& pass, int highest) {
     const StencilState& stencil = pass.stencil;
     const int written = stencil.write_bits & stencil_region_bits;
@@ -19,7 +19,7 @@ int highest_after(const Pass& pass, int highest) {
 
 StencilState at_least(int region) {
     StencilState state = inside(region);
-    state.func = CompareFunc::lequal;  // GL compares the reference with the stencil
+    state.func = CompareFunc::lequal;  // GL tests reference ≤ stencil
     return state;
 }
 

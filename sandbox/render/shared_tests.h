@@ -1,5 +1,5 @@
-// A software renderer compiles a fragment shader anew for each stencil test, of which only the reference may change
-// freely: what is drawn alike is given one test where that lets the same fragments through. Read renderer.cpp next.
+// A software renderer recompiles a fragment shader for each stencil test; only a change of the reference is free.
+// Passes that are drawn alike therefore share one test if it lets the same fragments through. Read renderer.cpp next.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// The stencil's state for each pass of a frame that begins with a cleared stencil: what passes, and what is left in
-/// the stencil, is as the passes have it. "Equal to the highest region" becomes "at least that region", and "no test"
-/// "at least 0", for passes that are drawn alike.
+/// Returns the stencil state for each pass of a frame that begins with a cleared stencil. The same fragments pass, and
+/// the stencil has the same final values. For passes that are drawn alike, "equal to the highest region" becomes "at
+/// least that region", and "no test" becomes "at least 0".
 std::vector<StencilState> shared_stencil_tests(std::span<const Pass> passes);
 
 }  // namespace viewing

@@ -15,8 +15,8 @@ std::array<glm::dvec4, 8> corners_of(const Bounds& box) {
     return corners;
 }
 
-/// All corners on the negative side, by more than what single precision may have rounded. The sum is linear in the
-/// corner, so then all of the box is, whatever becomes of w.
+/// Whether all corners are on the negative side, by more than rounding in single precision can explain. The sum is
+/// linear in the corner, so the whole box is then on that side, whatever the values of w.
 bool are_beyond(const std::array<glm::dvec4, 8>& corners, const glm::dvec4& plane) {
     constexpr double rounding = 1e-5;
     return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec4& corner) {

@@ -1,4 +1,5 @@
-// What no pixel will ever show need not be drawn, nor its program compiled. Read renderer.cpp next.
+// Finds objects that no pixel will show: they need no draw call, and their programs no compilation. Read renderer.cpp
+// next.
 #pragma once
 
 #include <span>
@@ -8,13 +9,14 @@
 
 namespace viewing {
 
-/// Whether all of a box lies beyond one side of the picture, or behind one of the pass's clip planes: nothing in it can
-/// be seen. Near and far planes are not asked, what touches an edge is in sight, and so is an empty box.
+/// Returns whether a whole box is outside one side of the picture or behind one of the pass's clip planes, so that
+/// nothing in it is visible. Ignores the near and far planes. A box that touches an edge counts as visible, and so does
+/// an empty one.
 bool is_out_of_sight(const Bounds& box_model, const Pass& pass, const glm::dmat4& world_from_model);
 
-/// Whether none of the pass's clip planes cuts anything off a mesh: what touches one is kept, as in the shader. Of a
-/// mesh of more than 4,096 vertices only the box is asked, which may reach further than the mesh: then the answer is
-/// no.
+/// Returns whether none of the pass's clip planes cuts anything off a mesh; points on a plane are kept, as in the
+/// shader. For a mesh of more than 4,096 vertices, tests only its box; since the box may be larger than the mesh, the
+/// result can be false although nothing is cut off.
 bool is_kept_whole(const Bounds& box_model, std::span<const glm::vec3> positions_model, const Pass& pass,
                    const glm::dmat4& world_from_model);
 

@@ -9,14 +9,14 @@
 namespace viewing {
 namespace {
 
-/// The translation that brings a point to the origin.
+/// Returns the translation that moves a point to the origin.
 glm::dmat4 moved_to_origin(const glm::dvec3& point) {
     glm::dmat4 made(1.0);
     made[3] = glm::dvec4(-point, 1.0);
     return made;
 }
 
-/// A plane of the world, to be multiplied by relative points.
+/// Converts a plane from world space to the space of relative positions.
 glm::dvec4 for_relative(const glm::dvec4& plane_world, const Pass& pass) {
     return {glm::dvec3(plane_world), glm::dot(plane_world, glm::dvec4(relative_origin(pass), 1.0))};
 }
@@ -32,7 +32,7 @@ void set_lights(const SurfaceProgram& program, const Pass& pass) {
     program.sky_world.set(pass.sky_world);
 }
 
-/// A plan without a heat map has no pairs either. Read frame/depth/heat_map.h for its numbers.
+/// Sets the heat map; without one, a plan has no pairs. Read frame/depth/heat_map.h for its numbers.
 void set_heat(const SurfaceProgram& program, const FramePlan& plan, const Pass& pass) {
     program.heat_view_from_relative.set(pass.view_from_world * glm::inverse(moved_to_origin(relative_origin(pass))));
     program.heat_tones.set_first(srgb(heat_colors));
@@ -52,7 +52,7 @@ void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
     program.reverses_depth.set(plan.depth_mapping == DepthMapping::reversed);
 }
 
-/// Of a square in its model's x and z: unit, towards the eye. Zero for one that is flattened.
+/// Returns the unit normal, toward the eye, of a square in the xz plane of its model; zero if the square is flattened.
 glm::dvec3 patch_normal(const Pass& pass, const glm::dmat4& placed_from_model) {
     const glm::dvec3 normal = normal_matrix(glm::dmat3(placed_from_model))[1];
     const double length = glm::length(normal);
@@ -99,7 +99,7 @@ void set_placement(const SurfaceProgram& program, const FrameState& frame, const
     if (pass.shading != Shading::flat) program.world_from_normal.set(normal_matrix(glm::dmat3(placed_from_model)));
     if (pass.subject == Subject::patch) program.patch_normal.set(patch_normal(pass, placed_from_model));
     std::array<glm::vec4, most_clip_planes> planes_model;
-    planes_model.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));  // which nothing lies behind
+    planes_model.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));  // no point is behind this plane
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
     program.clip_plane_model.set_first(planes_model);

@@ -1,4 +1,5 @@
-// What shaders/surface.* are told of a frame, a pass and an object. The program must be in use. Read renderer.cpp next.
+// Sets the uniforms of shaders/surface.* for a frame, a pass and an object. The program must be current. Read
+// renderer.cpp next.
 #pragma once
 
 #include "frame/plan.h"
@@ -7,39 +8,39 @@
 
 namespace viewing {
 
-/// What stays the same for all passes of a frame.
+/// The state that all passes of a frame share.
 struct FrameState {
     const FramePlan& plan;
     const Scene& scene;
     const gl::Target& target;
-    bool writes_depth;                ///< fragments bring their own: few bits, or a logarithm
-    std::optional<Shading> identify;  ///< numbers in place of colours, for reading back
+    bool writes_depth;                ///< fragments write their own depth: with few bits, or logarithmic
+    std::optional<Shading> identify;  ///< draws numbers instead of colors, for reading back
 
     Shading shading_of(const Pass& pass) const { return identify.value_or(pass.shading); }
 };
 
-/// What relative positions are relative to, world space: the eye, of an orthographic camera its place. Any point near
-/// what is seen would do; the origin for a view without an inverse.
+/// Returns the origin of relative positions, in world space: the eye, or the position of an orthographic camera. Any
+/// point near the visible objects would do; the result is the world's origin if the view has no inverse.
 glm::dvec3 relative_origin(const Pass& pass);
 
-/// Light, colours and depth: what all objects of a pass share.
+/// Sets light, colors and depth, which all objects of a pass share.
 void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const Pass& pass);
 
-/// The matrices and clip planes of one object.
+/// Sets the matrices and clip planes of one object.
 void set_placement(const SurfaceProgram& program, const FrameState& frame, const Pass& pass,
                    const glm::dmat4& world_from_model);
 
-/// Normals that point towards the eye already, of surface points that a method found: a mirror's cofactors would turn
-/// them around.
+/// Sets normals that already point toward the eye, for surface points found by a method: a mirror's cofactors would
+/// flip them.
 void set_turned_normals(const SurfaceProgram& program, const Pass& pass);
 
-/// The polygon offset, by GL or by the fragments themselves.
+/// Sets the polygon offset, which GL or the fragments themselves apply.
 void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset);
 
-/// The number of what is drawn, below 2^16, in the bytes of red and green.
+/// Sets the identity of the next object drawn, below 2^16, as the bytes of red and green.
 void set_identity(const SurfaceProgram& program, int identity);
 
-/// The gap of one object, by its index in the scene: for Shading::heat.
+/// Sets the gap of one object, given by its index in the scene, for Shading::heat.
 void set_heat_gap(const SurfaceProgram& program, const FramePlan& plan, std::size_t object);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
 // The uniforms of a program as a table: each is one line of the program's struct in programs.h, with type, count and
-// name. Location and upload come from that line, and so does the test that holds it against what the driver finds.
+// name. That line determines location and upload; a test compares it with the uniforms that the driver reports.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace viewing {
 
-/// Where a uniform is: location −1 in a program that does not use it. `stage`: 0 in a linked program.
+/// The location of a uniform; −1 if the program does not use it. `stage` is 0 in a linked program.
 struct UniformPlace {
     GLint location = -1;
     GLuint stage = 0;
 };
 
-/// A line of the table. `place` is the uniform's own.
+/// A row of the table. `place` is a member of the uniform.
 struct UniformEntry {
     const char* name;
     GLenum type;
@@ -29,19 +29,19 @@ struct UniformEntry {
     UniformPlace* place;
 };
 
-/// A program, linked or of two stages, with its table, which it fills while it is made. It stays where it is: the table
-/// points into it.
+/// A program, linked or with two stages, and the table of its uniforms, which is filled during construction. It must
+/// not move: the table points into it.
 class ShaderProgram {
 public:
     ShaderProgram() = default;
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-    void take(gl::Program linked);                               ///< and finds the uniforms' places in it
-    void take(const gl::Program& vertex, gl::Program fragment);  ///< `vertex` must outlive it
+    void take(gl::Program linked);                               ///< also finds the locations of the uniforms
+    void take(const gl::Program& vertex, gl::Program fragment);  ///< `vertex` must outlive this object
     void use() const { pipeline_ ? gl::use(pipeline_) : glUseProgram(program_.name()); }
 
-    /// What its uniforms are in: the linked program, or its stages.
+    /// Returns the programs that have its uniforms: the linked program, or its stages.
     std::vector<GLuint> programs() const;
     const std::vector<UniformEntry>& uniforms() const { return uniforms_; }
 
@@ -49,14 +49,14 @@ private:
     template <typename Value, std::size_t count>
     friend class Uniform;
 
-    /// Of uniforms of the program in use.
+    /// Makes glUniform*() set uniforms of this uniform's stage; the program must be current.
     void address(const UniformPlace& place) const {
         if (place.stage == 0 || place.stage == addressed_) return;
         gl::address(pipeline_, place.stage);
         addressed_ = place.stage;
     }
 
-    gl::Program program_;  ///< the whole, or the fragment stage
+    gl::Program program_;  ///< the linked program, or the fragment stage
     GLuint vertex_stage_ = 0;
     gl::Pipeline pipeline_;
     mutable GLuint addressed_ = 0;  ///< the stage whose uniforms the pipeline sets
@@ -68,7 +68,7 @@ struct Sampler {
     GLint unit;
 };
 
-/// What GL calls a type of C++, and how its values are uploaded.
+/// GL's type for a C++ type, and the upload of its values.
 template <typename Value>
 struct UniformType;
 template <>
@@ -127,7 +127,8 @@ struct UniformType<Sampler> {
     static void upload(GLint at, GLsizei, const Sampler* sampler) { glUniform1i(at, sampler->unit); }
 };
 
-/// One uniform, or an array of `count`. Setting needs its program in use; where that does not use it, nothing happens.
+/// A uniform, or an array of `count`. Its program must be current when it is set; if the program does not use the
+/// uniform, setting it does nothing.
 template <typename Value, std::size_t count = 1>
 class Uniform {
 public:
@@ -137,7 +138,7 @@ public:
     Uniform(const Uniform&) = delete;
     Uniform& operator=(const Uniform&) = delete;
 
-    /// From what converts to it: double becomes float here and nowhere else.
+    /// Converts `from` to the uniform's type: double becomes float here and nowhere else.
     template <typename From>
     void set(const From& from) const {
         static_assert(count == 1);
@@ -146,7 +147,7 @@ public:
         UniformType<Value>::upload(place_.location, 1, &value);
     }
 
-    /// The first ones of an array.
+    /// Sets the first elements of an array.
     void set_first(std::span<const Value> values) const {
         assert(values.size() <= count);
         program_.address(place_);

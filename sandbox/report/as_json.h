@@ -1,4 +1,4 @@
-// Numbers as JSON: shared by what reports to commands and lessons.
+// Converts values to JSON, for the reports of commands and lessons.
 #pragma once
 
 #include <string>
@@ -13,22 +13,22 @@ Json as_json(const glm::ivec2& pair);
 Json as_json(const glm::dvec3& vector);
 Json as_json(const glm::dvec4& vector);
 
-/// Four rows of the mathematical matrix, top row first; −0 is 0, what is not finite null.
+/// Returns the four rows of a matrix, top row first; −0 becomes 0, non-finite numbers become null.
 Json as_json(const glm::dmat4& matrix);
 
-/// "#rrggbb".
+/// Returns "#rrggbb".
 std::string as_text(const Color& color);
 
-/// The sentences of the problems.
+/// Returns the sentences that describe the problems.
 Json as_json(const std::vector<Problem>& problems);
 
-/// Without what a clock has said, at any depth.
+/// Removes all measured times, at any nesting level.
 Json without_times(Json json);
 
-/// The name of a state's scene, "inline" for one that is written out in it.
+/// Returns the name of a state's scene; "inline" for a scene that is part of the state.
 std::string scene_name(const Params& params);
 
-/// A part of a report that may fail: its error ends the report. Thrown as Refusal, caught by guarded().
+/// Unwraps the result for a part of a report; an error ends the report. Throws Refusal, which guarded() catches.
 template <typename T>
 T or_refuse(Result<T> result) {
     if (!result) throw Refusal(result.error());

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// The attempt as it comes out of a file.
+/// Returns the attempt after writing it to a file and reading it back.
 Result<Attempt> handed_in(const Attempt& attempt) {
     HandIn hand_in;
     hand_in.student = "test";
@@ -55,7 +55,7 @@ private:
         if (!verdict)
             findings_.push_back(what + " as a hand-in: " + verdict.error());
         else if (verdict->right != is_right || !(verdict->say == say))
-            findings_.push_back(what + " is told otherwise as a hand-in: " + verdict->say.in_english());
+            findings_.push_back(what + " gets different feedback as a hand-in: " + verdict->say.in_english());
     }
 
     const LessonStep& step_;

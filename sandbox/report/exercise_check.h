@@ -1,4 +1,5 @@
-// An exercise's own tests: each deployed variant as a lesson's step, and its answers once more by way of a hand-in.
+// An exercise's own tests: checks each deployed variant like a step of a lesson, and its answers again through a
+// hand-in.
 #pragma once
 
 #include "lesson/exercise.h"
@@ -9,11 +10,11 @@ namespace viewing {
 struct VariantCheck {
     Result<LessonStep> step;
     LessonFindings findings;
-    int wrong_answers = 0;  ///< that were told apart
+    int wrong_answers = 0;  ///< number of wrong answers that were recognized
 };
 
-/// What check_step says of the variant; and the model answer and each wrong one, written as a hand-in, read and judged
-/// as `grade` does, must be told the same as in the window.
+/// Returns the findings of check_step() for the variant. In addition, the model answer and each wrong one are written
+/// to a hand-in, read back and judged like in `grade`, and must get the same verdict as in the window.
 VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Renderer& renderer);
 
 }  // namespace viewing

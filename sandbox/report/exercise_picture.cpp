@@ -10,7 +10,7 @@ Result<ExercisePicture> exercise_picture(const HandIn& hand_in, const std::strin
     if (!all) return Error{all.error()};
     const Result<std::vector<Exercise>> one = of_set(*all, exercise);
     if (!one) return Error{one.error()};
-    if (one->size() != 1) return Error{"--exercise names one exercise, not a set"};
+    if (one->size() != 1) return Error{"--exercise must name one exercise, not a set"};
     Result<Lesson> made = sheet(*one, hand_in.course, hand_in.student, numbers_at_start(&renderer));
     if (!made) return Error{made.error()};
     const LessonStep& step = made->steps.front();

@@ -1,4 +1,4 @@
-// An exercise of one student as it can be drawn: how it begins, or what a hand-in made of it.
+// An exercise of one student, ready to draw: at its start, or after the answer in a hand-in.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 namespace viewing {
 
 struct ExercisePicture {
-    Lesson lesson;  ///< a sheet of this one exercise
-    Params params;  ///< its beginning; after the changes of the latest attempt at a goal
+    Lesson lesson;  ///< a sheet with only this exercise
+    Params params;  ///< at its start; for a goal, after the changes of the latest attempt
 };
 
-/// `exercise`: an id or a short one, of the program's. The error: there is none of that name, or the file's changes
-/// cannot be made.
+/// `exercise` is the id of a built-in exercise, or its short form. The error says that there is no such exercise, or
+/// that the changes in the file cannot be applied.
 Result<ExercisePicture> exercise_picture(const HandIn& hand_in, const std::string& exercise, Renderer& renderer);
 
 }  // namespace viewing

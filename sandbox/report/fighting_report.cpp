@@ -7,7 +7,8 @@
 namespace viewing {
 namespace {
 
-/// The parts of a predicted gap, for gaps measured along a normal with this slant; null where no gap is wide enough.
+/// Returns the parts of a predicted gap, for gaps along a normal with this slant; its total is null if no gap is wide
+/// enough.
 Json onset_as_json(const FightingOnset& onset, double slant) {
     return {{"quantisation", onset.quantisation * slant},
             {"arithmetic", onset.arithmetic * slant},

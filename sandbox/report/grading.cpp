@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_thought_s = 5.0;  // between two exercises, for a person who reads them
+constexpr double least_thought_s = 5.0;  // on average between two answers, for a person who reads the questions
 
 template <typename Of>
 int sum(const std::vector<ItemGrade>& items, const Of& of) {
@@ -21,7 +21,7 @@ int sum(const std::vector<ItemGrade>& items, const Of& of) {
                            [&](int total, const ItemGrade& item) { return total + of(item); });
 }
 
-/// Told apart by their lengths too: names in a file may hold any character.
+/// Precedes each setting by its length, since names in a file may contain any character.
 std::string key_of(const Attempt& attempt) {
     std::string key = attempt.is_goal ? " goal" : " answer";
     if (attempt.answer)
@@ -30,14 +30,14 @@ std::string key_of(const Attempt& attempt) {
     return key;
 }
 
-/// Seconds since midnight of "2026-11-21T10:03:12"; none for another form.
+/// Returns the seconds since midnight for a time such as "2026-11-21T10:03:12"; nothing if it has another form.
 std::optional<double> clock_s(const std::string& at) {
     if (at.size() < 19 || at[10] != 'T') return std::nullopt;
     const auto two = [&](std::size_t begin) { return (at[begin] - '0') * 10 + (at[begin + 1] - '0'); };
     return two(11) * 3600.0 + two(14) * 60.0 + two(17);
 }
 
-/// All right at once, faster than one can read.
+/// Whether all answers are correct on the first try, and came faster than anyone can read the questions.
 bool is_hasty(const StudentGrade& grade) {
     std::vector<double> times;
     for (const HandInItem& item : grade.hand_in.items)
@@ -58,14 +58,14 @@ std::vector<std::string> times_of(const HandIn& hand_in) {
 }
 
 bool has_equal_replay(const HandIn& a, const HandIn& b) {
-    constexpr std::size_t telling = 3;  // one drag or two may be alike by chance
+    constexpr std::size_t telling = 3;  // one or two drags may be equal by chance
     return std::any_of(a.items.begin(), a.items.end(), [&](const HandInItem& item) {
         const HandInItem* const other = b.find(item.exercise);
         return other && item.replay.size() >= telling && item.replay == other->replay;
     });
 }
 
-/// Whom a variant was given to: the first one of the class, and how many more.
+/// Returns the students who got a variant: the first one in the class, and how many more.
 std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
     std::string first;
     int others = 0;
@@ -163,8 +163,8 @@ void Grader::stop_when(std::function<bool()> is_over, std::string why) {
     why_over_ = std::move(why);
 }
 
-/// All that is known of an exercise without its answers' verdicts. Where it has none to wait for, its standing is
-/// final: nothing else has a trouble, or a place for each verdict.
+/// Returns everything about an exercise except the verdicts on its answers. If there are no answers to judge, its
+/// standing is final; otherwise it has a place for each verdict, or a trouble.
 ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
     const Exercise& asked = exercises_[exercise];
     ItemGrade grade;
@@ -189,12 +189,12 @@ ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, co
     return grade;
 }
 
-/// The answers of an exercise that wait for their verdicts.
+/// The answers to an exercise that are still to be judged.
 struct Grader::Turns {
     ItemGrade& item;
     const LessonStep& step;
-    std::string key;  ///< of the exercise and its variant
-    int cost;         ///< of one
+    std::string key;  ///< identifies the exercise and its variant
+    int cost;         ///< of judging one answer
     std::vector<const Attempt*> answers;
     std::vector<std::size_t> order;
     std::size_t done = 0;
@@ -233,7 +233,7 @@ void Grader::judge_next(Turns& turns) {
     ++turns.done;
 }
 
-/// One answer of each exercise after the other, so that none spends what the others need.
+/// Judges one answer to each exercise in turn, so that no exercise uses up the budget of the others.
 void Grader::judge_by_turns(StudentGrade& grade) {
     std::vector<Turns> all = turns_of(grade);
     std::set<std::string> paid;
@@ -296,15 +296,15 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
                            " of " + std::to_string(item.verdicts.size());
     }
     if (!over_budget.empty())
-        grade.notes.push_back(over_budget +
-                              " answers judged, the last, the first, then the latest that the file calls right: more "
-                              "than one file may cost");
+        grade.notes.push_back(
+            over_budget +
+            " answers judged (the last, the first, then the latest marked right): the file exceeds its budget");
     for (const HandInItem& item : grade.hand_in.items)
         if (std::none_of(exercises_.begin(), exercises_.end(),
                          [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&
             std::find(also_known_.begin(), also_known_.end(), item.exercise) == also_known_.end())
-            grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is no exercise here");
-    if (is_hasty(grade)) grade.notes.emplace_back("all right at the first try, within seconds");
+            grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is not a known exercise");
+    if (is_hasty(grade)) grade.notes.emplace_back("all right on the first try, within seconds");
     return grade;
 }
 
@@ -319,7 +319,7 @@ void compare_hand_ins(std::vector<StudentGrade>& grades) {
             const HandIn& theirs = grades[k].hand_in;
             const std::string other = printable(theirs.student);
             if (mine.student == theirs.student) {
-                notes.push_back("another file of the same student: " + grades[k].file);
+                notes.push_back("another file from the same student: " + grades[k].file);
                 continue;
             }
             constexpr std::size_t telling = 2;
@@ -343,7 +343,7 @@ std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const s
             if (count.text.empty()) count.text = text;
         }
     for (const StudentGrade& grade : grades) {
-        std::set<std::string> shown, last, possible;  // possible: told apart by an exercise that was tried
+        std::set<std::string> shown, last, possible;  // possible: tags of the exercises that were tried
         for (std::size_t i = 0; i < grade.items.size(); ++i) {
             const ItemGrade& item = grade.items[i];
             if (item.judged() == 0) continue;

@@ -1,5 +1,5 @@
-// Hand-ins judged again, from nothing but the student's number, the answers and the changes, each within a budget of
-// its own so that none holds up a class. Read lesson/hand_in.h for the file.
+// Judges hand-ins again, using only the student's number, the answers and the changes. Each hand-in has its own budget,
+// so that none of them delays a whole class. Read lesson/hand_in.h for the file.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace viewing {
 
-/// What an attempt is worth at a step that asks. A change of what the goal does not allow, and an answer that cannot be
-/// one to the question, are wrong. The error is that of an expression or of a drawing.
+/// Judges an attempt at a step with a question. A change that the goal does not allow is wrong, and so is an answer
+/// that does not fit the question. The error is that of an expression or of drawing.
 Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Renderer& renderer);
 
 enum class Standing {
@@ -24,11 +24,11 @@ enum class Standing {
     partly,
     wrong,
     missing,        ///< no answer was given
-    other_variant,  ///< it is not this student's variant
-    not_judged      ///< `trouble` says why
+    other_variant,  ///< not this student's variant
+    not_judged      ///< `trouble` gives the reason
 };
 
-/// One exercise of one student.
+/// One student's result for one exercise.
 struct ItemGrade {
     std::string exercise;
     std::size_t variant = 0;
@@ -36,22 +36,22 @@ struct ItemGrade {
     int points = 0, of = 0;
     int tries = 0, hints = 0;
     bool at_first_try = false;
-    /// Of every answer, in order; none of one beyond the budget, or that the time did not suffice for.
+    /// One per answer, in order; empty for an answer that exceeds the budget or was not judged in time.
     std::vector<std::optional<Verdict>> verdicts;
     std::string trouble;
 
-    /// Of the last answer that was told apart; "" where none was.
+    /// Returns the tag of the last recognized answer; "" if there is none.
     std::string last_tag() const;
-    std::size_t judged() const;  ///< how many answers have a verdict
+    std::size_t judged() const;  ///< number of answers with a verdict
 };
 
 struct StudentGrade {
     std::string file;
-    std::string error;  ///< why the file cannot be read; all else is empty then
+    std::string error;  ///< the reason why the file cannot be read; everything else is then empty
     HandIn hand_in;
-    std::vector<ItemGrade> items;    ///< of all exercises that are asked for, in their order
-    std::vector<std::string> notes;  ///< what somebody might look at; never a judgement
-    bool is_cut = false;             ///< the time ran out before all was judged that should be
+    std::vector<ItemGrade> items;    ///< for all requested exercises, in their order
+    std::vector<std::string> notes;  ///< hints for the lecturer; never a judgment
+    bool is_cut = false;             ///< time ran out before all answers within the budget were judged
 
     int points() const;
     int of() const;
@@ -59,37 +59,37 @@ struct StudentGrade {
     bool is_all_right() const;
 };
 
-/// A misconception over a class.
+/// A misconception with its counts for a class.
 struct TagCount {
     std::string tag;
     LessonText text;
-    int students = 0;     ///< who showed it at all
-    int at_last = 0;      ///< for whom it was the last answer to an exercise
-    int students_of = 0;  ///< who tried an exercise that knows it
+    int students = 0;     ///< number of students with an answer that shows it
+    int at_last = 0;      ///< number of students whose last answer to an exercise shows it
+    int students_of = 0;  ///< number of students who tried an exercise that has this tag
 };
 
-/// In which order so many answers of one exercise are judged while the budget lasts: the last one, the first one, those
-/// that the file calls right from the latest on, then the others from the latest on. `answers`: the attempts without
-/// the hints; the places are theirs.
+/// Returns the order in which the answers to one exercise are judged while the budget lasts: the last one, the first
+/// one, those that the file calls right from the latest to the earliest, then the others in the same order. `answers`
+/// are the attempts without the hints; the result contains indices into it.
 std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers);
 
-/// What one file may cost: 1 for each different answer, more for one that pictures are measured for. The last and the
-/// first answer of each exercise are judged beyond it.
+/// The budget of one file: each different answer costs 1, more if it needs measured pictures. The last and the first
+/// answer to each exercise are judged even if the budget is used up.
 inline constexpr int budget_of_file = 2048, cost_of_measured = 100;
 
 class Grader {
 public:
     Grader(std::vector<Exercise> exercises, Renderer& renderer);
-    /// Ids that may stand in a file though they are not asked for.
+    /// Sets ids that a file may contain although they are not requested.
     void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
 
-    /// No answer is judged any more once `is_over`; `why` is then what an exercise says that has not been judged.
+    /// Stops judging once `is_over` returns true; `why` is then the trouble of each exercise that has not been judged.
     void stop_when(std::function<bool()> is_over, std::string why);
 
     const std::vector<Exercise>& exercises() const { return exercises_; }
-    /// `course`: in place of what the file says.
+    /// `course` replaces the course in the file.
     StudentGrade grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course);
-    /// The step of a variant, made once.
+    /// Returns the step for a variant, which is made only once.
     const Result<LessonStep>& step(std::size_t exercise, std::size_t variant);
 
 private:
@@ -108,13 +108,13 @@ private:
     std::string why_over_;
     Renderer& renderer_;
     std::map<std::pair<std::size_t, std::size_t>, Result<LessonStep>> steps_;
-    std::map<std::string, Result<Verdict>> verdicts_;  ///< by exercise, variant and answer
+    std::map<std::string, Result<Verdict>> verdicts_;  ///< keyed by exercise, variant and answer
 };
 
-/// Adds notes on what two files have alike: times of attempts, and replays.
+/// Adds notes if two files have the times of attempts, or a replay, in common.
 void compare_hand_ins(std::vector<StudentGrade>& grades);
 
-/// The most frequent first; those of students who could be read.
+/// Counts tags over all readable files, the most frequent one first.
 std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 
 }  // namespace viewing

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// A value as a sentence can hold it.
+/// Returns a value in a form that is short enough for a sentence.
 std::string shortly(const Json& value) {
     constexpr std::size_t longest = 120;
     std::string text = value.dump();
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// The values on both sides of a claim's comparison, where it is one.
+    /// Returns the values on both sides of a claim's comparison; "" if the claim is not a comparison.
     std::string sides(const std::string& claim, LessonNumbers& numbers) const {
         for (const char* const sign : {"==", "~=", "<=", ">=", "<", ">"}) {
             const std::size_t at = claim.find(sign);
@@ -87,21 +87,21 @@ private:
             const Result<Json> left = evaluate(side[0], surroundings);
             const Result<Json> right = evaluate(side[1], surroundings);
             if (!left || !right) return "";
-            return "; it is " + shortly(*left) + " and " + shortly(*right);
+            return "; its sides are " + shortly(*left) + " and " + shortly(*right);
         }
         return "";
     }
 
-    /// Whether an answer is told by the entry of its list that names it, and by none before it.
+    /// Adds a finding unless an answer is recognized by its own entry in the list, and by none before it.
     void expect_told(const Result<Verdict>& verdict, const WrongAnswer& wrong, const std::string& where) {
         if (!verdict)
             find(where + ": " + verdict.error());
         else if (verdict->right)
-            find(where + " is taken for right");
+            find(where + " is accepted as right");
         else if (verdict->say.empty())
-            find(where + " is not recognised");
+            find(where + " is not recognized");
         else if (!(verdict->say == wrong.say))
-            find(where + " is told another one's sentence: " + verdict->say.in_english());
+            find(where + " gets the feedback of another answer: " + verdict->say.in_english());
     }
 
     void check_answers(LessonNumbers& numbers) {
@@ -116,7 +116,7 @@ private:
         for (std::size_t i = 0; i < ask.wrong.size(); ++i) {
             const std::string where = "ask.wrong[" + std::to_string(i) + "]";
             if (ask.wrong[i].sample.empty())
-                find(where + ".try is missing: an answer that it recognises");
+                find(where + ".try is missing: an answer that it recognizes");
             else
                 expect_told(judge(ask, ask.wrong[i].sample, numbers.surroundings()), ask.wrong[i], where);
         }
@@ -133,12 +133,12 @@ private:
         const Ask& ask = step_.ask;
         const Params& start = step_.start.params;
         const auto with = [&](const std::vector<std::string>& settings) {
-            return *apply_settings(start, settings);  // the reader has tried them
+            return *apply_settings(start, settings);  // the reader has already checked them
         };
         if (const Result<Verdict> begun = judge_goal(start); !begun)
             return find("ask.until: " + begun.error());
         else if (begun->right)
-            find("ask.until holds from the beginning");
+            find("ask.until already holds at the beginning");
         const Params model = with(ask.model);
         if (const Result<Verdict> reached = judge_goal(model); !reached || !reached->right)
             find("ask.model does not reach the goal" + (reached ? std::string() : ": " + reached.error()));
@@ -146,7 +146,7 @@ private:
         for (std::size_t i = 0; i < ask.wrong.size(); ++i) {
             const std::string where = "ask.wrong[" + std::to_string(i) + "]";
             if (ask.wrong[i].settings.empty())
-                find(where + ".try is missing: settings that it recognises");
+                find(where + ".try is missing: settings that it recognizes");
             else
                 expect_told(judge_goal(with(ask.wrong[i].settings)), ask.wrong[i], where);
         }
@@ -154,7 +154,7 @@ private:
 
     void check_allowed(const Params& start, const Params& model) {
         for (const std::string& path : changed_without_leave(start, model, step_.ask.allow))
-            find("ask.model changes " + path + ", which ask.allow does not have");
+            find("ask.model changes " + path + ", which ask.allow does not list");
     }
 
     const Lesson& lesson_;

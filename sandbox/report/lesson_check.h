@@ -1,4 +1,4 @@
-// A lesson's own tests: its claims, its model answers, and the wrong ones that it lists, against the program.
+// A lesson's own tests: checks its claims, its model answers, and the wrong answers that it lists against the program.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace viewing {
 
-/// What is wrong with a step, in one sentence that names lesson, step and the values.
+/// The problems of a step; each sentence names lesson, step and the values.
 using LessonFindings = std::vector<std::string>;
 
-/// Empty where all is well: claims hold before and after, the model answer is right and nothing is right before it,
-/// each wrong one that is listed is recognised and told apart from the others, every tag is one of the lesson's, and a
-/// goal's model changes nothing that may not be changed.
+/// Returns the findings; empty if there are none. Claims must be true before and after the answer. The model answer
+/// must be right, and nothing right before it. Each listed wrong answer must be recognized and distinguished from the
+/// others, and every tag must be one of the lesson's. A goal's model must not change anything that may not be changed.
 LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer);
 
 }  // namespace viewing

@@ -18,7 +18,7 @@
 namespace viewing {
 namespace {
 
-/// The lecture's letters, and the names that `matrices` prints.
+/// The lecture's letters, and the names that `matrices` prints for them.
 struct Letter {
     const char *letter, *name;
 };
@@ -65,7 +65,7 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
         if (!arguments.empty()) return wants_arguments("newell_step()");
         return newell_step_as_json(now_, scene_, size_px);
     }
-    if (!renderer_) return Error{name + " is measured in pictures, which there are none of here"};
+    if (!renderer_) return Error{name + " is measured in pictures, which are not available here"};
     if (name == "pixel") {
         const auto is_place = [](double at, int end) { return at == std::floor(at) && at >= 0.0 && at < end; };
         if (arguments.size() != 2 || !is_place(arguments[0], size_px.x) || !is_place(arguments[1], size_px.y))
@@ -77,7 +77,7 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
     if (name == "mirror_ways") return mirror_as_json(*renderer_, now_, scene_, size_px);
     if (const std::size_t count = scene_.triangle_count(); count > most_counted_polygons)
         return Error{"visibility_counts() takes scenes of at most " + grouped_number(most_counted_polygons) +
-                     " polygons, this one has " + grouped_number(static_cast<std::int64_t>(count))};
+                     " polygons, but this one has " + grouped_number(static_cast<std::int64_t>(count))};
     Result<Json> counts = visibility_as_json(*renderer_, now_, scene_, visibility_size_px);
     return counts ? Result<Json>(without_times(*std::move(counts))) : counts;
 }
@@ -100,8 +100,8 @@ Result<Json> LessonNumbers::look_up(const std::string& name, std::span<const dou
     for (const double argument : arguments) key += " " + shortest_number(argument);
     if (const auto known = kept_.find(key); known != kept_.end()) return known->second;
     if (kept_.size() == most_measured)
-        return Error{name + " would be one more than the " + std::to_string(most_measured) +
-                     " different values that are measured of a state"};
+        return Error{name + " exceeds the limit of " + std::to_string(most_measured) +
+                     " different measured values per state"};
     Result<Json> value = measured(name, arguments);
     if (value) kept_[key] = *value;
     return value;

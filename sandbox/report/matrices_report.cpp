@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Of S and R: those of the first plane and light.
+/// `mirror` and `cast` belong to the first plane and light.
 Json facts_as_json(const Facts& facts, const glm::dmat4& mirror, const CastShadow& cast) {
     const glm::dmat4& shadow = cast.shadowed_world_from_world;
     return {{"plane_dot_light", cast.plane_dot_light + 0.0},
@@ -30,7 +30,7 @@ Json followed_as_json(const FollowedPoint& followed) {
             {"mirrored", as_json(followed.mirrored_world)}};
 }
 
-/// S and R of each plane, each S of one light: the first ones are those above.
+/// Returns R for each plane and S for each of its lights; the first ones are the same as above.
 Json planes_as_json(const Derived& derived) {
     Json planes = Json::array();
     for (const DerivedPlane& plane : derived.planes) {

@@ -1,4 +1,4 @@
-// The matrices of a state with their facts, as JSON. Read frame/derive.h for where they come from.
+// Reports the matrices of a state with their properties, as JSON. Read frame/derive.h for their computation.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace viewing {
 
-/// Rows of numbers by the names of the state file; "followed" stands only where a point is followed.
+/// Returns the matrices as rows, under the names used in state files; "followed" is present only if a point is
+/// followed.
 Json matrices_as_json(const Derived& derived, const std::vector<Problem>& problems);
 
 }  // namespace viewing

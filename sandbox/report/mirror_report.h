@@ -1,5 +1,4 @@
-// The mirror image of a state made in four ways, as JSON. Read measure/mirror_measure.h for the
-// counting.
+// Reports the mirror image of a state made in four ways, as JSON. Read measure/mirror_measure.h for the counting.
 #pragma once
 
 #include "render/renderer.h"
@@ -8,8 +7,8 @@
 
 namespace viewing {
 
-/// No clipping, clip distance, oblique near plane and mirrored camera, compared by their pictures and depths. The
-/// error is GL's.
+/// Compares the pictures and depths of four ways: no clipping, clip distance, oblique near plane and mirrored camera.
+/// The error is GL's.
 Result<Json> mirror_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

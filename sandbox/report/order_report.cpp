@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_polygons = 20'000, most_pairs = 1'000'000;
 
-/// `name` of an index in the order's own numbers.
+/// `name` converts an index to the report's own numbering.
 template <typename Name>
 Json list_of(std::span<const int> indices, const Name& name) {
     Json list = Json::array();
@@ -58,15 +58,14 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
         params.cull.enabled ? culled(surface.polygons, viewpoint, params.cull.face, params.cull.front_face)
                             : surface.polygons;
     if (polygons.size() > most_polygons)
-        return Error{std::to_string(polygons.size()) +
-                     " polygons are too many to compare each with every other one: at most " +
+        return Error{std::to_string(polygons.size()) + " polygons are too many to compare in pairs: at most " +
                      std::to_string(most_polygons)};
 
     const std::vector<HidingPair> pairs =
         hiding_pairs(polygons, viewpoint, params.visibility.epsilon * surface.diagonal, most_pairs);
     if (pairs.size() > most_pairs)
-        return Error{"of the " + std::to_string(polygons.size()) +
-                     " polygons more than a million pairs hide one another: too many to list"};
+        return Error{"more than a million pairs of the " + std::to_string(polygons.size()) +
+                     " polygons hide each other: too many to list"};
     std::vector<int> object_of;
     for (const Polygon& polygon : polygons) object_of.push_back(polygon.object);
     const auto object = [&](int index) { return scene.objects[static_cast<std::size_t>(index)].description.name; };
@@ -107,7 +106,7 @@ Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::
     if (newell->steps.empty()) return Error{"there are no polygons to compare"};
     const auto count = static_cast<int>(newell->steps.size());
     const int step = params.visibility.step < 0 ? count : params.visibility.step;
-    if (step == 0 || step > count) return Error{"there are steps 1 to " + std::to_string(count)};
+    if (step == 0 || step > count) return Error{"no such step: the steps are 1 to " + std::to_string(count)};
     const NewellStep& reached = newell->steps[static_cast<std::size_t>(step) - 1];
     const auto extent = [&](int fragment) {
         return fragment < 0 ? Json()

@@ -1,4 +1,4 @@
-// Who hides whom in a state, as JSON. Read visibility/hiding.h for how it is found.
+// Reports which surfaces of a state hide which, as JSON. Read visibility/hiding.h for the method.
 #pragma once
 
 #include "state/file/document.h"
@@ -7,19 +7,20 @@
 
 namespace viewing {
 
-/// Which polygons, and which objects, must be painted before which, whether there is an order of whole ones or a cycle,
-/// and how many pairs each of the painter's keys has the wrong way round. Nothing is drawn. The error: there are more
-/// polygons than can be compared with one another.
+/// Reports which polygons, and which objects, must be painted before which; whether whole ones can be painted in some
+/// order or form a cycle; and how many pairs each of the painter's keys orders wrongly. Draws nothing. The error says
+/// that there are too many polygons to compare.
 Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
-/// The BSP tree's nodes as the camera draws them, the farthest first: {"count": n, "order": [3, 1, 2]}, numbered from 1
-/// on in the order in which they are built, as the tree's picture shows them. The error: the scene is too large.
+/// Returns the nodes of the BSP tree in the order in which the camera draws them, farthest first: {"count": n, "order":
+/// [3, 1, 2]}. Nodes are numbered from 1 in the order in which they are built, like in the tree's picture. The error
+/// says that the scene is too large.
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
-/// The pair that Newell's ladder compares at visibility.step, the last step where that is −1: {"test": "x_extents"}
-/// that decided, "action", and of "a" and "b" what each covers: left, right, bottom, top on the screen in −1 … 1,
-/// nearest and farthest by eye distance; "b" is null where nothing is left to compare with. The errors: the scene is
-/// too large, or there is no such step.
+/// Returns the pair that Newell's sequence of tests compares at visibility.step (−1: the last step): {"test":
+/// "x_extents"}, the test that decided; "action"; and the extents of "a" and "b": left, right, bottom, top on the
+/// screen in −1 … 1, and nearest and farthest eye distance. "b" is null if nothing is left to compare with. The error
+/// says that the scene is too large, or that there is no such step.
 Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

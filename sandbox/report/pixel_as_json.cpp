@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// What only a surface has is null for the background, and what depth says where it is that of a cleared buffer.
+/// Values of a surface are null for the background; values of a depth are null for a cleared buffer.
 Json report_as_json(const PixelReport& report) {
     const auto of_surface = [&report](Json value) { return report.written ? std::move(value) : Json(); };
     const auto of_depth = [&report](Json value) { return report.has_depth ? std::move(value) : Json(); };
@@ -31,7 +31,7 @@ Json report_as_json(const PixelReport& report) {
             {"world", of_depth(as_json(report.world))}};
 }
 
-/// In drawing order; "culled", "tie" and "rounding" stand only where they are true.
+/// Returns fragments in drawing order; "culled", "tie" and "rounding" are present only if they are true.
 Json fragments_as_json(const std::vector<Fragment>& fragments) {
     Json list = Json::array();
     for (const Fragment& fragment : fragments) {
@@ -50,13 +50,13 @@ Json fragments_as_json(const std::vector<Fragment>& fragments) {
     return list;
 }
 
-/// The pixel of the small raster that a pixel of the view lies in; null beside it.
+/// Returns the pixel of the low-resolution raster that contains a pixel of the view; null outside it.
 Json raster_as_json(const HiddenRequest& request, glm::ivec2 pixel, glm::ivec2 size_px) {
     const auto own = raster_pixel(glm::dvec2(pixel) + 0.5, size_px, request.size_px, request.share);
     return {{"size", as_json(request.size_px)}, {"pixel", own ? as_json(*own) : Json()}};
 }
 
-/// What view.shows makes of the picture where that is not what the probe draws; none where it is.
+/// Returns the picture for view.shows if it differs from the picture that the probe draws; otherwise nothing.
 Result<std::optional<Image>> picture_of_its_own(Renderer& renderer, Params params, const Scene& scene,
                                                 glm::ivec2 size_px) {
     if (params.view.shows == Shows::color || params.view.shows == Shows::facing) return std::optional<Image>{};

@@ -1,4 +1,4 @@
-// What is at one pixel, read back from the buffers, and every surface that was sent there, as JSON. Read
+// Reports the values at one pixel, read back from the buffers, and every surface that was drawn there, as JSON. Read
 // frame/pixel_report.h and frame/depth/fragments.h for the numbers.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace viewing {
 
-/// One object for each pixel; they count from the top left one of a picture without multisampling, in which they lie.
-/// The colour is that of the picture, as view.shows says; the rest is the surface's, whatever the colours show. The
-/// error is GL's.
+/// Returns one object for each pixel. Pixels count from the top left of a picture without multisampling, and must be
+/// inside it. The color is that of the picture for view.shows; all other values are the surface's, whatever the colors
+/// show. The error is GL's.
 Result<Json> pixels_as_json(Renderer& renderer, const Params& params, const Scene& scene,
                             std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
 
-/// The object of one.
+/// Returns the object for one pixel.
 Result<Json> pixel_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 pixel,
                            glm::ivec2 size_px);
 

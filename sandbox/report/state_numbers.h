@@ -1,5 +1,5 @@
-// The numbers of any state for expressions, each with its own scene: for exercises, whose variants are computed and
-// judged far from the window's one state.
+// The numbers of any state for expressions, each state with its own scene: for exercises, whose variants are computed
+// and judged independently of the window's current state.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace viewing {
 
-/// Of `now`, with `start` as the beginning that it is compared with. The error is the scene's. `renderer` may be null,
-/// as LessonNumbers takes it, and outlives what is returned.
+/// Returns the numbers of `now`, with `start` as the start of the step. The error is the scene's. `renderer` may be
+/// null, as for LessonNumbers, and must outlive the result.
 Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, Renderer* renderer);
 
-/// The same of a start itself, as variants ask for it.
+/// Returns a function that does the same for a start state itself, for computing variants.
 NumbersAt numbers_at_start(Renderer* renderer);
 
 }  // namespace viewing

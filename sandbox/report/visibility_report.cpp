@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// GL draws the objects of the camera view and nothing else, once to warm up and once by the clock.
+/// Returns the time that GL needs to draw only the objects of the camera view; draws once before, to warm up.
 double time_of_gl_ms(Renderer& renderer, Params params, const Derived& derived, const Scene& scene,
                      glm::ivec2 size_px) {
     params.view.shows = Shows::color;
@@ -53,7 +53,7 @@ bool has_build(VisibilityMethod method) {
     return method == VisibilityMethod::bsp || method == VisibilityMethod::ray_cast;
 }
 
-/// Finds an order first and paints in it then; the others do both at once.
+/// Whether the method first finds an order and then paints in that order; the other methods do both together.
 bool has_order(VisibilityMethod method) {
     return method == VisibilityMethod::painter || method == VisibilityMethod::newell || method == VisibilityMethod::bsp;
 }
@@ -71,7 +71,7 @@ Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std
             {"after", left}};
 }
 
-/// One state, measured by method after method.
+/// Measurements of one state, with each method in turn.
 class Measurement {
 public:
     Measurement(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px)
@@ -134,7 +134,7 @@ private:
         return wrong;
     }
 
-    /// Exact curves have numbers of their own, so there objects are compared, not polygons.
+    /// Polygons of exact curves have their own numbers, so compare objects instead.
     std::int64_t wrong_pixels(const HiddenResult& result) {
         const IdImage image = or_refuse(polygon_ids_drawn(renderer_, params_, derived_, scene_, result));
         if (!uses_exact_curves(result.request)) return difference(reference_, image).different;
@@ -145,7 +145,7 @@ private:
     const Params& params_;
     const Scene& scene_;
     const Derived derived_;
-    HiddenRequest request_;  ///< of the method that is measured
+    HiddenRequest request_;  ///< for the method being measured
     HiddenSurfaceSolver solver_;
     const std::vector<int> objects_;
     IdImage reference_;

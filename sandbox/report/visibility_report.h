@@ -1,5 +1,5 @@
-// What the hidden-surface methods do with a state's scene, as JSON. Read frame/hidden/hidden_surfaces.h for one
-// method.
+// Reports how the hidden-surface methods perform on a state's scene, as JSON. Read frame/hidden/hidden_surfaces.h for a
+// single method.
 #pragma once
 
 #include "render/renderer.h"
@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Every method on the scene from the state's camera, all steps of it: counters, times, and how many pixels differ from
-/// ray casting with triangles, as difference() counts them. A number that a method does not have is null. The
-/// error is GL's.
+/// Runs every method on the scene from the state's camera, with all steps: counters, times, and the number of pixels
+/// that differ from ray casting with triangles, as difference() counts them. Numbers that do not apply to a method are
+/// null. The error is GL's.
 Result<Json> visibility_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

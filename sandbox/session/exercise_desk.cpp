@@ -22,7 +22,7 @@ std::string local_time() {
     return text;
 }
 
-/// What was checked last; empty where nothing was.
+/// Returns the answer that was checked last; empty if there is none.
 std::vector<double> latest_answer(const HandInItem& item) {
     const auto latest = std::find_if(item.attempts.rbegin(), item.attempts.rend(),
                                      [](const Attempt& attempt) { return attempt.answer.has_value(); });
@@ -80,17 +80,17 @@ void ExerciseDesk::choose_variants() {
     followed_.clear();
 }
 
-void ExerciseDesk::sit_down(const Student& student, bool practises) {
+void ExerciseDesk::sit_down(const Student& student, bool practices) {
     const bool is_the_same = student.course == student_.course && student.number == student_.number &&
-                             practises == (is_practice() && has_own_sheet());
-    if (is_the_same && is_read_ && !reading_.is_running()) {  // another name alone
+                             practices == (is_practice() && has_own_sheet());
+    if (is_the_same && is_read_ && !reading_.is_running()) {  // only the name differs
         student_.name = owner_.name = hand_in_.name = student.name;
         has_changed_ |= !hand_in_.items.empty();
         return;
     }
     if (Status done = finish(); !done) trouble_ = std::move(done);
     student_ = student;
-    owner_ = has_own_sheet() && !practises ? student : Student{"", "", student.name};
+    owner_ = has_own_sheet() && !practices ? student : Student{"", "", student.name};
     begin_sheet();
 }
 
@@ -108,7 +108,7 @@ void ExerciseDesk::begin_sheet() {
             Result<HandIn> read = is_there(kept) ? load_hand_in(kept) : HandIn{};
             if (!read) return Error{read.error()};
             Opened opened{{}, *std::move(read), {}};
-            if (Result<HandIn> practised = load_hand_in(practice)) opened.practice = *std::move(practised);
+            if (Result<HandIn> practiced = load_hand_in(practice)) opened.practice = *std::move(practiced);
             return opened;
         });
 }
@@ -122,7 +122,7 @@ void ExerciseDesk::open_hand_in(const std::filesystem::path& opened) {
         if (folder.empty()) return Opened{*std::move(read), {}, {}};
         const std::filesystem::path kept = folder / answers_file_name({read->course, read->student, read->name});
         Result<HandIn> known = is_there(kept) ? load_hand_in(kept) : HandIn{};
-        // What is kept here is the newer one.
+        // The answers kept here are newer.
         return known ? Opened{merged(*read, {}, *known), *known, {}} : Opened{*std::move(read), {}, {}};
     });
 }
@@ -154,7 +154,7 @@ Status ExerciseDesk::take_what_was_read() {
         has_changed_ = true;
     } else {
         practice_ = std::move((*read)->practice);
-        take_from_disk(std::move((*read)->on_disk), {});  // a name that was typed counts
+        take_from_disk(std::move((*read)->on_disk), {});  // a name that was just typed wins
     }
     return std::monostate{};
 }
@@ -177,7 +177,7 @@ void ExerciseDesk::write_what_changed() {
 }
 
 void ExerciseDesk::read_again() {
-    has_changed_ |= is_read_;  // what is written is merged with what is there
+    has_changed_ |= is_read_;  // writing merges with the file's content
 }
 
 Status ExerciseDesk::update(double now_s) {
@@ -191,14 +191,14 @@ Status ExerciseDesk::update(double now_s) {
 }
 
 double ExerciseDesk::update_due_in_s(double now_s) const {
-    // The end of what is read or written is heard of by itself.
+    // A read or write in progress reports its own end.
     if (!has_changed_ || folder_.empty() || reading_.is_running() || writing_.is_running()) return -1.0;
     return written_s_ < 0.0 ? 0.0 : std::max(written_s_ + least_between_writes_s - now_s, 0.0);
 }
 
 Status ExerciseDesk::finish() {
     Status last = std::monostate{};
-    for (int turn = 0; turn < 2; ++turn) {  // what is being written, then what has changed since
+    for (int turn = 0; turn < 2; ++turn) {  // first the write in progress, then later changes
         writing_.wait(-1.0);
         if (Status written = take_what_was_written(); !written) last = std::move(written);
         if (turn > 0) break;
@@ -291,17 +291,17 @@ HandIn ExerciseDesk::practice_with_own_numbers() const {
     return own;
 }
 
-ExerciseDesk::Practised ExerciseDesk::practised() const {
-    Practised practised;
-    for (const HandInItem& item : practice_.items) practised.all += item.attempts.empty() ? 0 : 1;
+ExerciseDesk::Practiced ExerciseDesk::practiced() const {
+    Practiced practiced;
+    for (const HandInItem& item : practice_.items) practiced.all += item.attempts.empty() ? 0 : 1;
     for (const HandInItem& item : practice_with_own_numbers().items) {
         const HandInItem* const own = own_item(item.exercise);
         const auto is_here = [own](const Attempt& attempt) {
             return own && std::find(own->attempts.begin(), own->attempts.end(), attempt) != own->attempts.end();
         };
-        if (!std::all_of(item.attempts.begin(), item.attempts.end(), is_here)) ++practised.with_own_numbers;
+        if (!std::all_of(item.attempts.begin(), item.attempts.end(), is_here)) ++practiced.with_own_numbers;
     }
-    return practised;
+    return practiced;
 }
 
 void ExerciseDesk::take_over_practice() {
@@ -327,7 +327,7 @@ HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant)
     hand_in_.student = owner_.number;
     hand_in_.name = owner_.name;
     HandInItem* item = hand_in_.find(exercise);
-    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // it was another's
+    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // answers to other numbers
     if (item) return *item;
     return hand_in_.items.emplace_back(HandInItem{exercise, variant, {}, {}, {}, {}});
 }
@@ -384,7 +384,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
     if (run.is_revealed()) return;
     if (step.ask.kind != AskKind::goal) {
         const std::vector<double> typed = answer_numbers(run.answer());
-        if (typed == std::exchange(last_typed_, typed)) return;  // another window may have typed since
+        if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window may have typed since
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
         if (typed.empty() || (is_blank && (!known || !known->draft))) return;
         if (known && (known->draft ? *known->draft : latest_answer(*known)) == typed) return;

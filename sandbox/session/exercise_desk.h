@@ -1,5 +1,5 @@
-// A student's exercises in the window: whose they are, the sheet with the numbers that are theirs, and every attempt,
-// kept in a file from the moment it is made. Read lesson/exercise.h for the exercises, lesson/hand_in.h for the file.
+// A student's exercises in the window: the student, the sheet with their numbers, and every attempt, saved in a file
+// immediately. Read lesson/exercise.h for the exercises, lesson/hand_in.h for the file.
 #pragma once
 
 #include <filesystem>
@@ -21,70 +21,73 @@ public:
     struct Entry {
         Exercise exercise;
         std::size_t variant = 0;
-        std::optional<Result<LessonStep>> step;  ///< none until it is made
+        std::optional<Result<LessonStep>> step;  ///< none until made
     };
 
-    /// Where answers are kept; empty: nowhere, as in a picture.
+    /// Sets the folder for answers; if it is empty, nothing is saved, as when only a picture is drawn.
     void keep_in(std::filesystem::path folder, std::string program);
-    /// Reads the exercises when they are wanted first; an error is one that cannot be read.
+    /// Reads the exercises on first use. If one cannot be read, trouble() returns the error.
     void open();
     bool is_open() const { return is_read_; }
     const Status& trouble() const { return trouble_; }
 
-    /// What was typed of them, complete or not.
+    /// Returns what was typed for the student, complete or not.
     const Student& student() const { return student_; }
-    /// Another one's sheet; what was answered at it before comes back. Without a number or a course, and where a
-    /// student `practises`, it is the sheet of practice: with numbers that are nobody's, and never handed in.
-    void sit_down(const Student& student, bool practises = false);
+    /// Opens a student's sheet and restores its earlier answers. Without number and course, or if the student
+    /// `practices`, opens the practice sheet, whose numbers belong to nobody and which is never handed in.
+    void sit_down(const Student& student, bool practices = false);
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
-    /// Number and course are there: a person who practises has a sheet to go back to.
+    /// Whether number and course are known: a student who practices can then return to a sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
-    /// How many exercises of practice were tried, and how many of them ask for the numbers of this student as well and
-    /// have attempts that this sheet does not have. Where numbers differ an answer is no answer here.
-    struct Practised {
+    /// The number of practice exercises tried, and how many of them have this student's own numbers and attempts that
+    /// this sheet lacks. Answers to other numbers do not count here.
+    struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
-    Practised practised() const;
-    /// Adds the attempts and answers of these to the sheet; practice keeps them too.
+    Practiced practiced() const;
+    /// Adds those attempts and answers to the sheet; the practice sheet keeps them too.
     void take_over_practice();
-    /// Goes on with answers that were saved, as update() tells; with those that are kept here for the same student.
+    /// Continues with a file of saved answers, merged with those stored for the same student; update() reports the
+    /// outcome.
     void open_hand_in(const std::filesystem::path& file);
-    /// A hand-in that was opened from a file: its student's sheet with its attempts.
+    /// Opens the sheet of a hand-in's student, with the attempts of the hand-in.
     void take_hand_in(HandIn hand_in);
 
-    /// Called once a frame: what was read is taken over, what has changed is written beside the window. The error is
-    /// that of a file.
+    /// Called once a frame: uses finished reads, and writes changes in the background. Returns the error of a read or
+    /// write.
     Status update(double now_s);
-    /// Until what waits to be written wants an update(), though nothing else happens; negative: nothing waits.
+    /// Returns the time until a pending change needs an update(), even if nothing else happens; negative if no change
+    /// is pending.
     double update_due_in_s(double now_s) const;
-    /// All that waits is written, now.
+    /// Writes all pending changes now.
     Status finish();
-    /// Another window may have written the same student's answers: the next update() takes them over.
+    /// Makes update() merge with this student's file again, which another window may have written.
     void read_again();
 
     const std::vector<Entry>& entries() const { return entries_; }
-    /// The place of the variant that is to be made next: by whoever knows its numbers. None: all are there.
+    /// Returns the index of the next variant to make, which needs a caller that computes its numbers; none if all are
+    /// made.
     std::optional<std::size_t> next_to_make() const;
     void take_step(std::size_t entry, Result<LessonStep> step) { entries_[entry].step = std::move(step); }
     bool is_ready() const { return is_read_ && !reading_.is_running() && !next_to_make(); }
 
-    /// The exercises at these places as something that leads, with what was done at each.
+    /// Returns the exercises at these indices as a run, with the earlier work on each.
     LessonRun sheet(const std::vector<std::size_t>& places) const;
-    /// The same, standing at one of them; none where that could not be made.
+    /// Returns the same, opened at one of them; none if that one could not be made.
     std::optional<LessonRun> sheet_at(const std::string& exercise, const std::vector<std::size_t>& places) const;
     const HandIn& hand_in() const { return hand_in_; }
     bool is_right(const std::string& exercise) const;
     bool is_tried(const std::string& exercise) const;
     int points() const, points_of() const;
 
-    /// An answer that was judged.
+    /// Records a judged answer.
     void record(const LessonRun& run, const Verdict& verdict, const Params& params);
-    /// Called once a frame while a sheet leads: hints that were looked at, what is typed, what is changed on the way to
-    /// a goal. `is_at_rest`: nothing is held.
+    /// Called once a frame while a sheet is open: records hints shown, answers typed, and changes on the way to a goal.
+    /// `is_at_rest`: no control is held.
     void follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s);
 
 private:
-    /// What is had of a file, and what is on the disk.
+    /// The content of an opened file, and of the file on disk.
     struct Opened {
         HandIn hand_in, on_disk, practice;
     };
@@ -93,11 +96,11 @@ private:
     Status take_what_was_written();
     void take_from_disk(HandIn on_disk, const HandIn& known);
     void write_what_changed();
-    bool is_of_student(const LessonRun& run) const;  ///< a sheet that still leads may be another's
+    bool is_of_student(const LessonRun& run) const;  ///< an open sheet may be another student's
     void add(HandInItem& item, Attempt attempt);
     HandInItem& item(const std::string& exercise, std::size_t variant);
-    const HandInItem* own_item(const std::string& exercise) const;  ///< null where its variant is another's
-    /// What this student practised with numbers that are theirs too.
+    const HandInItem* own_item(const std::string& exercise) const;  ///< null if its variant is another student's
+    /// Returns this student's practice on numbers that are also their own.
     HandIn practice_with_own_numbers() const;
     void choose_variants();
     std::filesystem::path file(const Student& owner) const;
@@ -107,26 +110,26 @@ private:
     std::filesystem::path folder_;
     std::string program_;
     Student student_;  ///< as typed
-    Student owner_;    ///< whose numbers and file: of practice no number and no course
-    HandIn practice_;  ///< beside another sheet, as it was when that was opened
+    Student owner_;    ///< whose numbers and file; without number and course for practice
+    HandIn practice_;  ///< read when another sheet was opened
     std::vector<Entry> entries_;
     HandIn hand_in_;
-    HandIn known_;  ///< what the file held when it was read or written last: other windows write it too
-    HandIn sent_;   ///< what is being written
+    HandIn known_;  ///< the file's content when last read or written; other windows write it too
+    HandIn sent_;   ///< the content being written
     BackgroundTask<Opened> reading_;
-    bool is_another_ = false;    ///< what is being read says itself whose it is
-    bool is_unwritten_ = false;  ///< the latest writing failed: finish() tries once more
+    bool is_another_ = false;    ///< the file being read determines the student
+    bool is_unwritten_ = false;  ///< the last write failed; finish() retries it
     BackgroundTask<HandIn> writing_;
     double written_s_ = -1.0;
 
-    std::string followed_;  ///< the exercise that is being done
+    std::string followed_;  ///< the current exercise
     double followed_since_s_ = 0.0;
-    std::optional<Params> last_;                     ///< its latest state that was noted
-    std::optional<std::vector<double>> last_typed_;  ///< its latest answer here, noted or not
+    std::optional<Params> last_;                     ///< its last recorded state
+    std::optional<std::vector<double>> last_typed_;  ///< its last answer in this window, recorded or not
 };
 
-/// The file's name in which a student's answers to a course are kept: letters, digits, - and _, others as %XX, and a
-/// tilde between the two.
+/// Returns the name of the file with a student's answers to a course: letters, digits, - and _, other bytes as %XX, and
+/// a tilde between course and number.
 std::string answers_file_name(const Student& student);
 
 }  // namespace viewing

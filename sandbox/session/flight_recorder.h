@@ -1,4 +1,4 @@
-// Records a flight: the parameters of every frame that is drawn. Read state/file/flight.h first.
+// Records a flight: the parameters of every drawn frame. Read state/file/flight.h first.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@ namespace viewing {
 
 class FlightRecorder {
 public:
-    /// The next frame that is noted is the start.
+    /// Makes the next noted frame the start.
     void begin();
     bool is_recording() const { return is_recording_; }
-    /// The time since the frame before, for each frame. Nothing before the start.
+    /// Adds the time since the previous frame; does nothing before the start.
     void pass(double dt_s);
-    /// The parameters of a frame that was drawn. Nothing while nothing is recorded.
+    /// Records the parameters of a drawn frame; does nothing unless recording.
     void note(const Params& drawn);
     double seconds() const { return seconds_; }
-    /// Whether nothing more fits: it wants to be ended.
+    /// Whether nothing more fits, so that the recording must end.
     bool is_full() const { return is_full_; }
-    /// What was recorded; none where nothing was.
+    /// Returns the recording; none if nothing was recorded.
     std::optional<Flight> end();
 
 private:
@@ -31,8 +31,8 @@ private:
     FlightSize size_;
 };
 
-/// A file in the working folder that is not there yet: flight-YYYYMMDD-HHMMSS.json, with "-2", "-3" … behind it where
-/// that is taken.
+/// Returns a new file in the working folder: flight-YYYYMMDD-HHMMSS.json, with "-2", "-3" … appended if the name is
+/// taken.
 std::filesystem::path new_flight_file();
 
 }  // namespace viewing

@@ -50,7 +50,7 @@ void Guide::update(Session& session, double dt_s) {
     if (!reveal_) return;
     reveal_->passed_s += dt_s;
     const double share = reveal_->over_s > 0.0 ? std::min(reveal_->passed_s / reveal_->over_s, 1.0) : 1.0;
-    // Slow at both ends, so that the eye can follow.
+    // Ease in and out, so that the eye can follow.
     session.params = session.in_own_looks(blended(reveal_->from, reveal_->to, share * share * (3.0 - 2.0 * share)));
     if (share >= 1.0) reveal_.reset();
 }
@@ -78,7 +78,7 @@ void Guide::close() {
 
 void Guide::next(Session& session) {
     if (!is_shown()) return;
-    if (reveal_) {  // in a hurry: what is being shown is there at once
+    if (reveal_) {  // in a hurry: finish the reveal immediately
         reveal_->passed_s = reveal_->over_s;
         return update(session, 0.0);
     }
@@ -117,7 +117,7 @@ void Guide::reveal(Session& session) {
     const bool has_improvised = session.params != start;
     const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
     run_->reveal();
-    // A goal that was reached in another way than the model's stays as it was reached.
+    // If the goal was reached in another way than the model's, keep that state.
     const Params from = has_reached ? session.params : start;
     const Result<Params> changed = apply_settings(from, step.reveal.settings);
     const Params to = has_reached && changed ? *changed : step.revealed;

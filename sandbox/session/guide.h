@@ -1,5 +1,5 @@
-// Leads a session through a lesson: puts in each step's state, waits with the answer, and shows it. What a person does
-// in between is theirs; one call brings the step back. Read lesson/run.h for where one is in the lesson.
+// Guides a session through a lesson: sets each step's state, waits for the answer, and shows it. In between, the user
+// may change anything; one call restores the step. Read lesson/run.h for the position in the lesson.
 #pragma once
 
 #include <optional>
@@ -14,54 +14,54 @@ namespace viewing {
 
 class Guide {
 public:
-    /// Whether what is revealed moves there; else it is there at once, as people wish who are disturbed by motion.
+    /// Whether reveals are animated; otherwise they are instant, for users who are disturbed by motion.
     bool moves = true;
 
-    /// A lesson's name or a file, read beside the window; `step` counts from 0 on.
+    /// Opens a lesson by its name or file, read in the background; `step` counts from 0.
     void open(const std::string& argument, std::size_t step = 0);
-    /// The step that a lesson's link names.
+    /// Opens the step that a lesson's link names.
     void open(const Link& link);
-    /// One that is read already, whose step begins in the session at once.
+    /// Begins a lesson that is already read; its step starts in the session immediately.
     void begin(Lesson lesson, std::size_t step, Session& session);
-    /// The same with what was done before.
+    /// Begins a run with earlier answers.
     void begin(LessonRun run, Session& session);
-    /// Called once a frame: takes what was read, and moves a reveal on by `dt_s`.
+    /// Called once a frame: starts a lesson that has been read, and advances a reveal by `dt_s`.
     void update(Session& session, double dt_s);
 
-    /// The way through the lesson that is open; null without one.
+    /// Returns the run of the open lesson; null without one.
     LessonRun* run() { return run_ ? &*run_ : nullptr; }
     const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
-    /// Whether it is to be seen; else it waits until one comes back to it.
+    /// Whether the lesson is visible; otherwise it waits for resume().
     bool is_shown() const { return run_ && is_shown_; }
     bool is_reading() const { return reading_.is_running(); }
 
-    /// Exploring freely, with the state as it is.
+    /// Hides the lesson for free exploration, with the state unchanged.
     void leave() { is_shown_ = false; }
-    /// Back to the step.
+    /// Returns to the step.
     void resume(Session& session);
-    /// Ends the lesson; nothing waits any more.
+    /// Ends the lesson; there is nothing to resume.
     void close();
 
-    /// Whether what leads is a student's sheet of exercises: they are gone through in any order, and only a right
-    /// answer shows what is covered.
+    /// Whether a student's sheet of exercises is open: its steps come in any order, and only a right answer reveals the
+    /// covered parts.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
-    /// The next thing: the question's answer, then the next step's question. Nothing after the last one.
+    /// Goes to the question's answer, then to the next step's question. Does nothing after the last one.
     void next(Session& session);
-    /// The previous thing: the question again, then the step before, whole.
+    /// Goes back to the question, then to the whole step before.
     void previous(Session& session);
-    /// The question of that step, answered before or not.
+    /// Goes to the question of that step, answered before or not.
     void go_to(std::size_t step, Session& session);
-    /// The one that was shown before the last go_to().
+    /// Goes to the step that was shown before the last go_to().
     void go_back(Session& session);
-    /// Shows the answer: what the reveal changes, and of a goal that is not reached its model.
+    /// Shows the answer: the reveal's changes, and the model of a goal that is not reached.
     void reveal(Session& session);
-    /// The step as it was written, before or after its answer.
+    /// Restores the step's state, before or after its answer.
     void return_to_step(Session& session);
-    /// The parameters before the answer while it is held: a comparator by blinking. Nothing while a reveal goes on.
+    /// Shows the parameters before the answer while held: a blink comparator. Does nothing during a reveal.
     void hold_before(bool is_held, Session& session);
 
     bool is_revealing() const { return reveal_.has_value(); }
-    /// Whether the state is no longer the step's; theme and scale are the person's.
+    /// Whether the state differs from the step's; theme and scale do not count.
     bool departs(const Session& session) const;
 
 private:
@@ -69,17 +69,17 @@ private:
         Params from, to;
         double over_s = 0.0, passed_s = 0.0;
     };
-    /// What the step looks like now.
+    /// Returns the step's state, before or after its answer.
     const Params& shown() const { return run_->is_revealed() ? run_->step().revealed : run_->step().start.params; }
     void put(const Params& params, Session& session);
-    /// The step that one has come to, with its question; of a sheet as one has left it.
+    /// Shows the new step with its question; in a sheet, restores the state in which the student left the step.
     void arrive(Session& session);
 
     std::optional<LessonRun> run_;
     bool is_shown_ = false;
     std::size_t before_jump_ = 0;
     std::optional<Revealing> reveal_;
-    std::optional<Params> held_;  ///< what comes back when the state before is let go
+    std::optional<Params> held_;  ///< restored when hold_before() ends
     BackgroundTask<LinkedStep> reading_;
 };
 

@@ -1,4 +1,4 @@
-// Undo and redo: whole values, one step between two rests.
+// Undo and redo of whole values, one step between two rests.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@ class History {
 public:
     explicit History(Value initial) : current_(std::move(initial)) {}
 
-    /// Called whenever nothing is held or moving: a value that differs from the last rest becomes one step.
-    /// Redo is forgotten only then. Returns whether a step was made.
+    /// Called whenever nothing is held or moving: a value that differs from the last rest becomes one step. Only then
+    /// are the redo steps dropped. Returns whether a step was made.
     bool rest(const Value& value) {
         if (value == current_) return false;
         if (past_.size() == max_steps) past_.pop_front();
@@ -38,7 +38,7 @@ private:
     }
 
     Value current_;
-    std::deque<Value> past_, future_;  ///< the oldest go in front, at no cost to the others
+    std::deque<Value> past_, future_;  ///< dropping the oldest from the front is cheap
 };
 
 }  // namespace viewing

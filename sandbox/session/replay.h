@@ -1,4 +1,4 @@
-// Plays changes at their times: a flight, or what a student did on the way to a goal.
+// Plays changes at their recorded times: a flight, or a student's changes toward a goal.
 #pragma once
 
 #include <memory>
@@ -14,21 +14,20 @@ namespace viewing {
 
 class Replay {
 public:
-    /// From its start on, which the session has.
+    /// Begins at the flight's start, which the session already has.
     void begin(std::shared_ptr<const Flight> flight);
-    /// From the step's start on; pauses longer than a moment are cut short, and a change that cannot be made is passed
-    /// over.
+    /// Begins at the step's start. Shortens long pauses, and skips changes that cannot be applied.
     void begin(const LessonStep& step, const std::vector<ReplayStep>& steps);
     bool is_playing() const { return walk_.has_value(); }
     void stop() { walk_.reset(); }
-    /// Called once a frame. A change that somebody else makes meanwhile ends it: the state is theirs then.
+    /// Called once a frame. Stops if anything else changes the state.
     void update(Session& session, double dt_s);
 
 private:
     std::optional<FlightWalk> walk_;
     std::optional<double> time_s_;  ///< none before the first frame
-    std::size_t shown_ = 0;         ///< the picture
-    std::optional<Params> put_;     ///< the session's parameters, as they were left
+    std::size_t shown_ = 0;         ///< the current picture
+    std::optional<Params> put_;     ///< the session's parameters after the last update
 };
 
 }  // namespace viewing

@@ -137,7 +137,7 @@ void Session::rest() {
 }
 
 void Session::undo() {
-    if (wanted_ && wanted_->is_whole) return cancel_loading();      // no step yet
+    if (wanted_ && wanted_->is_whole) return cancel_loading();      // not a step yet
     if (awaits_scene() && params != at_rest_) return keep_scene();  // nor is this
     rest();
     if (const std::optional<Step> earlier = history_.undo()) {
@@ -191,7 +191,7 @@ void Session::reset() {
     params.ui = own;
     begin_here();
     motion_ = {};
-    message = {tr("everything is as at the start; Ctrl+Z brings the state back"), false};
+    message = {tr("everything was reset; Ctrl+Z brings the state back"), false};
 }
 
 }  // namespace viewing

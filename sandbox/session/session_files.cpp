@@ -1,5 +1,5 @@
-// What a session reads and writes beside the interface's thread: the state before stays until the new one is there.
-// Read background.h for what runs there.
+// Reads and writes a session's files in the background: the old state stays until the new one is loaded. Read
+// platform/background.h for the background tasks.
 #include <algorithm>
 
 #include "platform/file.h"
@@ -11,10 +11,10 @@
 namespace viewing {
 namespace {
 
-/// Most scenes are there at once: a short wait spares a frame with the old one.
+/// Most scenes load quickly: a short wait avoids a frame with the old one.
 constexpr double a_moment_s = 0.02;
 
-/// A scene that would look the same: nothing has to be drawn anew.
+/// Whether a scene would look the same, so that nothing needs to be drawn again.
 bool is_same(const Scene& a, const Scene& b) {
     return a.made_from == b.made_from &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
@@ -43,7 +43,7 @@ Result<Session> Session::begin(const LoadedState& state, double patience_s) {
 void Session::start_reading(Wanted wanted) {
     wanted_ = std::move(wanted);
     question_.reset();
-    if (wanted_->is_whole) outcome_.reset();  // of what was opened before
+    if (wanted_->is_whole) outcome_.reset();  // of the previous open()
     const LoadedState& known = wanted_->state;
     const bool is_there = wanted_->argument.empty() && known.params.scene == loaded_source_ &&
                           (known.base == loaded_base_ || scene_.read.empty());
@@ -147,7 +147,7 @@ UiParams Session::own_looks() const {
         looks.language = params.ui.language;
         return looks == params.ui;
     };
-    // Others than those that were lent have been chosen since.
+    // Looks chosen since then are the user's own.
     UiParams own = lent_looks_ && is_shown(lent_looks_->shown) ? lent_looks_->own : params.ui;
     own.language = params.ui.language;
     return own;
@@ -170,7 +170,7 @@ void Session::answer(bool may_read) {
         return start_reading(*std::exchange(wanted_, std::nullopt));
     }
     if (!std::exchange(wanted_, std::nullopt)->is_whole) keep_scene();
-    message = {say("{file} was not read: everything is as it was", "file"_a = file.string()), false};
+    message = {say("{file} was not read: nothing changed", "file"_a = file.string()), false};
 }
 
 void Session::take_written() {
@@ -222,7 +222,7 @@ void Session::cancel_loading() {
     } else {
         keep_scene();
     }
-    message = {tr("loading cancelled: the scene is as it was"), false};
+    message = {tr("loading canceled: the scene is unchanged"), false};
 }
 
 void Session::replace(const LoadedState& state) {
@@ -266,7 +266,7 @@ Status Session::paste(const std::string& text) {
 }
 
 Params Session::portable(Params own) const {
-    // A name that is relative to the state's folder means nothing elsewhere; names of assets stay.
+    // A name relative to the state's folder means nothing elsewhere; names of assets stay.
     const auto from_root = [this](const std::filesystem::path& file) {
         return std::filesystem::absolute(base_ / file).lexically_normal().string();
     };

@@ -1,4 +1,4 @@
-// Where the assets directory is, and what is wrong with it.
+// Finds the assets directory and describes its problems.
 #include <cstdlib>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* variable = "VIEWING_SANDBOX_ASSETS";
 
-/// What the variable says; "" where it says nothing.
+/// Returns the variable's value; "" if it is not set.
 std::string chosen_by_variable() {
     const char* chosen = std::getenv(variable);
     return chosen != nullptr ? chosen : "";
@@ -28,17 +28,18 @@ std::string assets_problem() {
     const std::string blamed =
         std::string("the environment variable ") + variable + " says that the assets are in " + one_line(chosen) + ", ";
     const fs::path assets = assets_directory();
-    if (assets.empty() && !chosen.empty()) return blamed + "which is no folder";
+    if (assets.empty() && !chosen.empty()) return blamed + "which is not a folder";
     if (assets.empty())
         return std::string(
-                   "there is no folder assets beside the program and no ../share/viewing-sandbox; the "
-                   "environment variable ") +
-               variable + " can name one";
+                   "there is neither an assets folder beside the program nor ../share/viewing-sandbox; name one "
+                   "with the environment variable ") +
+               variable;
     std::vector<std::string> missing;
     for (const char* kind : {"presets", "scenes", "lessons", "exercises"})
         if (files_in(assets / kind, ".json").empty()) missing.emplace_back(kind);
     if (missing.empty()) return "";
-    return (chosen.empty() ? one_line(assets.string()) + ", which" : blamed + "which") + " holds no " + joined(missing);
+    return (chosen.empty() ? "the folder " + one_line(assets.string()) : blamed + "which") + " contains no " +
+           joined(missing);
 }
 
 fs::path assets_directory() {

@@ -1,4 +1,5 @@
-// glDepthFunc and glStencilFunc as a function. Bits of floats ≥ 0 are in the floats' order.
+// The comparisons of glDepthFunc and glStencilFunc. Also correct for the bits of floats ≥ 0, which sort like the
+// floats.
 #pragma once
 
 #include "state/depth_params.h"

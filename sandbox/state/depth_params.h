@@ -1,5 +1,4 @@
-// The part of the parameters that says how depth is stored and compared, and what fights over it. Read params.h for
-// the rest.
+// The parameters of the depth buffer, the depth test and depth fighting. Read params.h for the rest.
 #pragma once
 
 #include "geometry/projection.h"
@@ -16,7 +15,7 @@ struct DepthOffset {
 };
 
 struct DepthParams {
-    bool buffer = true;  ///< off: the window has none, as without GLUT_DEPTH
+    bool buffer = true;  ///< off: the window has no depth buffer, as without GLUT_DEPTH
     bool test = true;
     CompareFunc func = CompareFunc::less;
     bool write = true;
@@ -24,17 +23,16 @@ struct DepthParams {
     DepthFormat format = DepthFormat::d24;
     DepthMapping mapping = DepthMapping::standard;
     DepthOffset offset;
-    DecalMethod decals =
-        DecalMethod::offset;  ///< what keeps objects marked "decal" from fighting with what they lie on
+    DecalMethod decals = DecalMethod::offset;  ///< keeps objects marked "decal" from fighting with the surface below
 
-    // Switches that are right as they are, and show what breaks without.
-    bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, which then clears no depth
+    // Correct by default: changing one of these shows the error that it prevents.
+    bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
-    bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth, and push away
+    bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth and move away from the eye
     bool logarithm_per_vertex = false;
 
-    /// Whether anything is compared and written.
+    /// Whether depth is compared and written.
     bool tests() const { return buffer && test; }
     bool operator==(const DepthParams&) const = default;
 };
@@ -42,8 +40,8 @@ struct DepthParams {
 /// The pairs of quads in the scene `coplanar`.
 struct CoplanarParams {
     double gap = 0.01;      ///< world units, along the normal
-    double tilt = 8.0;      ///< degrees that a pair is turned out of the picture's plane
-    double distance = 4.0;  ///< of the nearest pair from the eye; the others keep their proportions
+    double tilt = 8.0;      ///< degrees by which a pair is rotated out of the image plane
+    double distance = 4.0;  ///< eye distance of the nearest pair; the distances of the others scale with it
     bool operator==(const CoplanarParams&) const = default;
 };
 

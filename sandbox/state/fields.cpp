@@ -1,5 +1,5 @@
-// The one list of fields, in the order of the state file, and the names of the enumerations. A table, hence its
-// length. The words are the lecture's. What may be done with a range stands in ranges.cpp; read json.h next.
+// The list of all fields, in the order of the state file, and the names of the enumerations. This file is long because
+// it is a table. Its wording follows the lecture. Read ranges.cpp next, then json.h.
 #include "state/fields.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ template <> std::span<const char* const> names_of<ShapeKind>() { static constexp
 
 namespace {
 
-/// An enumeration by its names and indices, anything else by its address.
+/// Refers to an enumeration by its names and index, to any other value by its address.
 template <typename T>
 FieldRef field_ref(T& value) {
     if constexpr (std::is_enum_v<T>) {
@@ -73,13 +73,12 @@ const Field all_fields[] = {
      .min = 1,
      .max = 1,
      .step = 1,
-     .help = "The version of the state file's format. This program reads version 1."},
+     .help = "The version of the state file format. This program reads version 1."},
     {.path = "scene",
      .place = IN(scene),
      .label = "scene",
-     .help =
-         "What is looked at: the name of a scene that comes with the sandbox, the path of a scene or OBJ file, or the "
-         "objects themselves."},
+     .help = "The scene to look at: the name of a built-in scene, the path of a scene or OBJ file, or the objects "
+             "themselves."},
 
     // camera
     {.path = "camera.position",
@@ -89,9 +88,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help =
-         "Where the eye is, in world coordinates. Moving the camera by +10 along z is the same picture as moving the "
-         "world by −10.",
+     .help = "The eye's position in world coordinates. Moving the camera by +10 along z gives the same picture as "
+             "moving the world by −10.",
      .formula = camera_formula},
     {.path = "camera.yaw",
      .place = IN(camera.yaw),
@@ -100,9 +98,8 @@ const Field all_fields[] = {
      .min = -turns_limit_deg,
      .max = turns_limit_deg,
      .step = 0.5,
-     .help =
-         "Heading: the turn about the y axis, positive to the left. At 0 the camera looks along −z. Walking changes "
-         "this angle only.",
+     .help = "Heading: the rotation about the y axis, positive to the left. At 0, the camera looks along −z. Walking "
+             "changes only this angle.",
      .formula = camera_formula},
     {.path = "camera.pitch",
      .place = IN(camera.pitch),
@@ -111,8 +108,8 @@ const Field all_fields[] = {
      .min = -180,
      .max = 180,
      .step = 0.5,
-     .help = "Looking up (positive) or down (negative): the turn about the camera's own x axis, after yaw. Beyond ±90° "
-             "the camera is upside down.",
+     .help = "Looking up (positive) or down (negative): the rotation about the camera's own x axis, after yaw. Beyond "
+             "±90° the camera is upside down.",
      .formula = camera_formula},
     {.path = "camera.roll",
      .place = IN(camera.roll),
@@ -121,9 +118,8 @@ const Field all_fields[] = {
      .min = -turns_limit_deg,
      .max = turns_limit_deg,
      .step = 0.5,
-     .help =
-         "Tilting the head: the turn about the direction of view, after yaw and pitch. Positive leans the camera to "
-         "the left, so the picture turns clockwise.",
+     .help = "Tilting the head: the rotation about the view direction, after yaw and pitch. Positive leans the camera "
+             "to the left, so the picture turns clockwise.",
      .formula = camera_formula},
     {.path = "camera.target",
      .place = IN(camera.target),
@@ -132,7 +128,7 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help = "The point that orbiting turns about and at whose distance the depth step is stated. Changing it moves "
+     .help = "The point that orbiting turns about and at whose distance the depth step is reported. Changing it moves "
              "nothing by itself."},
     {.path = "camera.navigation",
      .place = IN(camera.navigation),
@@ -145,9 +141,8 @@ const Field all_fields[] = {
     {.path = "projection.type",
      .place = IN(projection.type),
      .label = "projection",
-     .help =
-         "Perspective makes far things small; orthographic keeps parallel lines parallel and sizes the same at every "
-         "distance.",
+     .help = "Perspective makes distant objects small; orthographic keeps parallel lines parallel and sizes the same "
+             "at every distance.",
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.fovy",
      .place = IN(projection.fovy),
@@ -178,9 +173,8 @@ const Field all_fields[] = {
      .max = 1e6,
      .step = 0.01,
      .logarithmic = true,
-     .help =
-         "Distance of the near plane: what is closer is cut off. In a perspective with standard depth it decides the "
-         "precision: a tenth of it makes the steps of depth far away ten times as wide.",
+     .help = "Distance of the near plane: everything closer is clipped. In perspective with standard depth, it decides "
+             "the precision: a tenth of it makes the depth steps far away ten times as wide.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.far",
@@ -191,9 +185,8 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 0.1,
      .logarithmic = true,
-     .help =
-         "Distance of the far plane: what is beyond is cut off. In perspective it costs hardly any depth precision; "
-         "the near plane does.",
+     .help = "Distance of the far plane: everything beyond is clipped. In perspective, it hardly affects depth "
+             "precision; the near plane does.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
 
@@ -203,8 +196,8 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.01,
-     .help = "The width of the picture in heights that the projection is made for; 0 is the view's own. With another "
-             "one, GL stretches the picture to the view: perspective(45, 1, …) is right in a square window only.",
+     .help = "The aspect ratio (width ÷ height) that the projection assumes; 0 uses the view's own. With another "
+             "value, GL stretches the picture to the view: perspective(45, 1, …) is right only in a square window.",
      .formula = "P₁₁ = P₂₂ / aspect",
      .gl_call = "glm::perspective | glm::ortho"},
 
@@ -212,48 +205,46 @@ const Field all_fields[] = {
     {.path = "depth.buffer",
      .place = IN(depth.buffer),
      .label = "depth buffer",
-     .help = "Whether the window was asked for a depth buffer at all. Without one there is nothing to compare with: "
-             "the depth test passes always, whatever is set, and what is drawn last wins.",
+     .help = "Requests a depth buffer for the window. Without one there is nothing to compare with: whatever the "
+             "settings, the depth test always passes and the last fragment drawn wins.",
      .gl_call = "glutInitDisplayMode(… | GLUT_DEPTH)"},
     {.path = "depth.test",
      .place = IN(depth.test),
      .label = "depth test",
-     .help =
-         "Compares each new fragment with the depth buffer. Off, whatever is drawn last wins, and the depth buffer is "
-         "not written either.",
+     .help = "Compares each new fragment with the depth buffer. When off, the last fragment drawn wins, and no depth "
+             "is written either.",
      .gl_call = "glEnable(GL_DEPTH_TEST)"},
     {.path = "depth.func",
      .place = IN(depth.func),
      .label = "depth function",
      .help = "The comparison that a new depth must pass against the stored one. ALWAYS is not the same as no test: it "
-             "still writes depth. With reversed depth the program turns less and greater round.",
+             "still writes depth. With reversed depth, the program swaps less and greater.",
      .gl_call = "glDepthFunc"},
     {.path = "depth.write",
      .place = IN(depth.write),
      .label = "depth mask",
-     .help = "Whether fragments that pass leave their depth behind. Off, objects are tested but hide nothing that is "
-             "drawn later.",
+     .help = "Lets fragments that pass write their depth. When off, objects are tested but hide nothing that is drawn "
+             "later.",
      .gl_call = "glDepthMask"},
     {.path = "depth.clear",
      .place = IN(depth.clear),
      .label = "clear depth",
-     .help = "Clears the depth buffer at the beginning of every frame. Without it, the depths of earlier frames go on "
-             "hiding what is drawn now.",
+     .help = "Clears the depth buffer at the start of every frame. Otherwise, depths from earlier frames keep hiding "
+             "new fragments.",
      .gl_call = "glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.format",
      .place = IN(depth.format),
      .label = "depth format",
      .unit = "bits",
-     .help = "How many bits each stored depth has: 16 or 24 as an integer, 32 as a float; 4 to 12 bits are emulated so "
-             "that depth fighting can be seen with the naked eye.",
+     .help = "Bits per stored depth: 16 or 24 as an integer, 32 as a float; 4 to 12 bits are emulated, so that depth "
+             "fighting is visible to the naked eye.",
      .formula = "Δz ≈ z² (f−n) / (f·n·(2ᵇ − 1))",
      .gl_call = "glRenderbufferStorage"},
     {.path = "depth.mapping",
      .place = IN(depth.mapping),
      .label = "depth mapping",
-     .help =
-         "How eye distance becomes window depth: standard has 0 at near, reversed has 1 at near and spends a float's "
-         "precision far away, logarithmic spends it evenly over the decades.",
+     .help = "How eye distance maps to window depth: standard has 0 at near; reversed has 1 at near and spends a "
+             "float's precision far away; logarithmic spreads precision evenly over the decades.",
      .formula = "reversed: d = n (f−z) / ((f−n)·z); logarithmic: d = ln(z/n) / ln(f/n)",
      .gl_call = "glClipControl, glClearDepth"},
     {.path = "depth.offset.factor",
@@ -263,7 +254,7 @@ const Field all_fields[] = {
      .max = offset_limit,
      .step = 0.1,
      .help = "Polygon offset of objects marked as decals, times the polygon's steepest depth slope m. Negative pulls "
-             "towards the eye.",
+             "toward the eye.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.offset.units",
@@ -272,49 +263,48 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
-     .help =
-         "Polygon offset of objects marked as decals, in the smallest steps r that the depth buffer can tell apart. "
-         "Too little stipples, too much bleeds through.",
+     .help = "Polygon offset of objects marked as decals, in the smallest steps r that the depth buffer can resolve. "
+             "Too little stipples; too much bleeds through.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.decals",
      .place = IN(depth.decals),
      .label = "decals by",
-     .help = "What keeps objects marked as decals from fighting with what they lie on: a polygon offset; drawing them "
-             "last where depth is EQUAL, which needs the very same triangles; or a stencil mark on what lies below "
-             "and no depth test at all.",
+     .help = "Keeps objects marked as decals from fighting with the surface below: a polygon offset; drawing them last "
+             "where depth is EQUAL, which needs identical triangles; or a stencil mark on the surface below and no "
+             "depth test at all.",
      .gl_call = "glPolygonOffset | glDepthFunc(GL_EQUAL) | glStencilFunc"},
     {.path = "depth.write_while_clearing",
      .place = IN(depth.write_while_clearing),
      .label = "mask on while clearing",
-     .help = "glClear obeys the depth mask. Off, it is called with the mask off, and clears no depth: the picture is "
-             "drawn against the depths of the frame before.",
+     .help = "glClear obeys the depth mask. When off, it is called with the mask off and clears no depth: new "
+             "fragments are tested against depths from the previous frame.",
      .gl_call = "glDepthMask(GL_TRUE); glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.reversed_zero_to_one",
      .place = IN(depth.reversed_zero_to_one),
      .label = "clip range 0 to 1",
-     .help = "Reversed depth pays off only where clip space goes from 0 to 1. Off, it goes from −1 to 1, and halving "
-             "and adding a half rounds away what a float has near 0.",
+     .help = "Reversed depth pays off only if clip space goes from 0 to 1. When off, it goes from −1 to 1, and halving "
+             "and adding a half rounds away a float's precision near 0.",
      .gl_call = "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)"},
     {.path = "depth.reversed_clear",
      .place = IN(depth.reversed_clear),
      .label = "clear to 0",
-     .help = "Reversed depth has 0 at the far plane, so that is what it is cleared to. Off, it is cleared to 1 as "
-             "usual, nothing is greater, and nothing is drawn.",
+     .help = "Reversed depth is 0 at the far plane, so the buffer is cleared to 0. When off, it is cleared to 1 as "
+             "usual: nothing is greater, so nothing is drawn.",
      .gl_call = "glClearDepth(0)"},
     {.path = "depth.reversed_offset",
      .place = IN(depth.reversed_offset),
-     .label = "turn the offset's sign",
-     .help = "With reversed depth nearer is greater, so both signs of a polygon offset turn round. Off, they do not, "
-             "and what should come nearer is pushed away.",
+     .label = "flip the offset's sign",
+     .help = "With reversed depth, nearer means greater, so both signs of a polygon offset flip. When off, they do "
+             "not, and surfaces are pushed away instead of nearer.",
      .gl_call = "glPolygonOffset(−factor, −units)"},
     {.path = "depth.logarithm_per_vertex",
      .place = IN(depth.logarithm_per_vertex),
      .label = "per vertex",
-     .help = "Takes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, and wrong inside large "
-             "triangles: between their corners depth is too far away, in an orthographic view too near.",
+     .help = "Computes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, but wrong inside large "
+             "triangles: between vertices, the depth is too large, or too small in an orthographic view.",
      .formula = "z_clip = (2 ln(w/n)/ln(f/n) − 1) · w",
-     .gl_call = "gl_Position.z in place of gl_FragDepth"},
+     .gl_call = "gl_Position.z instead of gl_FragDepth"},
 
     // coplanar
     {.path = "coplanar.gap",
@@ -324,8 +314,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.001,
-     .help = "How far the front quad of each pair in the scene `coplanar` lies before the back one, along their "
-             "normal."},
+     .help = "Distance from the back quad to the front quad of each pair in the scene `coplanar`, along their normal."},
     {.path = "coplanar.tilt",
      .place = IN(coplanar.tilt),
      .label = "tilt",
@@ -333,8 +322,8 @@ const Field all_fields[] = {
      .min = 0,
      .max = 85,
      .step = 0.5,
-     .help = "How far the pairs of the scene `coplanar` are turned out of the picture's plane. The more, the more "
-             "codes lie across a quad, and the narrower the stripes."},
+     .help = "Angle by which the pairs of the scene `coplanar` are turned out of the picture plane. The larger it is, "
+             "the more codes cross a quad and the narrower the stripes."},
     {.path = "coplanar.distance",
      .place = IN(coplanar.distance),
      .label = "distance",
@@ -343,27 +332,26 @@ const Field all_fields[] = {
      .max = 1000,
      .step = 0.1,
      .logarithmic = true,
-     .help = "How far the nearest pair of the scene `coplanar` is from the eye. All of them move and grow in "
-             "proportion, so that the picture stays as it is but for the fighting."},
+     .help = "Distance from the eye to the nearest pair of the scene `coplanar`. All pairs move and grow in "
+             "proportion, so only the depth fighting in the picture changes."},
 
     // cull
     {.path = "cull.enabled",
      .place = IN(cull.enabled),
      .label = "cull face",
-     .help =
-         "Drops polygons by the side they show before they are rasterised: about half of those of closed objects. The "
-         "enum is GL_CULL_FACE, not GL_CULL.",
+     .help = "Culls polygons by the side they show, before rasterization: about half of those of closed objects. The "
+             "enum is GL_CULL_FACE, not GL_CULL.",
      .gl_call = "glEnable(GL_CULL_FACE)"},
     {.path = "cull.face",
      .place = IN(cull.face),
      .label = "culled side",
-     .help = "Which side is dropped. BACK is the usual choice; FRONT shows objects from inside. Shadows fall the same "
-             "either way.",
+     .help = "The side to cull. BACK is the usual choice; FRONT shows objects from inside. Shadows are the same either "
+             "way.",
      .gl_call = "glCullFace"},
     {.path = "cull.front_face",
      .place = IN(cull.front_face),
      .label = "front face",
-     .help = "Which winding, seen on screen, counts as the front: counter-clockwise (CCW) as the objects are made, or "
+     .help = "The winding on screen that counts as front-facing: counterclockwise (CCW), as the objects are made, or "
              "clockwise (CW), which turns them inside out.",
      .gl_call = "glFrontFace"},
 
@@ -375,14 +363,13 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help =
-         "The light ℓ = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light that comes from the "
-         "direction (x, y, z). Values between lie at (x, y, z) ÷ w.",
+     .help = "The light ℓ = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light from the "
+             "direction (x, y, z). With w in between, it lies at (x, y, z) ÷ w.",
      .formula = shadow_formula},
     {.path = "lights",
      .place = [](Params& params, std::size_t) -> FieldRef { return Further<LightParams>{&params.lights}; },
-     .label = "further lights",
-     .help = "More lights, each like the first one, each with its own shadow."},
+     .label = "more lights",
+     .help = "More lights, each like the first and each with its own shadow."},
 
     // plane
     {.path = "plane.equation",
@@ -391,9 +378,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.01,
-     .help =
-         "The plane a x + b y + c z + d = 0 that receives the shadow and mirrors. (a, b, c) is its normal; length and "
-         "sign change nothing in the picture.",
+     .help = "The plane a x + b y + c z + d = 0 that receives the shadow and is the mirror. (a, b, c) is its normal; "
+             "its length and sign do not change the picture.",
      .formula = "n·p + d = 0"},
     {.path = "plane.extent",
      .place = IN(planes[element].extent),
@@ -403,7 +389,7 @@ const Field all_fields[] = {
      .max = 1e4,
      .step = 0.05,
      .logarithmic = true,
-     .help = "Half the side of the square patch that is drawn for the plane. The plane itself has no end: that is why "
+     .help = "Half the side of the square patch that is drawn for the plane. The plane itself is infinite: that is why "
              "shadows and reflections need the stencil at the patch's edge."},
     {.path = "plane.receives_shadow",
      .place = IN(planes[element].receives_shadow),
@@ -416,12 +402,12 @@ const Field all_fields[] = {
     {.path = "plane.gloss",
      .place = IN(planes[element].gloss),
      .label = "gloss",
-     .help = "Gives the patch a highlight, which a shadow has to take away: blending only darkens it, missing light "
-             "leaves it out."},
+     .help = "Gives the patch a highlight, which a shadow must remove: blending only darkens it, missing light leaves "
+             "it out."},
     {.path = "planes",
      .place = [](Params& params, std::size_t) -> FieldRef { return Further<PlaneParams>{&params.planes}; },
-     .label = "further planes",
-     .help = "More planes, each with its equation and extent, and whether it receives shadows and mirrors."},
+     .label = "more planes",
+     .help = "More planes, each with its equation and extent, and whether it receives shadows and is a mirror."},
 
     // shadow
     {.path = "shadow.enabled",
@@ -431,42 +417,40 @@ const Field all_fields[] = {
      .formula = shadow_formula},
     {.path = "shadow.color",
      .place = IN(shadow.color),
-     .label = "shadow colour",
-     .help = "The colour that the flattened objects are painted with."},
+     .label = "shadow color",
+     .help = "The color of the flattened objects."},
     {.path = "shadow.opacity",
      .place = IN(shadow.opacity),
      .label = "opacity",
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "How much of the shadow's colour replaces what lies under it: 0 nothing, 1 all.",
-     .formula = "colour = opacity · shadow + (1 − opacity) · plane",
+     .help = "How much of the shadow's color replaces the surface below: 0 none, 1 all.",
+     .formula = "color = opacity · shadow + (1 − opacity) · plane",
      .gl_call = "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"},
     {.path = "shadow.stencil_once",
      .place = IN(shadow.stencil_once),
      .label = "stencil once",
-     .help = "Lets each pixel be darkened only once. Off, a pixel that several flattened polygons cover is blended "
-             "several times and gets darker.",
+     .help = "Darkens each pixel only once. When off, a pixel covered by several flattened polygons is blended several "
+             "times and gets darker.",
      .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT)"},
     {.path = "shadow.clip_to_receiver",
      .place = IN(shadow.clip_to_receiver),
      .label = "clip to receiver",
-     .help =
-         "Keeps the shadow inside the patch by its stencil mark. Off, the shadow hangs in the air beyond the floor's "
-         "edge.",
+     .help = "Keeps the shadow inside the patch by its stencil mark. When off, the shadow hangs in the air beyond the "
+             "floor's edge.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "shadow.clip_casters",
      .place = IN(shadow.clip_casters),
      .label = "clip casters",
-     .help = "Lets only what lies between the light and the plane cast a shadow. Off, objects behind the plane throw a "
+     .help = "Lets only parts between the light and the plane cast a shadow. When off, objects behind the plane cast a "
              "false shadow.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.offset",
      .place = IN(shadow.offset),
      .label = "shadow offset",
-     .help =
-         "What keeps the shadow from fighting with the plane it lies in: nothing, polygon offset in depth, lifting it "
-         "along the normal, or drawing it without the depth test.",
+     .help = "Keeps the shadow from fighting with its plane: nothing, a polygon offset in depth, lifting it along the "
+             "normal, or drawing it without the depth test.",
      .gl_call = "glPolygonOffset | glDisable(GL_DEPTH_TEST)"},
     {.path = "shadow.offset_factor",
      .place = IN(shadow.offset_factor),
@@ -474,7 +458,7 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
-     .help = "The slope part of the shadow's polygon offset. Negative pulls the shadow towards the eye.",
+     .help = "The slope part of the shadow's polygon offset. Negative pulls the shadow toward the eye.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "shadow.offset_units",
@@ -493,46 +477,45 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.001,
-     .help = "How far the shadow is lifted off the plane towards the eye's side when the offset is \"lift\". Seen at a "
-             "grazing angle it parts from its object."},
+     .help = "Height of the shadow above the plane, toward the eye's side, when the offset is \"lift\". At a grazing "
+             "angle, the shadow separates from its object."},
     {.path = "shadow.style",
      .place = IN(shadow.style),
      .label = "style",
-     .help =
-         "blend paints the shadow's colour over the plane; missing_light leaves out what this light would have added, "
-         "so that highlights vanish in the shadow and textures stay."},
+     .help = "blend paints the shadow's color over the plane; missing_light leaves out this light's contribution, so "
+             "that highlights vanish in the shadow and textures stay."},
     {.path = "shadow.clip_at_light",
      .place = IN(shadow.clip_at_light),
      .label = "clip at the light",
-     .help = "Lets only what lies nearer to the plane than the light cast a shadow: cut where w is positive, triangle "
-             "by triangle. Off, what crosses the plane through the light that is parallel to the receiver stretches to "
-             "infinity.",
+     .help =
+         "Lets only parts nearer to the plane than the light cast a shadow: each triangle is clipped to w > 0. When "
+         "off, triangles that cross the plane through the light, parallel to the receiver, stretch to infinity.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.sign",
      .place = IN(shadow.sign),
      .label = "sign of S",
-     .help = "What S is multiplied by before it is uploaded. plane_dot_light is the sign of Π·L, so that w is positive "
-             "between light and plane; none uploads S as it is, and every shadow vanishes when the normal points away "
-             "from the light; forced turns each vertex with a negative w around, and casters beyond the light throw an "
-             "anti-shadow.",
+     .help =
+         "The factor for S before it is uploaded. plane_dot_light is the sign of Π·L, so w is positive between light "
+         "and plane; none uploads S unchanged, and every shadow vanishes when the normal points away from the light; "
+         "forced negates each vertex with a negative w, and casters beyond the light cast an anti-shadow.",
      .formula = "sign(Π·L) S"},
     {.path = "shadow.write_depth",
      .place = IN(shadow.write_depth),
      .label = "write depth",
-     .help = "Lets the shadow write its depth, offset included: the depths of the plane are no longer its own.",
+     .help = "Lets the shadow write its depth, offset included: the plane's stored depths are no longer its own.",
      .gl_call = "glDepthMask"},
     {.path = "shadow.own_stencil",
      .place = IN(shadow.own_stencil),
      .label = "own stencil",
-     .help = "Gives each plane a stencil value and each light a bit of its own. Off, they share one: where one shadow "
-             "was counted the next is missing, and a shadow leaks from plane to plane.",
+     .help = "Gives each plane its own stencil value and each light its own bit. When off, they share one: where one "
+             "shadow was counted, the next is missing, and shadows leak from plane to plane.",
      .gl_call = "glStencilMask"},
 
     // reflection
     {.path = "reflection.enabled",
      .place = IN(reflection.enabled),
      .label = "reflection",
-     .help = "Draws the scene a second time, mirrored by R, and lays the plane over it.",
+     .help = "Draws the scene a second time, mirrored by R, and blends the plane over it.",
      .formula = mirror_formula},
     {.path = "reflection.reflectance",
      .place = IN(reflection.reflectance),
@@ -540,34 +523,33 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "How much of the mirrored picture shows in the plane: 0 a dull floor, 1 a perfect mirror.",
-     .formula = "colour = reflectance · mirrored + (1 − reflectance) · plane"},
+     .help = "How much of the mirrored picture shows in the plane: 0 is a dull floor, 1 a perfect mirror.",
+     .formula = "color = reflectance · mirrored + (1 − reflectance) · plane"},
     {.path = "reflection.stencil",
      .place = IN(reflection.stencil),
      .label = "stencil mirror",
-     .help = "Draws the mirrored scene only where the patch was marked in the stencil buffer. Off, it shows beyond the "
-             "mirror's edge too.",
+     .help = "Draws the mirrored scene only where the stencil buffer marks the patch. When off, it also shows beyond "
+             "the mirror's edge.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "reflection.clip",
      .place = IN(reflection.clip),
      .label = "clip to mirror",
-     .help =
-         "How things behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an oblique "
-         "near plane in the projection, which needs no extra hardware but measures depth from the mirror on: finer or "
-         "coarser, by where one looks.",
+     .help = "How objects behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an "
+             "oblique near plane in the projection, which needs no extra hardware but measures depth from the mirror: "
+             "finer or coarser, depending on where you look.",
      .formula = "oblique: row₃ = 2 c / (c·q) − row₄",
      .gl_call = "glEnable(GL_CLIP_DISTANCE0)"},
     {.path = "reflection.flip_winding",
      .place = IN(reflection.flip_winding),
      .label = "flip winding",
-     .help = "A mirror turns counter-clockwise into clockwise (det R = −1), so front and back must change places while "
-             "the mirrored scene is drawn. Off, it is culled inside out.",
+     .help = "A mirror turns counterclockwise winding clockwise (det R = −1), so front and back must be swapped while "
+             "the mirrored scene is drawn. When off, it is culled inside out.",
      .formula = "det R = −1",
      .gl_call = "glFrontFace"},
     {.path = "reflection.reflect_light",
      .place = IN(reflection.reflect_light),
      .label = "reflect light",
-     .help = "Mirrors the light together with the scene. Off, mirrored objects are lit from the wrong side.",
+     .help = "Mirrors the light together with the scene. When off, mirrored objects are lit from the wrong side.",
      .formula = "l′ = R l"},
     {.path = "reflection.bounces",
      .place = IN(reflection.bounces),
@@ -575,132 +557,127 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16,
      .step = 1,
-     .help = "How many mirrors a line of sight may meet one after the other. One plane needs 1; mirrors that face each "
-             "other show more with each bounce."},
+     .help = "How many mirrors a line of sight may hit in a row. One plane needs 1; mirrors that face each other show "
+             "more with each bounce."},
     {.path = "reflection.mirrored",
      .place = IN(reflection.mirrored),
-     .label = "what is mirrored",
-     .help = "Mirror the scene by R and look with the same camera, or mirror the camera and flip the picture left and "
-             "right: the same picture.",
+     .label = "what to mirror",
+     .help = "Mirrors the scene by R and keeps the camera, or mirrors the camera and flips the picture left to right: "
+             "the result is the same.",
      .formula = "P V R = F P (F V R)"},
     {.path = "reflection.same_projection",
      .place = IN(reflection.same_projection),
      .label = "same projection",
-     .help = "The mirrored camera sees with the camera's own projection. Off, it sees with the aspect of a square "
+     .help = "Gives the mirrored camera the camera's own projection. When off, it uses the aspect ratio of a square "
              "picture, and the image does not fit its mirror."},
     {.path = "reflection.printed_by_rows",
      .place = IN(reflection.printed_by_rows),
      .label = "as printed",
-     .help = "Fills R by rows, as the lecture's code is printed. OpenGL reads columns, so it gets the transpose: right "
+     .help = "Fills R by rows, as the lecture prints its code. OpenGL reads columns, so it gets the transpose: correct "
              "only where d = 0.",
      .formula = mirror_formula,
      .gl_call = "glUniformMatrix4fv"},
     {.path = "reflection.mask_writes_depth",
      .place = IN(reflection.mask_writes_depth),
      .label = "mask writes depth",
-     .help = "Lets the mask leave the mirror's own depth behind: the image lies beyond it and is hidden.",
+     .help = "Lets the mask write the mirror's own depth: the image lies beyond it and is hidden.",
      .gl_call = "glDepthMask"},
     {.path = "reflection.after_objects",
      .place = IN(reflection.after_objects),
      .label = "mirror last",
-     .help =
-         "Draws the objects first and the mirror over them without a depth test: it covers what stands in front of it.",
+     .help = "Draws the objects first and then the mirror, without a depth test: it covers the objects in front of it.",
      .gl_call = "glDisable(GL_DEPTH_TEST)"},
     {.path = "reflection.side_of_eye",
      .place = IN(reflection.side_of_eye),
      .label = "side of the eye",
-     .help = "Mirrors what lies on the eye's side of the plane. Off, it is the normal's side, and a mirror seen from "
-             "behind shows what lies behind it."},
+     .help = "Mirrors the objects on the eye's side of the plane. When off, it is the normal's side, and a mirror seen "
+             "from behind shows the objects behind it."},
     {.path = "reflection.shadows",
      .place = IN(reflection.shadows),
      .label = "shadows inside",
-     .help = "Draws the shadows on the other planes inside the mirror too."},
+     .help = "Shows the shadows on the other planes in the mirror too."},
 
     // overrides, follow
     {.path = "overrides.shadow_from_world",
      .place = IN(overrides[0].shadowed_world_from_world[0]),
      .label = "S by hand",
-     .help =
-         "Four rows put in place of the shadow matrix S, to see what each entry does; null computes S from light and "
-         "plane.",
+     .help = "Four rows that replace the shadow matrix S, to see what each entry does; null computes S from light and "
+             "plane.",
      .formula = shadow_formula},
     {.path = "overrides.mirror_from_world",
      .place = IN(overrides[0].mirrored_world_from_world),
      .label = "R by hand",
-     .help = "Four rows put in place of the reflection matrix R, to see what each entry does; null computes R from the "
-             "plane.",
+     .help =
+         "Four rows that replace the reflection matrix R, to see what each entry does; null computes R from the plane.",
      .formula = mirror_formula},
     {.path = "overrides.further",
      .place = [](Params& params, std::size_t) -> FieldRef { return FurtherOverrides{&params.overrides}; },
-     .label = "further S and R by hand",
-     .help = "Matrices put in place of S and R of further planes and lights, each with the numbers of its plane and "
-             "light, counted from 1 on.",
+     .label = "more S and R by hand",
+     .help = "Matrices that replace S and R of additional planes and lights, each with its plane and light number, "
+             "counted from 1.",
      .formula = shadow_formula},
     {.path = "follow",
      .place = IN(follow),
      .label = "follow a point",
-     .help = "The vertex p of an object that is followed on its way through the matrices to its shadow s = S p and its "
-             "mirror image R p; null follows none.",
+     .help = "An object's vertex p, followed through the matrices to its shadow s = S p and its mirror image R p; null "
+             "means no vertex.",
      .formula = "s = S p ÷ w"},
 
     // visibility
     {.path = "visibility.method",
      .place = IN(visibility.method),
      .label = "method",
-     .help =
-         "Who decides what is hidden: the depth buffer of the GPU, nobody, sorting (painter, Newell), a BSP tree, a "
-         "depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth test off. The "
-         "slide puts all of this before rasterisation: sorting stands there, the depth test after it, fragment by "
-         "fragment."},
+     .help = "Decides which surfaces are hidden: the GPU's depth buffer, nothing, sorting (painter, Newell), a BSP "
+             "tree, a depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth "
+             "test off. The slide puts all of this before rasterization: sorting belongs there, but the depth test "
+             "comes after, fragment by fragment."},
     {.path = "visibility.step",
      .place = IN(visibility.step),
      .label = "step",
      .min = -1,
      .max = 1e9,
      .step = 1,
-     .help = "Stops the method after so many of its steps, to watch it work; −1 runs all of them."},
+     .help = "Stops the method after this many steps, to watch it work; −1 runs all of them."},
     {.path = "visibility.sort_key",
      .place = IN(visibility.sort_key),
      .label = "sort key",
-     .help =
-         "What the painter sorts polygons by: the distance of the nearest vertex, the farthest one, or the centroid. "
-         "Each of them fails on some scene."},
+     .help = "The painter's sort key for polygons: the distance of the nearest vertex, the farthest vertex, or the "
+             "centroid. Each of them fails on some scene."},
     {.path = "visibility.splitter",
      .place = IN(visibility.splitter),
      .label = "splitter",
-     .help = "Which polygon becomes the root when a BSP tree is built: the first, a random one, the one that cuts the "
-             "fewest others, or the one that divides them most evenly."},
+     .help = "The polygon that becomes the root when a BSP tree is built: the first, a random one, the one that splits "
+             "the fewest others, or the one that divides them most evenly."},
     {.path = "visibility.walk",
      .place = IN(visibility.walk),
      .label = "walk",
-     .help =
-         "How a BSP tree is drawn: from back to front, each polygon over the ones before; or from front to back, "
-         "where a mask of the pixels already covered keeps what is there. The walk goes by the eye; the tree itself, "
-         "which the slide divides \"according to the viewer direction\", does not."},
+     .help = "How a BSP tree is drawn: back to front, each polygon over the ones before; or front to back, where a "
+             "mask of covered pixels protects the picture so far. The walk depends on the eye; the tree itself does "
+             "not, although the slide divides it \"according to the viewer direction\"."},
     {.path = "visibility.epsilon",
      .place = IN(visibility.epsilon),
      .label = "epsilon",
-     .unit = "diagonals of the scene",
+     .unit = "scene diagonals",
      .min = 1e-12,
      .max = 0.1,
      .step = 1e-9,
      .logarithmic = true,
-     .help = "How near to a plane a corner may be and still count as on it, when BSP and Newell cut polygons. Too "
-             "large, and what should be cut is not: seams are torn and orders wrong."},
+     .help = "How near to a plane a vertex may be and still count as on it when BSP and Newell split polygons. If too "
+             "large, polygons that should be split are not: seams tear and orders are wrong."},
     {.path = "visibility.exact_curves",
      .place = IN(visibility.exact_curves),
      .label = "exact curves",
-     .help = "Rays meet spheres, cylinders, cones and tori by their equations, not their triangles: silhouettes are "
-             "round at any distance, which is what ray casting is praised for."},
+     .help = "Rays intersect spheres, cylinders, cones and tori by their equations, not their triangles: silhouettes "
+             "are round at any distance, a noted strength of ray casting."},
     {.path = "visibility.compare_with",
      .place = IN(visibility.compare_with),
      .label = "compare with",
-     .help = "The method that the difference view holds this one against: pixels where they see different polygons, "
-             "away from edges, are red."},
+     .help = "The method that the difference view compares with this one: pixels away from edges are red where the two "
+             "see different polygons."},
     {.path = "visibility.numbers",
      .place = IN(visibility.numbers),
      .label = "numbers",
-     .help = "Writes on each polygon the place it has in the drawing order."},
+     .help = "Writes each polygon's place in the drawing order on it."},
     {.path = "visibility.raster",
      .place = IN(visibility.raster),
      .label = "raster",
@@ -708,8 +685,9 @@ const Field all_fields[] = {
      .min = 1,
      .max = 256,
      .step = 1,
-     .help = "Columns and rows of the picture that a method finds, shown as large squares with the depth in each; "
-             "null takes the view's own pixels. GL's depth buffer draws those in any case. Shadow and mirror wait."},
+     .help =
+         "Columns and rows of the picture that a method computes, shown as large squares with their depths; null uses "
+         "the view's own pixels. GL's depth buffer always uses those. Shadows and mirrors are not drawn meanwhile."},
     {.path = "visibility.pixel",
      .place = IN(visibility.pixel),
      .label = "chosen pixel",
@@ -717,26 +695,25 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16383,
      .step = 1,
-     .help = "The pixel of that picture, from the top left one on, whose fragments are listed, whose next fragment "
-             "one can go to, and whose ray is shown; null is none."},
+     .help = "The pixel of the method's picture, counted from the top left, whose fragments and ray are shown and "
+             "whose next fragment you can step to; null is none."},
 
     // view
     {.path = "view.shows",
      .place = IN(view.shows),
      .label = "shows",
-     .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
+     .help = "The buffer that the camera view shows: color, depth (near black, far white), stencil, which side of each "
              "polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, or where "
-             "the gap between two flat surfaces is less than depth is sure to tell apart (fighting)."},
+             "the gap between two flat surfaces is smaller than depth can reliably resolve (fighting)."},
     {.path = "view.depth_scale",
      .place = IN(view.depth_scale),
      .label = "depth scale",
-     .help =
-         "window shows the depth as it is stored, which standard depth in a perspective leaves nearly white; linear "
-         "shows the distance from the eye between near and far."},
+     .help = "window shows depth as stored, which is nearly white for standard depth in perspective; linear shows the "
+             "distance from the eye between near and far."},
     {.path = "view.depth_colors",
      .place = IN(view.depth_colors),
-     .label = "depth colours",
-     .help = "Depth as greys, or as bands of colour that tell neighbouring depths apart and show how they are spread."},
+     .label = "depth colors",
+     .help = "Depth as grays, or as color bands that distinguish neighboring depths and show their distribution."},
     {.path = "view.depth_range",
      .place = IN(view.depth_range),
      .label = "depth range",
@@ -746,14 +723,14 @@ const Field all_fields[] = {
      .step = 0.01,
      .logarithmic = true,
      .help = "The eye distances that depth pictures show as black and white; null is near and far in the camera's own "
-             "picture, and what is in view in the ones beside and below it. The depths stay as they are."},
+             "picture, and the visible range in the pictures beside and below it. The depths do not change."},
     {.path = "view.samples",
      .place = IN(view.samples),
      .label = "samples",
      .min = 0,
      .max = 4,
      .step = 4,
-     .help = "Multisampling of the colour picture: 4 samples for smooth edges, 0 for none.",
+     .help = "Multisampling of the color picture: 4 samples for smooth edges, 0 for none.",
      .gl_call = "glRenderbufferStorageMultisample"},
     {.path = "view.plane",
      .place = IN(view.plane),
@@ -761,31 +738,31 @@ const Field all_fields[] = {
      .min = 1,
      .max = most_planes,
      .step = 1,
-     .help = "The plane that derivations, the followed point, the lecture's code, S and R by hand, the handles and the "
-             "light's view are about: 1 is `plane`, 2 the first of `planes`."},
+     .help = "The plane that derivations, the followed point, the lecture's code, S and R entered by hand, the handles "
+             "and the light's view use: 1 is `plane`, 2 the first of `planes`."},
     {.path = "view.light",
      .place = IN(view.light),
      .label = "chosen light",
      .min = 1,
      .max = most_lights,
      .step = 1,
-     .help = "The light that they are about, and that orbits: 1 is `light`, 2 the first of `lights`."},
+     .help = "The light that derivations and code use, and that orbits: 1 is `light`, 2 the first of `lights`."},
     {.path = "view.beside.shows",
      .place = IN(view.beside.shows),
-     .label = "beside it",
-     .help = "A second picture in the camera view: the depth buffer, or the same picture with another depth format and "
-             "mapping."},
+     .label = "2nd picture",
+     .help = "A second picture in the camera view: the depth buffer, or the same picture with a different depth format "
+             "and mapping."},
     {.path = "view.beside.layout",
      .place = IN(view.beside.layout),
      .label = "layout",
-     .help = "Two whole pictures in two halves, or one picture with a line to drag across it."},
+     .help = "Two whole pictures side by side, or one picture with a line to drag across it."},
     {.path = "view.beside.share",
      .place = IN(view.beside.share),
      .label = "divider",
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "The part of the camera view that lies left of the divider."},
+     .help = "The share of the camera view to the left of the divider."},
     {.path = "view.beside.format",
      .place = IN(view.beside.format),
      .label = "other format",
@@ -802,7 +779,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16383,
      .step = 1,
-     .help = "The pixel of the camera view that the pixel and cell views tell about, from the top left one on; null is "
+     .help = "The pixel of the camera view that the pixel and cell views describe, counted from the top left; null is "
              "the one under the pointer."},
     {.path = "view.pin",
      .place = IN(view.pin),
@@ -810,9 +787,9 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "The pinned pixel by what lies there, so that it is the same place at every size: an object of the scene "
-             "and a fraction of its box in the picture, from the top left, left out for the middle of what is visible "
-             "of it; or without an object a fraction of the view. It goes before the pinned pixel; null is none."},
+     .help = "Pins a pixel relative to an object, so that it stays in place at every size: a scene object and a "
+             "fraction of its box in the picture, from the top left (default: the middle of its visible part); or, "
+             "without an object, a fraction of the view. Overrides the pinned pixel; null means none."},
     {.path = "view.cells",
      .place = IN(view.cells),
      .label = "cells",
@@ -820,65 +797,63 @@ const Field all_fields[] = {
      .min = 1,
      .max = 64,
      .step = 1,
-     .help = "Columns and rows of the block around that pixel which the cell view shows, in the middle of the picture "
-             "until there is one; null shows as many as can be read."},
+     .help = "Columns and rows of the block that the cell view shows around the pinned pixel, or in the middle of the "
+             "picture if there is none; null shows as many as are readable."},
     {.path = "view.call",
      .place = IN(view.call),
      .label = "draw call",
      .min = -1,
      .max = 1e9,
      .step = 1,
-     .help = "Draws no further than this draw call of the frame, from 0 on, to watch the buffers fill; −1 draws all."},
+     .help = "Draws the frame only up to this draw call, counted from 0, to watch the buffers fill; −1 draws all."},
     {.path = "view.triangle",
      .place = IN(view.triangle),
      .label = "triangle",
      .min = -1,
      .max = 1e9,
      .step = 1,
-     .help = "Draws only so many triangles of that draw call; −1 draws all of them."},
+     .help = "Draws only this many triangles of the chosen draw call; −1 draws all of them."},
     {.path = "view.pass",
      .place = IN(view.pass),
      .label = "pass",
      .min = -1,
      .max = 1e6,
      .step = 1,
-     .help = "Stops the frame after this pass, from 0 on, to see what each one leaves in colour, depth and stencil; −1 "
-             "draws all of them."},
+     .help = "Stops the frame after this pass, counted from 0, to see what each one leaves in color, depth and "
+             "stencil; −1 draws all of them."},
     {.path = "view.derivation_step",
      .place = IN(view.derivation_step),
      .label = "derivation step",
      .min = -1,
      .max = 1000,
      .step = 1,
-     .help =
-         "How many lines of the derivation of shadow or mirror image are written, from 0 on; −1 writes all of them."},
+     .help = "The last line shown of the derivation of shadow or mirror image, counted from 0; −1 shows all of them."},
     {.path = "view.lower_left",
      .place = IN(view.lower_left),
      .label = "lower left",
-     .help = "What the view below the camera's on the left shows; automatic is the observer."},
+     .help = "The content of the lower view on the left; automatic shows the observer."},
     {.path = "view.lower_right",
      .place = IN(view.lower_right),
      .label = "lower right",
-     .help = "What the view below the camera's on the right shows; automatic goes by the hidden-surface method."},
+     .help = "The content of the lower view on the right; automatic depends on the hidden-surface method."},
 
     {.path = "view.layout.big",
      .place = IN(view.layout.big),
      .label = "large",
-     .help = "What fills the place of all views: one of them, or the matrices; none shares it as usual."},
+     .help = "Shows one view, or the matrices, in the space of all views; 'none' restores the usual layout."},
     {.path = "view.layout.matrices",
      .place = IN(view.layout.matrices),
      .label = "matrices",
-     .help =
-         "The matrices that are shown, in this order: S, R, the followed point, V, C, P and the lecture's display(); "
-         "an empty list shows all as usual."},
+     .help = "The matrices to show, in this order: S, R, the followed point, V, C, P and the lecture's display(); an "
+             "empty list shows all as usual."},
     {.path = "view.layout.controls",
      .place = IN(view.layout.controls),
      .label = "controls",
-     .help = "The controls that the panel shows, by the paths of fields and groups; an empty list shows all."},
+     .help = "The controls that the panel shows, given as paths of fields and groups; an empty list shows all."},
     {.path = "view.layout.folded",
      .place = IN(view.layout.folded),
      .label = "folded",
-     .help = "Which columns are folded away: the panel, the matrices."},
+     .help = "The columns that are folded away: the panel, the matrices."},
 
     // observer
     {.path = "observer.target",
@@ -888,8 +863,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help = "The point that the observer, who sees camera, frustum, light and plane from outside, looks at and turns "
-             "about."},
+     .help =
+         "The point that the observer looks at and turns about, seeing camera, frustum, light and plane from outside."},
     {.path = "observer.yaw",
      .place = IN(observer.yaw),
      .label = "observer yaw",
@@ -897,7 +872,7 @@ const Field all_fields[] = {
      .min = -turns_limit_deg,
      .max = turns_limit_deg,
      .step = 0.5,
-     .help = "The observer's turn about the y axis through its target."},
+     .help = "The observer's rotation about the y axis through its target."},
     {.path = "observer.pitch",
      .place = IN(observer.pitch),
      .label = "observer pitch",
@@ -914,7 +889,7 @@ const Field all_fields[] = {
      .max = 1e6,
      .step = 0.1,
      .logarithmic = true,
-     .help = "How far the observer is from its target."},
+     .help = "Distance of the observer from its target."},
     {.path = "observer.light_rays",
      .place = IN(observer.light_rays),
      .label = "light rays",
@@ -926,68 +901,66 @@ const Field all_fields[] = {
     {.path = "observer.image_space",
      .place = IN(observer.image_space),
      .label = "image space",
-     .help = "The scene once more behind the mirror, where its image seems to be."},
+     .help = "The scene drawn again behind the mirror, where its image seems to be."},
 
     // slips
     {.path = "slips.walk_slows",
      .place = IN(slips.walk_slows),
      .label = "walk slows",
-     .help = "A famous slip: walking moves along the direction of view and then sets the height back, so that one gets "
-             "slower the more one looks up or down."},
+     .help = "A common mistake: walking moves along the view direction and then restores the height, so you slow down "
+             "the farther you look up or down."},
     {.path = "slips.creeping_roll",
      .place = IN(slips.creeping_roll),
      .label = "creeping roll",
-     .help = "A famous slip: walking and orbiting turn yaw about the camera's own axis in place of the world's, and a "
-             "roll that nobody asked for creeps in."},
+     .help = "A common mistake: walking and orbiting apply yaw about the camera's own axis instead of the world's, so "
+             "an unwanted roll creeps in."},
     {.path = "slips.pole_flip",
      .place = IN(slips.pole_flip),
      .label = "pole flip",
-     .help = "A famous slip: orbiting builds the view from a fixed up vector without a limit on pitch, and the picture "
+     .help = "A common mistake: orbiting builds the view from a fixed up vector with no limit on pitch, so the picture "
              "flips over at the pole.",
      .gl_call = "glm::lookAt"},
     {.path = "slips.swapped_order",
      .place = IN(slips.swapped_order),
-     .label = "R T for T R",
-     .help =
-         "A famous slip: the camera's matrix is multiplied in the wrong order, so that its position is turned along "
-         "with it.",
+     .label = "R T, not T R",
+     .help = "A common mistake: the camera's matrix is multiplied in the wrong order, so its position is rotated too.",
      .formula = "C = R T ≠ T R"},
     {.path = "slips.camera_as_view",
      .place = IN(slips.camera_as_view),
-     .label = "C for V",
-     .help = "A famous slip: the camera's own matrix is sent where its inverse belongs, and everything moves the wrong "
-             "way.",
+     .label = "C as V",
+     .help = "A common mistake: the camera's own matrix is uploaded where its inverse belongs, so everything moves the "
+             "wrong way.",
      .formula = "C ≠ V = C⁻¹"},
     {.path = "slips.degrees_as_radians",
      .place = IN(slips.degrees_as_radians),
      .label = "degrees as radians",
-     .help = "The slide's perspective(45, …): fovy's number of degrees is handed over where GLM takes radians. 45 "
-             "radians look like 58.3°, so the picture is believable.",
+     .help = "The slide's perspective(45, …): passes fovy in degrees where GLM takes radians. 45 radians look like "
+             "58.3°, so the picture is plausible.",
      .formula = "P₂₂ = 1 / tan(fovy / 2), fovy read as radians",
      .gl_call = "glm::perspective(45.f, …)"},
     {.path = "slips.plus_2ab",
      .place = IN(slips.plus_2ab),
      .label = "+2ab in R",
-     .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab in place of −2ab. It shows where the "
-             "plane's normal has both an x and a y.",
+     .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab instead of −2ab. It shows if the "
+             "plane's normal has both an x and a y part.",
      .formula = "R₂₁ = −2ab"},
     {.path = "slips.normal_not_unit",
      .place = IN(slips.normal_not_unit),
      .label = "n not divided by |n|",
-     .help = "R is filled from (a, b, c, d) as they are typed. The formula holds for a normal of length 1; with a "
-             "longer one points are thrown too far.",
+     .help = "Fills R from (a, b, c, d) as entered. The formula needs a normal of length 1; with a longer one, points "
+             "move too far.",
      .formula = mirror_formula},
 
     // animation
     {.path = "animation.jiggle",
      .place = IN(animation.jiggle),
      .label = "jiggle",
-     .help = "Lets the camera tremble by a thousandth of the target's distance: surfaces stay where they are, but the "
+     .help = "Jitters the camera by a thousandth of the target's distance: surfaces stay where they are, but the "
              "stripes of depth fighting crawl."},
     {.path = "animation.light_orbit",
      .place = IN(animation.light_orbit),
      .label = "light orbits",
-     .help = "Lets the chosen light turn about the y axis of the world."},
+     .help = "Lets the chosen light orbit the world's y axis."},
     {.path = "animation.light_speed",
      .place = IN(animation.light_speed),
      .label = "speed",
@@ -995,25 +968,25 @@ const Field all_fields[] = {
      .min = -360,
      .max = 360,
      .step = 1,
-     .help = "How fast the light turns; negative the other way round."},
+     .help = "Speed of the light's orbit; negative reverses it."},
 
     // ui
     {.path = "ui.theme",
      .place = IN(ui.theme),
      .label = "theme",
      .help =
-         "The colours of the window: dark, light, or projector with larger type and heavier lines for a bright room."},
+         "The colors of the window: dark, light, or projector, with larger type and heavier lines for a bright room."},
     {.path = "ui.scale",
      .place = IN(ui.scale),
      .label = "scale",
      .min = 0.5,
      .max = 4,
      .step = 0.05,
-     .help = "The size of type and controls, on top of what the screen asks for."},
+     .help = "The size of type and controls, on top of the screen's own scaling."},
     {.path = "ui.language",
      .place = IN(ui.language),
      .label = "language",
-     .help = "The language of the window and of the lessons. States, matrices and calls of GL are the same in each."},
+     .help = "The language of the window and the lessons. States, matrices and GL calls are the same in each."},
 };
 
 #undef IN

@@ -1,5 +1,5 @@
-// The one list of fields: every path of the state file with its type, unit, range, default and what
-// it does. The JSON reader and writer, `params`, `--set` and the panel's controls all read this list.
+// The list of all fields: every path of the state file with its type, unit, range, default and explanation. The JSON
+// reader and writer, `params`, `--set` and the panel's controls all use this list.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// An enumeration's value together with its names in order.
+/// An enumeration's value, with its names in order.
 struct EnumRef {
     std::span<const char* const> names;
     void* value;
@@ -25,8 +25,8 @@ struct EnumRef {
     void set(int index) const { assign(value, index); }
 };
 
-/// The elements of a list behind the first one. The state file has them in an array ("lights") and the first one in a
-/// group of its own ("light"), whose fields are those of every element: this is the one place that says so.
+/// The elements of a list after the first. The state file keeps the first in a group of its own ("light") and the rest
+/// in an array ("lights"), each with the fields of that group. Only this template encodes that rule.
 template <typename Element>
 struct Further {
     static constexpr bool has_lights = std::is_same_v<Element, LightParams>;
@@ -37,12 +37,12 @@ struct Further {
     std::span<Element> elements() const { return std::span(*all).subspan(1); }
 };
 
-/// The matrices by hand but those of the first plane and the first light on it, which have fields of their own.
+/// Matrices entered by hand, except those of the first plane and its first light, which have fields of their own.
 struct FurtherOverrides {
     std::array<PlaneOverrides, most_planes>* all;
 };
 
-/// Where a field lives inside a Params.
+/// A reference to a field inside a Params.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*,
@@ -51,79 +51,81 @@ using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Co
 struct Field {
     std::string_view path;  ///< "projection.near"
     FieldRef (*place)(Params& params, std::size_t element) = nullptr;
-    std::string_view label;      ///< as on the panel: "z-near"
+    std::string_view label;      ///< as shown on the panel: "z-near"
     std::string_view unit = "";  ///< "world units", "°", "" …
-    double min = -1e12;          ///< inclusive, per component; ±1e12 where nothing else limits it
+    double min = -1e12;          ///< inclusive, per component; ±1e12 if nothing else limits it
     double max = 1e12;
-    double step = 0.01;             ///< the natural step of a drag
+    double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
-    std::string_view help;          ///< what it does, one or two sentences
-    std::string_view formula = "";  ///< "" or the formula it enters
-    std::string_view gl_call = "";  ///< "" or the GL call it becomes
+    std::string_view help;          ///< its effect, in one or two sentences
+    std::string_view formula = "";  ///< "" or the formula that uses it
+    std::string_view gl_call = "";  ///< "" or the GL call that it sets
 
-    /// Of a field of the groups "light" and "plane", in which light or plane of the list; `element` is 0 for others.
+    /// Returns the field's place in `params`. `element` selects the light or plane in the groups "light" and "plane";
+    /// it is 0 for other fields.
     FieldRef in(Params& params, std::size_t element = 0) const { return place(params, element); }
-    /// "near"
+    /// Returns "near" for "projection.near".
     std::string_view name() const { return path.substr(path.rfind('.') + 1); }
 };
 
-/// All fields in the order of the state file.
+/// Returns all fields in the order of the state file.
 std::span<const Field> fields();
 
-/// The field at a path; nullptr when there is none.
+/// Returns the field at a path; nullptr if there is none.
 const Field* find_field(std::string_view path);
 
-/// The field at a path that is known to exist; a missing one is a programmer's mistake and asserts.
+/// Returns the field at a path that must exist; a missing one is a programming error and fails an assertion.
 const Field& field(std::string_view path);
 
-/// Whether a path is that of the group, or field, itself or of something in it.
+/// Whether a path is the group or field itself, or is inside it.
 bool is_in(std::string_view path, std::string_view group);
 
-/// The fields of a group, which may be that of a list's elements.
+/// Returns the fields of a group; also for a group of list elements, such as "light".
 std::vector<const Field*> fields_of(std::string_view group);
 
-/// `{"equation": [a, b, c, d], "extent", …}`: what the state file has for an element of that group's list.
+/// Returns the JSON form of an element of the group's list: `{"equation": [a, b, c, d], "extent", …}`.
 std::string element_form(std::string_view group);
 
-/// In how many elements of a list the field stands; 1 for one that is in no list.
+/// Returns how many elements of a list have the field; 1 if it is in no list.
 std::size_t element_count(const Field& field, const Params& params);
 
-/// What one component of a field may be, both ends included. The w of a light is 0 … 1, other components have the
-/// field's range. Scalars are component 0.
+/// The inclusive range of a field's component. The w of a light is 0 … 1; all other components have the field's range.
+/// A scalar is component 0.
 struct Range {
     double min, max;
 };
 Range component_range(const Field& field, int component);
 
-/// "from 1 to 179".
+/// Returns "from 1 to 179".
 std::string range_text(const Range& range);
 
-/// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix",
-/// "matrices", "follow", "range", "pixel", "pin", "names".
+/// Returns "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "matrices",
+/// "follow", "range", "pixel", "pin" or "names".
 std::string_view type_name(const Field& field);
 
-/// "projection" of "projection.near", "" of "scene".
+/// Returns "projection" for "projection.near", "" for "scene".
 std::string_view group_of(std::string_view path);
 
-/// Paths of fields and of groups, in the order of the list.
+/// Returns the paths of all fields and groups, in the order of the list.
 std::vector<std::string> known_paths();
 
-/// What a list of names may hold, each once.
+/// Returns the names that a field of type "names" may contain, each at most once.
 std::vector<std::string> allowed_names(const Field& field);
 
-/// One of them, to follow "must be".
+/// Lists these names as a phrase that completes "must be".
 std::string allowed_name_text(const Field& field);
 
-/// Where the projection's aspect is neither 0 nor at least this, the picture would be a line.
+/// A smaller aspect ratio, except 0, would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;
 
-/// What the field accepts, to follow "must be": "a number from 1 to 179", "one of fly, walk, orbit" …
+/// Returns the accepted values as a phrase that completes "must be": "a number from 1 to 179", "one of fly, walk,
+/// orbit" …
 std::string allowed_text(const Field& field);
 
 /// A normal (a, b, c) or a light (x, y, z, w) shorter than this counts as zero.
 inline constexpr double min_length = 1e-9;
 
-/// The names of an enumeration, in the order of its enumerators.
+/// Returns the names of an enumeration, in the order of its enumerators.
 template <typename Enum>
 std::span<const char* const> names_of();
 
@@ -161,10 +163,10 @@ std::string_view name_of(Enum value) {
     return names_of<Enum>()[static_cast<std::size_t>(value)];
 }
 
-/// Puts every number back into its field's range and mends what belongs together (near < far, a plane
-/// with a normal, a light that is not zero, a chosen one that is there): what the panel can reach is never an error. An
-/// angle that may turn on and on (yaw, roll) is wrapped by whole turns instead of stopping; NaN becomes the default.
-/// The objects of an inline scene are left alone: no control reaches them.
+/// Clamps every number to its field's range and corrects values that depend on each other (near < far, a plane with a
+/// normal, a light that is not zero, a chosen element that exists), so that the panel can never cause an error. Yaw and
+/// roll may grow without limit, so they wrap by full turns; NaN becomes the default. Leaves the objects of an inline
+/// scene unchanged: no control edits them.
 void clamp_to_ranges(Params& params);
 
 }  // namespace viewing

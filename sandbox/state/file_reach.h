@@ -1,4 +1,4 @@
-// Which files a state may name: a state may come from anybody, and a name in it is no wish of the person's.
+// The files that a state may read. A state may come from anyone, so a file name in it is not a request by the user.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +6,10 @@
 
 namespace viewing {
 
-/// An absolute path with its links followed, as far as there is something.
+/// Returns an absolute path; follows links as far as the path exists.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
-/// Files and folders with all below them, where their links lead. The assets are always within reach.
+/// Files, and folders with everything below them, after links are followed. The assets are always within reach.
 struct FileReach {
     bool is_everywhere = true;
     std::vector<std::filesystem::path> places;  ///< resolved
@@ -19,7 +19,7 @@ struct FileReach {
     bool includes(const std::filesystem::path& file) const;
 };
 
-/// A folder and nothing else; empty: the working directory.
+/// Returns the reach of one folder alone; empty means the working directory.
 FileReach reach_of_folder(const std::filesystem::path& folder);
 
 }  // namespace viewing

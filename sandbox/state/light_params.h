@@ -1,5 +1,5 @@
-// The part of the parameters that says where light, planes, shadows and mirror images are, with the switches that break
-// them. Every switch is right as it is by default. Read params.h for the rest.
+// The parameters of lights, planes, shadows and reflections, with the switches that break them. Every default is
+// correct. Read params.h for the rest.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ enum class MirroredThing { scene, camera };
 
 inline constexpr std::size_t most_lights = 4, most_planes = 8;
 
-/// w = 1 a point light at (x, y, z), w = 0 a parallel light from the direction (x, y, z).
+/// w = 1: a point light at (x, y, z); w = 0: a parallel light from the direction (x, y, z).
 struct LightParams {
     glm::dvec4 position{2.6, 5.2, 2.2, 1.0};
     bool operator==(const LightParams&) const = default;
@@ -28,23 +28,23 @@ struct PlaneParams {
     double extent = 4.0;
     bool receives_shadow = true;
     bool mirrors = true;
-    bool gloss = false;  ///< its patch has a highlight
+    bool gloss = false;  ///< adds a highlight to the patch
     bool operator==(const PlaneParams&) const = default;
 };
 
 struct ShadowParams {
     bool enabled = true;
     Color color{0, 0, 0};
-    double opacity = 0.5;  ///< of all lights' shadows together
+    double opacity = 0.5;  ///< where the shadows of all lights overlap
     bool stencil_once = true, clip_to_receiver = true, clip_casters = true;
     ShadowOffset offset = ShadowOffset::polygon_offset;
     double offset_factor = -1.0, offset_units = -1.0, lift = 0.01;
     ShadowStyle style = ShadowStyle::blend;
 
-    bool clip_at_light = true;                      ///< casters, by the light's own plane parallel to the plane
-    ShadowSign sign = ShadowSign::plane_dot_light;  ///< what S is multiplied by: forced is each vertex's own w
-    bool write_depth = false;                       ///< with its offset
-    bool own_stencil = true;                        ///< a value for each plane and a bit for each light
+    bool clip_at_light = true;                      ///< clips casters at the light, parallel to the receiver
+    ShadowSign sign = ShadowSign::plane_dot_light;  ///< the factor of S; forced negates each vertex whose w is negative
+    bool write_depth = false;                       ///< with the offset, so that the plane's stored depths change
+    bool own_stencil = true;                        ///< one value per plane and one bit per light; off: they share one
     bool operator==(const ShadowParams&) const = default;
 };
 
@@ -56,13 +56,13 @@ struct ReflectionParams {
     bool flip_winding = true, reflect_light = true;
     int bounces = 1;
 
-    MirroredThing mirrored = MirroredThing::scene;  ///< the scene by R, or the camera, and the picture flipped
-    bool same_projection = true;                    ///< off: the mirrored camera sees with the aspect of a square
-    bool printed_by_rows = false;  ///< R as the lecture's code fills it: by rows, which GL reads as columns
+    MirroredThing mirrored = MirroredThing::scene;  ///< scene: R applies; camera: mirrored instead, its picture flipped
+    bool same_projection = true;                    ///< off: the mirrored camera uses the aspect ratio of a square
+    bool printed_by_rows = false;  ///< R filled by rows, like the lecture's code; GL reads them as columns
     bool mask_writes_depth = false;
-    bool after_objects = false;  ///< the mirror is drawn last, and its mask without a depth test
-    bool side_of_eye = true;     ///< off: what lies on the side of the normal is mirrored, wherever the eye is
-    bool shadows = true;         ///< inside the mirror
+    bool after_objects = false;  ///< draws the mirror last, and its mask without a depth test
+    bool side_of_eye = true;     ///< off: mirrors the objects on the normal's side, wherever the eye is
+    bool shadows = true;         ///< shows shadows in the mirror image
     bool operator==(const ReflectionParams&) const = default;
 };
 

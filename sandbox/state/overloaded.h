@@ -1,4 +1,4 @@
-// One call operator out of several, for std::visit.
+// Combines several call operators into one, for std::visit.
 #pragma once
 
 namespace viewing {

@@ -1,7 +1,6 @@
-// Everything a person can change, as one plain value: copied, compared, printed, parsed, undone.
-// The defaults here are the opening state. Names, order and units are those of the state file; ranges and
-// explanations stand in fields.cpp. Lengths in world units, angles in degrees, y up, right-handed.
-// Read frame/derive.cpp next.
+// Everything that a user can change, as one plain value that can be copied, compared, printed, parsed and undone. The
+// defaults are the opening state. Names, order and units match the state file; fields.cpp has ranges and explanations.
+// Lengths are in world units, angles in degrees; y is up, right-handed. Read frame/derive.cpp next.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +38,7 @@ struct CameraParams {
 struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
     double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
-    double aspect = 0.0;  ///< width : height that P is made for; 0: that of the view
+    double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
     bool operator==(const ProjectionParams&) const = default;
 };
 
@@ -50,14 +49,14 @@ struct CullParams {
     bool operator==(const CullParams&) const = default;
 };
 
-/// What is put in place of a plane's R, and of its S of each light.
+/// Matrices that replace a plane's R, and its S for each light.
 struct PlaneOverrides {
     std::optional<glm::dmat4> mirrored_world_from_world;
     std::array<std::optional<glm::dmat4>, most_lights> shadowed_world_from_world;
     bool operator==(const PlaneOverrides&) const = default;
 };
 
-/// The followed point: a vertex of an object of the scene.
+/// The followed point: a vertex of an object in the scene.
 struct Follow {
     std::string object;
     int vertex = 0;
@@ -67,41 +66,41 @@ struct Follow {
 struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
-    bool light_rays = false;    ///< from the light through the outline's vertices to their shadow
-    bool mirrored_eye = false;  ///< and the frustum that it sees the mirror's image with
-    bool image_space = false;   ///< the scene once more behind the mirror
+    bool light_rays = false;    ///< draws rays from the light through the outline's vertices to their shadow
+    bool mirrored_eye = false;  ///< draws it with the frustum through which it sees the mirror image
+    bool image_space = false;   ///< draws the scene again, behind the mirror
     bool operator==(const ObserverParams&) const = default;
 };
 
-/// Famous slips: each a switch that breaks navigation or a matrix.
+/// Common mistakes: each switch breaks navigation or a matrix.
 struct SlipParams {
-    bool walk_slows = false;          ///< walking moves along the view direction, then sets the height back
-    bool creeping_roll = false;       ///< walking and orbiting turn yaw and pitch both about the camera's own axes
+    bool walk_slows = false;          ///< walking moves along the view direction, then restores the height
+    bool creeping_roll = false;       ///< walking and orbiting apply yaw and pitch about the camera's own axes
     bool pole_flip = false;           ///< orbit uses a look-at with a fixed up and no limit on pitch
-    bool swapped_order = false;       ///< C = R T in place of T R
-    bool camera_as_view = false;      ///< uploads C where V belongs
-    bool degrees_as_radians = false;  ///< P is given fovy's number of degrees where it takes radians
-    bool plus_2ab = false;            ///< row 2, column 1 of R is +2ab, as one line of the slide has it
-    bool normal_not_unit = false;     ///< R from (a, b, c, d) as they are typed, not divided by |n|
+    bool swapped_order = false;       ///< C = R T instead of T R
+    bool camera_as_view = false;      ///< uploads C instead of V
+    bool degrees_as_radians = false;  ///< P gets fovy in degrees instead of radians
+    bool plus_2ab = false;            ///< row 2, column 1 of R is +2ab, as in one line of the slide
+    bool normal_not_unit = false;     ///< R from (a, b, c, d) as entered, not divided by |n|
     bool operator==(const SlipParams&) const = default;
 };
 
-/// What moves by itself while the window is open; pictures without a window show its beginning.
+/// Motion while the window is open; pictures without a window show its start.
 struct AnimationParams {
-    bool jiggle = false;        ///< the camera trembles by so little that only depth fighting shows it
-    bool light_orbit = false;   ///< the chosen light turns about the world's y axis
-    double light_speed = 30.0;  ///< degrees a second, positive to the left
+    bool jiggle = false;        ///< jitters the camera by so little that only depth fighting shows it
+    bool light_orbit = false;   ///< the chosen light orbits the world's y axis
+    double light_speed = 30.0;  ///< degrees per second; positive turns left
     bool operator==(const AnimationParams&) const = default;
 };
 
 struct UiParams {
     Theme theme = Theme::dark;
     double scale = 1.0;
-    Language language = Language::en;  ///< the person's: neither undone nor changed by what is opened
+    Language language = Language::en;  ///< belongs to the user: undo and opened files do not change it
     bool operator==(const UiParams&) const = default;
 };
 
-/// Indices of the plane and the light that are looked at more closely, never beyond their lists.
+/// Indices of the chosen plane and light, always valid.
 struct Choice {
     std::size_t plane = 0, light = 0;
     bool operator==(const Choice&) const = default;
@@ -119,7 +118,7 @@ struct Params {
     std::vector<PlaneParams> planes = std::vector<PlaneParams>(1);  ///< at least one
     ShadowParams shadow;
     ReflectionParams reflection;
-    std::array<PlaneOverrides, most_planes> overrides;  ///< of each plane
+    std::array<PlaneOverrides, most_planes> overrides;  ///< for each plane
     std::optional<Follow> follow;
     VisibilityParams visibility;
     ViewParams view;
@@ -128,8 +127,8 @@ struct Params {
     AnimationParams animation;
     UiParams ui;
 
-    /// What P is made of, the slip of degrees taken for radians included: where cot(fovy/2) is negative, which turns
-    /// the picture upside down, the angle of view is negative; it keeps off 0° and ±180°, so that P has an inverse.
+    /// Returns the input of P, with the mistake of using degrees as radians. If cot(fovy/2) is negative, which turns
+    /// the picture upside down, the field of view is negative too. It avoids 0° and ±180°, so that P has an inverse.
     Lens lens() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }

@@ -1,4 +1,4 @@
-// Presets and scenes of the assets directory, and how a STATE argument is found.
+// Finds the presets and scenes of the assets directory, and loads a STATE argument.
 #include "state/presets.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* opening = "opening";
 
-/// Title, explanation, group and what mends it, as far as the file can be read; loading it says what is wrong with it.
+/// Reads title, description, group and fix as far as possible; loading the file reports its errors.
 NamedFile named_file(const fs::path& path) {
     NamedFile named{path.stem().string(), path.stem().string(), "", "", "", path};
     const Result<std::string> text = read_text_file(path);
@@ -50,7 +50,7 @@ std::vector<NamedFile> named_files(const char* folder) {
     return files;
 }
 
-/// The names of the presets in the order in which the lecture comes to them; empty where the list cannot be read.
+/// Returns the names of the presets in the order of the lecture; empty if the list cannot be read.
 std::vector<std::string> lecture_order() {
     const Result<std::string> text = read_text_file(assets_directory() / "lecture.json");
     const Result<Json> document =
@@ -85,16 +85,17 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
 Result<std::string> state_in_figure(const fs::path& path) {
     Result<std::string> note = read_figure_note(path);
     if (note && note->empty())
-        return Error{one_line(path.string()) + ": this picture carries no state; those that this program wrote do"};
+        return Error{one_line(path.string()) +
+                     ": this picture contains no state; only pictures written by this program do"};
     return note;
 }
 
-/// A link has no folder: what its state names has to be asked about.
+/// A link has no folder, so every file that its state names needs permission.
 Result<LoadedState> state_in_link(const std::string& text) {
     const Result<Link> link = read_link(text);
     if (!link) return Error{link.error()};
     if (link->kind == Link::Kind::lesson)
-        return Error{"this is a lesson's link: viewing-sandbox lesson " + link->text + " --step " +
+        return Error{"this link opens a lesson: use viewing-sandbox lesson " + link->text + " --step " +
                      std::to_string(link->step)};
     if (link->kind == Link::Kind::preset) {
         const std::vector<NamedFile> known = presets();

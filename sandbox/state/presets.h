@@ -1,4 +1,4 @@
-// Presets: state files in assets/presets, each with a title and a sentence, and how a STATE argument is found.
+// Presets: state files in assets/presets, each with a title and a sentence. Also loads a STATE argument.
 #pragma once
 
 #include <filesystem>
@@ -17,28 +17,28 @@
 namespace viewing {
 
 struct NamedFile {
-    std::string name;   ///< file name without .json: what a person types
+    std::string name;   ///< file name without .json, as typed on the command line
     std::string title;  ///< its "title" field, else the name
     std::string about;  ///< its "about" field, one sentence
-    std::string group;  ///< its "group" field: the headline that it stands below in a list; "" for none
-    /// Its "mended_by" field, of a preset that breaks the picture: the setting that puts it right, as on the command
-    /// line.
+    std::string group;  ///< its "group" field: the heading above it in a list; "" for none
+    /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes it, as on the command line.
     std::string mended_by;
     std::filesystem::path path;
-    /// Its state sets theme or size of type: chosen from the list only, never on the way that Page Down takes.
+    /// Its state sets the theme or the type size, so it opens from the list only: Page Down skips it.
     bool sets_looks = false;
 };
 
-/// The presets of the assets directory in the order of the lecture, as lecture.json beside them lists it ("opening"
-/// first); what it does not list follows by name.
+/// Returns the presets of the assets directory in the order of the lecture, as listed in lecture.json next to them
+/// ("opening" first); presets that are not listed follow by name.
 std::vector<NamedFile> presets();
-/// Its scenes, sorted by name.
+/// Returns the scenes of the assets directory, sorted by name.
 std::vector<NamedFile> scenes();
 
-/// What follows "neither a file nor a preset": where the names are listed, and the nearest one to a misspelt word.
+/// Returns the text that follows "neither a file nor a preset": where the names are listed, and the name nearest to a
+/// misspelled word.
 std::string names_hint(std::string_view word, std::span<const NamedFile> files);
 
-/// The preset that a state was opened from, and its parameters as its file has them.
+/// The preset that a state was opened from, with the parameters of its file.
 struct OpenPreset {
     std::string name;
     Params params;
@@ -46,19 +46,20 @@ struct OpenPreset {
 
 struct LoadedState {
     Params params;
-    std::filesystem::path base;          ///< what the scene's relative paths are relative to
-    std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
-    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a file of one's own
-    Titles titles = {};                              ///< what its file says about itself; none for the opening state
-    std::shared_ptr<const Flight> flight = nullptr;  ///< where it is one: `params` are its start
-    FileReach reach = {};  ///< what its scene may be read from; of one that was loaded, its own folder
+    std::filesystem::path base;          ///< the folder that the scene's relative paths start from
+    std::string scene_origin = "scene";  ///< messages about the scene begin with it: "room.json: scene", "--set scene"
+    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a custom file
+    Titles titles = {};                                  ///< the titles of its file; empty for the opening state
+    std::shared_ptr<const Flight> flight = nullptr;      ///< if it is a flight; `params` is its start
+    FileReach reach = {};  ///< the files that its scene may read; for a loaded state, its own folder
 };
 
-/// STATE of the command line: a path to a .json file, a preset's name, "" for the opening preset; a figure (.png, .svg,
-/// .pdf) that carries its state; a flight; a link to a state or a preset (of a lesson's: lesson/linked_step.h).
+/// Loads the STATE of the command line: the path of a .json file, a preset's name, or "" for the opening preset; a
+/// figure (.png, .svg, .pdf) that contains its state; a flight; a link to a state or a preset (for a link to a lesson:
+/// lesson/linked_step.h).
 Result<LoadedState> load_state(const std::string& argument);
 
-/// The same from a text, a state or a link; `source` opens every message.
+/// Loads a state or a link from a string; `source` starts every message.
 Result<LoadedState> state_in_text(const std::string& text, const std::string& source);
 
 }  // namespace viewing

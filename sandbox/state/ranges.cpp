@@ -1,5 +1,5 @@
-// What the list of fields says about values: component ranges, what is allowed in words, and the mending of values
-// that a control may have dragged too far.
+// Applies the list of fields to values: ranges of components, descriptions of allowed values, and the correction of
+// values that a control dragged out of range.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -77,7 +77,7 @@ void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
-/// Too narrow an aspect goes to the nearer one of the view's own and the narrowest.
+/// Moves an aspect ratio that is too small to 0 (the view's own) or to the minimum, whichever is nearer.
 void mend_aspect(double& aspect) {
     if (aspect > 0.0 && aspect < min_aspect) aspect = aspect < min_aspect / 2.0 ? 0.0 : min_aspect;
 }
@@ -88,7 +88,7 @@ void mend_pin(std::optional<Pin>& pin, const Field& field) {
     if (*pin == Pin{}) pin.reset();
 }
 
-/// What belongs to planes and lights that are not there goes.
+/// Removes overrides for planes and lights that do not exist.
 void mend_overrides(Params& params) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
         PlaneOverrides& overrides = params.overrides[plane];
@@ -188,7 +188,7 @@ std::string allowed_text(const Field& field) {
                 return is_light(field) ? "four numbers [x, y, z, w], x, y and z " + range + ", w from 0 to 1"
                                        : "four numbers [a, b, c, d], each " + range;
             },
-            [](Color*) -> std::string { return "a colour \"#rrggbb\""; },
+            [](Color*) -> std::string { return "a color \"#rrggbb\""; },
             [](EnumRef choice) -> std::string { return "one of " + joined(choice.names); },
             [](SceneSource*) -> std::string { return "a scene's name, a path, or an object with \"objects\""; },
             []<typename Element>(Further<Element> list) -> std::string {
@@ -206,16 +206,16 @@ std::string allowed_text(const Field& field) {
                 return "null or {\"object\": name, \"vertex\": whole number}";
             },
             [&](std::optional<glm::dvec2>*) -> std::string {
-                return "null or two numbers [nearest, farthest], each " + range + ", the first one less";
+                return "null or two numbers [nearest, farthest], each " + range + ", the first less than the second";
             },
             [&](std::optional<glm::ivec2>*) -> std::string {
                 return "null or two whole numbers [x, y], each " + range;
             },
             [&](std::optional<Pin>*) -> std::string {
-                return "null, {\"object\": name, \"at\": [u, v]}, or either of the two alone, u and v " + range;
+                return "null, {\"object\": name, \"at\": [u, v]} or only one of the two, u and v " + range;
             },
             [&](std::vector<std::string>*) -> std::string {
-                return "an array, each of it once and " + allowed_name_text(field);
+                return "an array of different names, each " + allowed_name_text(field);
             },
         },
         default_ref(field));

@@ -1,4 +1,4 @@
-// Scenes with their meshes: where a scene's description comes from, and what it becomes.
+// Loads scenes: finds a scene's description and makes its meshes.
 #include "state/scene.h"
 
 #include <algorithm>
@@ -19,16 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A description, what its relative files are relative to, and how messages name its objects ("room.json: objects");
-/// empty for the scene of one mesh file.
+/// A description, the folder that its relative files start from, and the name of its objects in messages ("room.json:
+/// objects"), which is empty if the scene is a single mesh file.
 struct Described {
     SceneDescription scene;
     fs::path base;
     std::string objects;
-    fs::path file = {};  ///< that says all this, where that is no asset and not the state itself
+    fs::path file = {};  ///< its source, unless that is an asset or the state itself
 };
 
-/// Lets a scene's files through, one after the other, and keeps which they were.
+/// Checks each file of a scene before it is read, and lists the files that were read.
 class Gate {
 public:
     explicit Gate(const SceneReading& reading) : reading_(reading), reach_(reading.reach) {}
@@ -37,12 +37,12 @@ public:
         if (!seen_.insert(file.string()).second) return std::monostate{};
         if (!reach_.includes(file)) {
             if (reading_.outside != nullptr) *reading_.outside = resolved(file);
-            return Error{shown + " lies outside the state's own folder; --allow-outside lets it be read"};
+            return Error{shown + " is outside the state's folder; --allow-outside allows reading it"};
         }
         read_.push_back(resolved(file));
         return std::monostate{};
     }
-    /// What a scene's file names beside it.
+    /// Allows the files in the folder of a scene's file.
     void open_folder_of(const fs::path& file) { reach_.add(file.has_parent_path() ? file.parent_path() : "."); }
 
     std::vector<fs::path> take_read() { return std::move(read_); }
@@ -99,14 +99,14 @@ Result<Described> described(const SceneSource& source, const fs::path& base, con
     return scene;
 }
 
-/// How messages name the mesh file of an object.
+/// Returns how messages refer to an object's mesh file.
 std::string place_of(const Described& from, std::size_t object, const std::string& origin) {
     return from.objects.empty() ? origin : from.objects + "[" + std::to_string(object) + "].file";
 }
 
 std::string too_many(std::uint64_t triangles) {
-    return "the scene has " + std::to_string(triangles) + " triangles, at most " + std::to_string(max_scene_triangles) +
-           " are drawn: leave objects out, or take coarser meshes and teapots";
+    return "the scene has " + std::to_string(triangles) + " triangles, but at most " +
+           std::to_string(max_scene_triangles) + " are drawn: remove objects, or use coarser meshes and teapots";
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ std::size_t Scene::triangle_count() const {
 Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const CoplanarParams& coplanar,
                          const SceneReading& reading) {
     if (const auto* name = std::get_if<std::string>(&source); name && !is_utf8(*name))
-        return Error{one_line(*name) + ": the file's name is not UTF-8, as states are; give it another name"};
+        return Error{one_line(*name) + ": the file name is not UTF-8, which states need; rename the file"};
     Gate gate(reading);
     Result<Described> from = described(source, base, reading, gate);
     if (!from) {
@@ -148,8 +148,8 @@ Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const 
         const ObjectDescription& object = from->scene.objects[i];
         const auto done = static_cast<double>(i);
         WorkProgress of_object{.whole = reading.progress, .begin = done / count, .end = (done + 1.0) / count};
-        if (is_cancelled(&of_object)) {
-            return Error{reading.origin + ": loading was cancelled"};
+        if (is_canceled(&of_object)) {
+            return Error{reading.origin + ": loading was canceled"};
         }
         if (object.shape == ShapeKind::mesh) {
             if (const Status passed = gate.pass(from->base / object.file, object.file); !passed) {
@@ -170,8 +170,8 @@ Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const 
         return Error{reading.origin + ": " + too_many(triangles)};
     }
     for (const SceneObject& object : scene.objects) {
-        if (is_cancelled(reading.progress)) {
-            return Error{reading.origin + ": loading was cancelled"};
+        if (is_canceled(reading.progress)) {
+            return Error{reading.origin + ": loading was canceled"};
         }
         for (const glm::vec3& position : object.mesh->positions) {
             scene.bounds_world.add(glm::dvec3(object.world_from_model * glm::dvec4(position, 1.0)));

@@ -1,4 +1,4 @@
-// A scene as its file says it: objects with a shape and a place. scene.h makes it into meshes.
+// A scene as in its file: objects with a shape and a place. scene.h makes meshes from it.
 #pragma once
 
 #include <array>
@@ -21,14 +21,14 @@ struct Color {
 
 enum class ShapeKind { box, sphere, torus, cylinder, cone, quad, triangle, teapot, mesh };
 
-/// What is made of a mesh file's numbers.
+/// Options for reading a mesh file.
 struct MeshReading {
-    double crease_deg = 30.0;  ///< angle between faces up to which made normals are smooth: 0 … 180
-    bool fit = true;           ///< centred and scaled; else the file's own coordinates
+    double crease_deg = 30.0;  ///< largest angle between faces whose computed normals are smooth: 0 … 180
+    bool fit = true;           ///< centers and scales; else keeps the file's coordinates
     bool operator==(const MeshReading&) const = default;
 };
 
-/// One object of a scene: what it is and where. world_from_model = T R S.
+/// One object of a scene: its shape and place. world_from_model = T R S.
 struct ObjectDescription {
     std::string name;
     ShapeKind shape = ShapeKind::box;
@@ -40,20 +40,20 @@ struct ObjectDescription {
     std::array<glm::dvec3, 3> vertices{};  ///< triangle only
     std::string file;                      ///< mesh only, relative to the scene's file
     MeshReading reading;                   ///< mesh only
-    int resolution = 10;                   ///< teapot only: cuts per patch side
+    int resolution = 10;                   ///< teapot only: subdivisions per patch side
     bool operator==(const ObjectDescription&) const = default;
 };
 
-/// What a scene can be made by in place of listing its objects: see coplanar.h.
+/// A formula that makes a scene instead of a list of objects: see coplanar.h.
 enum class SceneFormula { coplanar };
 
 struct SceneDescription {
-    std::vector<ObjectDescription> objects;  ///< none for a scene that a formula makes
+    std::vector<ObjectDescription> objects;  ///< empty if a formula makes the scene
     std::optional<SceneFormula> made_by = {};
     bool operator==(const SceneDescription&) const = default;
 };
 
-/// A name in assets/scenes, a path, or the scene itself; written back as it was given.
+/// A name in assets/scenes, a path, or the scene itself; written back unchanged.
 using SceneSource = std::variant<std::string, SceneDescription>;
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// The part of the parameters that says what the views show. Read params.h for the rest.
+// The parameters of the views. Read params.h for the rest.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@ enum class DepthColors { grey, bands };
 enum class Beside { nothing, depth, other_depth };
 enum class BesideLayout { halves, divider };
 
-/// What one of the two views below the camera's shows; `automatic` goes by the hidden-surface method.
+/// The content of one of the two views below the camera view; `automatic` depends on the hidden-surface method.
 enum class Topic {
     automatic,
     observer,
@@ -40,11 +40,11 @@ enum class Topic {
     display_code
 };
 
-/// A second picture in the camera's view.
+/// A second picture in the camera view.
 struct BesideParams {
     Beside shows = Beside::nothing;
     BesideLayout layout = BesideLayout::halves;
-    double share = 0.5;                             ///< of the divider: the part left of it
+    double share = 0.5;                             ///< the fraction left of the divider
     DepthFormat format = DepthFormat::d32f;         ///< of other_depth
     DepthMapping mapping = DepthMapping::reversed;  ///< of other_depth
     bool operator==(const BesideParams&) const = default;
@@ -52,19 +52,19 @@ struct BesideParams {
 
 enum class BigView { none, camera, lower_left, lower_right, matrices };
 
-/// How the window is arranged for what is being told. Empty lists: everything as usual.
+/// The layout of the window for a demonstration. Empty lists change nothing.
 struct LayoutParams {
-    BigView big = BigView::none;        ///< fills the place of all views
-    std::vector<std::string> matrices;  ///< only these, in this order
-    std::vector<std::string> controls;  ///< only these: paths of fields and groups
-    std::vector<std::string> folded;    ///< out of panel, matrices
+    BigView big = BigView::none;        ///< fills the space of all views
+    std::vector<std::string> matrices;  ///< shows only these, in this order
+    std::vector<std::string> controls;  ///< shows only these: paths of fields and groups
+    std::vector<std::string> folded;    ///< "panel", "matrices" or both
     bool operator==(const LayoutParams&) const = default;
 };
 
-/// A pixel of the camera's picture that is the same place at every size of it.
+/// A pixel of the camera view that stays in place when the view's size changes.
 struct Pin {
-    std::string object;            ///< empty: none, `at` is a fraction of the view
-    std::optional<glm::dvec2> at;  ///< from top left, of the object's box in the picture; none: what is visible of it
+    std::string object;            ///< empty: none; `at` is then a fraction of the view
+    std::optional<glm::dvec2> at;  ///< from the top left of the object's box; none: the middle of its visible part
     bool operator==(const Pin&) const = default;
 };
 
@@ -72,17 +72,17 @@ struct ViewParams {
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;
     DepthColors depth_colors = DepthColors::grey;
-    std::optional<glm::dvec2> depth_range;  ///< eye distances that are black and white; none: see fields.cpp
+    std::optional<glm::dvec2> depth_range;  ///< eye distances shown as black and white; none: see fields.cpp
     int samples = 4;                        ///< 0 or 4
-    int plane = 1, light = 1;               ///< the ones looked at more closely, counted from 1 on
+    int plane = 1, light = 1;               ///< the chosen ones, counted from 1
     BesideParams beside;
-    std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one
-    std::optional<Pin> pin;           ///< in place of `pixel`
-    std::optional<glm::ivec2> cells;  ///< columns and rows of the block of cells around it; none: what can be read
-    int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them
-    int triangle = -1;                ///< and after so many of its triangles; −1: all of them
-    int pass = -1;                    ///< the frame stops after this pass, from 0 on; −1: it does not
-    int derivation_step = -1;         ///< lines of a derivation that are written, from 0 on; −1: all of them
+    std::optional<glm::ivec2> pixel;  ///< pinned in the camera view; (0, 0) is the top left one
+    std::optional<Pin> pin;           ///< overrides `pixel`
+    std::optional<glm::ivec2> cells;  ///< columns and rows of cells around it; none: as many as stay readable
+    int call = -1;                    ///< the last draw call of the frame, from 0; −1: all of them
+    int triangle = -1;                ///< triangles drawn of that call; −1: all of them
+    int pass = -1;                    ///< the last pass of the frame, from 0; −1: all of them
+    int derivation_step = -1;         ///< the last line shown of a derivation, from 0; −1: all of them
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Ends the entry: it cannot be drawn, or a file cannot be written. Caught by check_entry.
+/// Ends the check of the entry: it cannot be drawn, or a file cannot be written. Caught by check_entry.
 struct Broken : Refusal {
     using Refusal::Refusal;
 };
@@ -52,7 +52,7 @@ public:
             check_problems(problems);
             if (entry_.checks_picture) check_picture(subject);
             check_numbers(subject, problems);
-            if (wish_.makes_keys) result_.key = key_of(subject);  // with the references that are there now
+            if (wish_.makes_keys) result_.key = key_of(subject);  // computed again with the current references
             for (std::size_t i = known; i < log.errors().size(); ++i)
                 worsen(Outcome::failed, "GL error: " + log.errors()[i]);
         } catch (const Refusal& refusal) {
@@ -63,7 +63,7 @@ public:
 
 private:
     void worsen(Outcome outcome, std::string reason) {
-        // A difference outweighs what is new, a failure both.
+        // A difference outweighs a new entry; a failure outweighs both.
         static constexpr std::array<int, outcome_count> weight{0, 2, 1, 3, 0};
         if (weight[static_cast<std::size_t>(outcome)] > weight[static_cast<std::size_t>(result_.outcome)])
             result_.outcome = outcome;
@@ -86,7 +86,7 @@ private:
         return true;
     }
 
-    /// What an earlier run left and this one may not.
+    /// Removes the files of an earlier run that this run might not overwrite.
     void forget_earlier_files() const {
         std::error_code none;
         for (const fs::path& file : {files_.actual, files_.expected, files_.difference, files_.script, files_.numbers})
@@ -103,11 +103,11 @@ private:
         };
         if (!told.empty()) result_.details["problems"] = as_json(told);
         for (const std::string& part : entry_.wanted_problems)
-            if (!tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is not told");
+            if (!tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is not reported");
         for (const std::string& part : entry_.unwanted_problems)
-            if (tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is told");
+            if (tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is reported");
         if (entry_.allows_no_problem && !told.empty())
-            worsen(Outcome::different, "a problem is told: " + told.front().sentence);
+            worsen(Outcome::different, "an unexpected problem is reported: " + told.front().sentence);
     }
 
     void check_picture(const SuiteSubject& subject) {
@@ -119,7 +119,7 @@ private:
         const fs::path reference = reference_picture(suite_, entry_);
         if (!is_there(reference)) {
             write(reference, actual);
-            return worsen(Outcome::fresh, "there was no reference: this picture is it now");
+            return worsen(Outcome::fresh, "there was no reference: this picture is now the reference");
         }
         const Image expected = or_broken(read_png(reference));
         tell_changed_state(reference, state);
@@ -135,7 +135,7 @@ private:
                                                            as_text(difference))));
     }
 
-    /// A reference carries the state that it was drawn of.
+    /// Reports the changes to the state that the reference was drawn from, which the reference contains.
     void tell_changed_state(const fs::path& reference, const std::string& state) {
         const Result<std::string> note = read_png_note(reference);
         if (!note || note->empty()) return;
@@ -164,7 +164,7 @@ private:
         const fs::path reference = reference_numbers(suite_, entry_);
         if (!is_there(reference)) {
             or_broken(write_file(reference, text));
-            return worsen(Outcome::fresh, "there were no numbers to compare with: these are it now");
+            return worsen(Outcome::fresh, "there were no reference numbers: these are now the reference");
         }
         const Json expected = parse_document(or_broken(read_text_file(reference)), reference.string() + ": ");
         std::vector<NumberChange> changes;

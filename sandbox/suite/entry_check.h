@@ -1,5 +1,5 @@
-// One entry of a suite drawn, computed and held against what was accepted. What a person may want to look at is left in
-// the report's folder; a reference is written only where there was none.
+// Draws and measures one entry of a suite and compares it with its reference. Writes the files for the report into the
+// report's folder; writes a reference only if there was none.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 namespace viewing {
 
 struct CheckWish {
-    bool allows_outside = false;  ///< states may name scenes anywhere
+    bool allows_outside = false;  ///< states may use scene files in any folder
     bool makes_keys = false;
-    std::string known_key;  ///< of the last run that passed: with the same one nothing is drawn again
-    std::string program;    ///< what draws: the program and the driver, for the key
+    std::string known_key;  ///< from the last run that passed: if the key is equal, drawing is skipped
+    std::string program;    ///< identifies the program and the driver, for the key
 };
 
-/// Needs the current context that `renderer` and `log` belong to. What fails is in the result.
+/// Needs the current context to which `renderer` and `log` belong. Failures are reported in the result.
 EntryResult check_entry(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer,
                         gl::DebugLog& log);
 

@@ -28,7 +28,7 @@ Result<LoadedState> plain_state(const SuiteEntry& entry) {
     return state;
 }
 
-/// A step of a lesson: its state, and for a picture of the window the lesson itself.
+/// Loads the state of a lesson's step; for a picture of the window, also adds the lesson to `request`.
 Result<LoadedState> lesson_state(const SuiteStep& step, PictureRequest& request) {
     Result<Lesson> lesson = load_lesson(step.lesson);
     if (!lesson) return Error{lesson.error()};

@@ -1,5 +1,5 @@
-// What an entry of a suite shows: its state found, its picture drawn, its numbers computed. Read entry_check.h for what
-// they are compared with.
+// Finds the state of an entry in a suite, draws its picture and computes its numbers. Read entry_check.h for the
+// comparison.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// Everything that the drawing rests on.
+/// Everything that is needed for drawing.
 struct SuiteSubject {
     LoadedState state;
     Scene scene;
@@ -20,15 +20,15 @@ struct SuiteSubject {
     Derived derived;
 };
 
-/// The error: a state, scene, lesson or setting that cannot be read.
+/// Loads the entry. Fails if a state, scene, lesson or setting cannot be read.
 Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, bool allows_outside);
 
-/// What decides the picture and the numbers, as a text: two subjects with the same one give the same.
+/// Returns everything that determines the picture and the numbers, as text: equal texts mean equal results.
 std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject);
 
 std::vector<Problem> problems_of(const SuiteSubject& subject);
 
-/// {"matrices": …, "measure": {"fighting": …}}, what the entry checks of it; null when it checks none.
+/// Returns {"matrices": …, "measure": {"fighting": …}} with the parts that the entry checks; null if it checks none.
 Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject,
                               const std::vector<Problem>& problems, Renderer& renderer);
 

@@ -1,4 +1,4 @@
-// What a suite's file may say, where a number or a list of names limits it: once for the reader and the JSON schema.
+// The numeric limits and lists of names for suite files, shared by the reader and the JSON schema.
 #pragma once
 
 #include <array>

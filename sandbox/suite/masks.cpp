@@ -1,4 +1,4 @@
-// Masks are looked at before anything is drawn: read suite.h.
+// Checks masks before anything is drawn: see suite.h.
 #include <set>
 
 #include "suite/suite.h"
@@ -7,7 +7,7 @@
 namespace viewing {
 
 Status check_masks(const Suite& suite) {
-    std::set<std::string> known;  // most entries have the masks of the defaults
+    std::set<std::string> known;  // most entries have the masks from the defaults
     for (const SuiteEntry& entry : suite.entries) {
         if (!entry.checks_picture || entry.mask.is_empty()) continue;
         std::string key = std::to_string(entry.size_px.x) + "x" + std::to_string(entry.size_px.y);

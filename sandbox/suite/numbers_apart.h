@@ -1,4 +1,4 @@
-// Where two trees of numbers differ: matrices and measures against those that were accepted.
+// Finds the differences between two trees of numbers: matrices and measures compared with the accepted ones.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace viewing {
 
-/// One place: "shadow_from_world[0][1]". Null where one of them has nothing there.
+/// One difference: "shadow_from_world[0][1]". A value that does not exist in one of the trees is null.
 struct NumberChange {
     std::string path;
     Json expected, actual;
 };
 
-/// Numbers may be off by `tolerance`, absolutely or as a share of the expected one; texts, null and truth values must
-/// be equal. At most `most` places are told, in the order of the expected tree, what is new last.
+/// Numbers may differ by `tolerance`, absolutely or relative to the expected one; strings, null and booleans must be
+/// equal. Returns at most `most` differences, in the order of the expected tree, new values last.
 std::vector<NumberChange> numbers_apart(const Json& expected, const Json& actual, double tolerance,
                                         std::size_t most = 500);
 

@@ -1,5 +1,5 @@
-// Pictures for a page that is opened from disk: as a script that hands them over, since a page may not look into the
-// pixels of pictures that are files.
+// Stores pictures in a script, for a page opened from disk: such a page is not allowed to read the pixels of image
+// files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Calls pictures(name, {expected, actual, difference}) with PNG files as data.
+/// Returns a script that calls pictures(name, {expected, actual, difference}) with PNG files as data.
 std::string picture_script(const std::string& name, std::string_view expected, std::string_view actual,
                            std::string_view difference);
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 Status make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return Error{folder.string() + ": cannot be made: " + error.message()};
+    if (error) return Error{folder.string() + ": cannot be created: " + error.message()};
     return std::monostate{};
 }
 
@@ -28,17 +28,17 @@ std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The folders of a report.
+/// The subfolders of a report.
 constexpr std::array inner_folders{"pictures", "states", "numbers"};
 
-/// Whether a report may be written here: the folder is new, empty, or that of a report, which has its report.json, or
-/// where a first run was killed before that nothing but all of its folders.
+/// Checks whether a report may be written here: the folder is new, empty, or contains a report. A report has a
+/// report.json, or, if its first run was killed before that was written, all of its subfolders and nothing else.
 Status check_report_folder(const fs::path& folder) {
     std::error_code error;
     if (!is_there(folder) || fs::is_empty(folder, error)) return std::monostate{};
     if (is_there(folder / "report.json")) {
         if (const Result<RunResult> earlier = read_run(folder); !earlier)
-            return Error{earlier.error() + ": so the folder is no report's; name another with \"report\""};
+            return Error{earlier.error() + ": the folder does not hold a valid report; name another with \"report\""};
         return std::monostate{};
     }
     bool has_all = true;
@@ -51,12 +51,12 @@ Status check_report_folder(const fs::path& folder) {
         if (!is_own && (stranger.empty() || name < stranger)) stranger = name;
     }
     if (stranger.empty() && !error) return std::monostate{};
-    return Error{folder.string() + ": cannot take a report: " +
-                 (error ? error.message() : "it holds " + one_line(stranger) + " and no report.json") +
+    return Error{folder.string() + ": cannot hold a report: " +
+                 (error ? error.message() : "it contains " + one_line(stranger) + " and no report.json") +
                  "; name another folder with \"report\""};
 }
 
-/// XML has no way to write most control characters, nor what is no UTF-8 or no character.
+/// Returns a text for XML, which cannot represent most control characters, invalid UTF-8, or noncharacters.
 std::string xml_text(const std::string& text) {
     std::string clean;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -67,7 +67,7 @@ std::string xml_text(const std::string& text) {
     return escaped(clean);
 }
 
-/// Every such place of the page's template, with what stands there.
+/// Replaces a placeholder everywhere in the page's template.
 void fill(std::string& page, const std::string& place, std::string_view with) {
     const std::string mark = "{{" + place + "}}";
     for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + with.size()))
@@ -112,7 +112,7 @@ std::string junit_of(const RunResult& run) {
 std::string report_page(const RunResult& run) {
     std::string page(embedded_page("report.html"));
     std::string data = json_text(as_json(run), -1);
-    // A text of a state must not end the script that it stands in.
+    // Escape "<", so that a text from a state cannot end the script around it.
     for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
         data.replace(at, 1, "\\u003c");
     fill(page, "title", escaped(run.suite));
@@ -174,7 +174,7 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
         const auto result = found.find(entry.name);
         if (result == found.end()) {
             EntryResult missing = result_for(entry);
-            missing.reasons = {"no shard has it"};
+            missing.reasons = {"no shard contains it"};
             whole.entries.push_back(std::move(missing));
             continue;
         }
@@ -210,7 +210,7 @@ Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::st
         const EntryFiles files = files_of(suite.report, result.file_name);
         if (result.outcome == Outcome::failed || result.outcome == Outcome::not_drawn ||
             (!is_there(files.actual) && !is_there(files.numbers)))
-            return Error{one_line(result.name) + ": the last run drew nothing that could be accepted"};
+            return Error{one_line(result.name) + ": the last run drew nothing to accept"};
         const fs::path reference = suite.references / result.file_name;
         const std::pair<fs::path, fs::path> pairs[] = {{files.actual, reference.string() + ".png"},
                                                        {files.numbers, reference.string() + ".json"}};

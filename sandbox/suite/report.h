@@ -1,5 +1,5 @@
-// What a run leaves to look at: report.json, junit.xml and index.html with its pictures, in one folder that can be
-// moved and opened from disk. Also how shards' folders become one, and how what was looked at becomes the reference.
+// The report of a run: report.json, junit.xml and index.html with its pictures, in one folder that can be moved and
+// opened from disk. Also merges the reports of shards, and accepts results as new references.
 #pragma once
 
 #include <filesystem>
@@ -10,26 +10,27 @@
 
 namespace viewing {
 
-/// The folders for what is left, made where they are missing. The error: they cannot be made or written, or the
-/// report's holds what is no report.
+/// Creates missing folders. Fails if they cannot be created or written, or if the report's folder contains something
+/// else.
 Status prepare_report(const Suite& suite);
 
-/// report.json, junit.xml and index.html.
+/// Writes report.json, junit.xml and index.html.
 Status write_report(const std::filesystem::path& folder, const RunResult& run);
 
-/// The texts of the two.
+/// Return the texts of junit.xml and index.html.
 std::string junit_of(const RunResult& run);
 std::string report_page(const RunResult& run);
 
-/// References that no entry has.
+/// Returns references that belong to no entry.
 std::vector<std::string> stray_references(const Suite& suite);
 
-/// The shards' reports as the suite's own, with their pictures. Entries that none of them has are failed ones; one that
-/// two have, or that the suite does not have, is an error, as are shards of several splits.
+/// Merges the shards' reports into the suite's own, with their pictures. Entries that are in no shard count as failed.
+/// It is an error if an entry is in two shards or not in the suite, or if the shards belong to different splits.
 Result<RunResult> merge_reports(const Suite& suite, const std::vector<std::filesystem::path>& folders);
 
-/// What the last run drew and computed becomes the reference: of the entries with these names, or of all that are
-/// different; the report then says so. How many. The error: no such name, no run, nothing drawn of it.
+/// Makes the results of the last run the new references, for the entries with these names or for all that are
+/// different, and updates the report. Returns the number of new references. Fails for an unknown name, without a run,
+/// or if nothing was drawn.
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names);
 
 }  // namespace viewing

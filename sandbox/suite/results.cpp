@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::array outcome_names{"passed", "different", "new", "failed", "not drawn"};
 
 std::string text_at(const Json& object, const char* key, const Where& where) {
-    if (!object.contains(key) || !object[key].is_string()) where.key(key).refuse("must be a text");
+    if (!object.contains(key) || !object[key].is_string()) where.key(key).refuse("must be a string");
     return object[key].get<std::string>();
 }
 
@@ -82,7 +82,7 @@ EntryResult read_entry_result(const Json& value, const Where& where) {
     EntryResult entry;
     entry.name = text_at(value, "name", where);
     entry.file_name = text_at(value, "file", where);
-    if (entry.file_name != safe_file_name(entry.name)) where.key("file").refuse("is not the name's own");
+    if (entry.file_name != safe_file_name(entry.name)) where.key("file").refuse("does not match the name");
     if (value.contains("about")) entry.about = text_at(value, "about", where);
     if (!value.contains("outcome")) where.key("outcome").refuse("is missing");
     entry.outcome = static_cast<Outcome>(read_choice(value["outcome"], where.key("outcome"), outcome_names));
@@ -101,7 +101,7 @@ EntryResult read_entry_result(const Json& value, const Where& where) {
 
 Result<RunResult> read_run(const fs::path& folder) {
     const fs::path file = folder / "report.json";
-    constexpr DocumentLimits of_a_report{.bytes = 256U << 20U, .values = 10'000'000};  // of 100,000 entries
+    constexpr DocumentLimits of_a_report{.bytes = 256U << 20U, .values = 10'000'000};  // for 100,000 entries
     const Result<std::string> text = read_text_file(file, of_a_report.bytes);
     if (!text) return Error{text.error()};
     return guarded([&] {

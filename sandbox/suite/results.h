@@ -1,4 +1,4 @@
-// How a suite's run ended: each entry's outcome, with what a report shows of it; as JSON and back.
+// The result of a suite's run: the outcome of each entry with the facts for the report. Converts it to JSON and back.
 #pragma once
 
 #include <filesystem>
@@ -13,41 +13,41 @@ namespace viewing {
 
 enum class Outcome {
     passed,
-    different,  ///< from what was accepted
-    fresh,      ///< there was nothing yet: what was drawn now is the reference
+    different,  ///< differs from the reference
+    fresh,      ///< there was no reference: the new result is now the reference
     failed,     ///< it could not be drawn or judged
-    not_drawn   ///< the run ended before
+    not_drawn   ///< the run ended before this entry
 };
 inline constexpr int outcome_count = 5;
-const char* name_of(Outcome outcome);  ///< "new" for a fresh one
+const char* name_of(Outcome outcome);  ///< "new" for fresh
 
 struct EntryResult {
     std::string name, file_name;
-    std::string about;  ///< the suite's words about the entry
+    std::string about;  ///< the suite's description of the entry
     Outcome outcome = Outcome::failed;
-    bool is_kept = false;              ///< the result of an earlier run, since nothing has changed
-    std::vector<std::string> reasons;  ///< a sentence for each thing that is not as it should be
+    bool is_kept = false;              ///< taken from an earlier run, since nothing has changed
+    std::vector<std::string> reasons;  ///< a sentence for each failed check
     double seconds = 0.0;
-    std::string key;     ///< of all that decides the result; "" when it was not asked for
-    std::string output;  ///< what the program and the driver complained of meanwhile
-    Json details;        ///< for the report: "compare", "numbers", "state", "problems"; what there is
+    std::string key;     ///< a hash of everything that determines the result; "" if not requested
+    std::string output;  ///< messages from the program and the driver during this entry
+    Json details;        ///< for the report: "compare", "numbers", "state", "problems", if present
 };
 
-/// A failed one, until somebody knows better, with the entry's name, files and words.
+/// Returns an initial result, which counts as failed, with the entry's name, files and description.
 EntryResult result_for(const SuiteEntry& entry);
 
 struct RunResult {
     std::string suite, argument, version, renderer;
     int shard = 1, of = 1;
     double seconds = 0.0;
-    std::vector<EntryResult> entries;  ///< in the suite's order
+    std::vector<EntryResult> entries;  ///< in the order of the suite
 
     std::size_t count(Outcome outcome) const;
-    /// Whether nothing is left to look at.
+    /// Whether every entry passed, or is new if new ones are accepted.
     bool is_good(bool accepts_new) const;
 };
 
-/// A line for each reason.
+/// Returns the reasons, one per line.
 std::string reasons_in_lines(const EntryResult& entry);
 
 Json as_json(const EntryResult& entry);
@@ -56,19 +56,19 @@ Json as_json(const RunResult& run);
 /// Throws Refusal.
 EntryResult read_entry_result(const Json& value, const Where& where);
 
-/// report.json of a report's folder. The error: there is none, or it is none of ours.
+/// Reads report.json in a report's folder. Fails if there is none, or if it is not one of ours.
 Result<RunResult> read_run(const std::filesystem::path& folder);
 
-/// "212 entries: 209 passed, 2 different, 1 new; 12.3 s"
+/// Returns, for example, "212 entries: 209 passed, 2 different, 1 new; 12.3 s".
 std::string summary_of(const RunResult& run);
 
-/// The files of an entry in a report's folder.
+/// The files of an entry in the folder of a report.
 struct EntryFiles {
     std::filesystem::path actual, expected, difference, script, state, numbers;
 };
 EntryFiles files_of(const std::filesystem::path& report, const std::string& file_name);
 
-/// The references of an entry.
+/// Return the reference files of an entry.
 std::filesystem::path reference_picture(const Suite& suite, const SuiteEntry& entry);
 std::filesystem::path reference_numbers(const Suite& suite, const SuiteEntry& entry);
 

@@ -21,11 +21,11 @@ double seconds_since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-/// One worker and what it works on.
+/// One worker and its current entry.
 struct Worker {
     ChildProcess process;
-    bool has_begun = false;              ///< it has a renderer
-    std::optional<std::size_t> place{};  ///< in RunWish::chosen
+    bool has_begun = false;              ///< it has reported its renderer
+    std::optional<std::size_t> place{};  ///< index of its entry in RunWish::chosen
     Clock::time_point since = Clock::now();
 };
 
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    /// What workers had finished counts; the rest is not drawn, with the key that it had.
+    /// Keeps the entries that workers have finished; the others are not drawn and keep their keys.
     void end_early() {
         results_.ended_by = EndingNote::signal();
         for (Worker& worker : workers_) {
@@ -66,8 +66,7 @@ private:
             const SuiteEntry& entry = suite_.entries[wish_.chosen[place]];
             done_[place] = result_for(entry);
             done_[place].outcome = Outcome::not_drawn;
-            done_[place].reasons = {std::string("the run was ended before, by ") +
-                                    name_of_ending_signal(results_.ended_by)};
+            done_[place].reasons = {std::string("the run ended early, by ") + name_of_ending_signal(results_.ended_by)};
             done_[place].key = known_key(entry);
         }
     }
@@ -101,13 +100,13 @@ private:
         ChildProcess::listen(processes, std::max(patience_s, 0.0) + 0.01, EndingNote::file());
     }
 
-    /// False: this worker is no more.
+    /// Returns false if this worker has ended.
     bool serve(Worker& worker) {
         for (const std::string& line : worker.process.take_lines())
-            if (!hear(worker, line)) return lose(worker, "said what cannot be read: " + excerpt(line));
+            if (!hear(worker, line)) return lose(worker, "unreadable answer of the worker: " + excerpt(line));
         if (!worker.process.is_running()) return lose(worker, "");
         if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s)
-            return lose(worker, "not done within " + figures(wish_.entry_timeout_s) + " s");
+            return lose(worker, "not finished within " + figures(wish_.entry_timeout_s) + " s");
         if (worker.has_begun && !worker.place && !waiting_.empty()) ask(worker);
         return true;
     }
@@ -133,10 +132,10 @@ private:
         waiting_.pop_front();
         const std::size_t entry = wish_.chosen[*worker.place];
         const Json request{{"entry", entry}, {"key", known_key(suite_.entries[entry])}};
-        worker.process.tell(request.dump());  // of one that has gone the end is noticed
+        worker.process.tell(request.dump());  // if the worker has ended, serve() notices
     }
 
-    /// What it worked on has failed; before anything could be drawn the whole run has.
+    /// Marks the worker's entry as failed; if the worker has not reported a renderer yet, ends the whole run.
     bool lose(Worker& worker, const std::string& why) {
         const std::string end = why.empty() ? worker.process.wait() : worker.process.end();
         const std::string complaint = worker.process.take_complaints();

@@ -10,8 +10,8 @@ namespace {
 
 namespace form = suite_form;
 
-/// What every entry may say, and "defaults" for all: as suite_reader.cpp reads it. What is a number or a list of names
-/// comes from form.h.
+/// The settings of an entry, or of all entries in "defaults", as suite_reader.cpp reads them. Limits and lists of names
+/// are from form.h.
 constexpr const char* settings = R"({
   "set": {"anyOf": [{"type": "object"}, {"$ref": "#/$defs/settings"}]},
   "size": {"type": "array", "items": {"$ref": "#/$defs/side"}, "minItems": 2, "maxItems": 2},
@@ -57,7 +57,7 @@ Json reference_to(const std::string& definition) {
     return {{"$ref", "#/$defs/" + definition}};
 }
 
-/// The settings with the limits of form.h.
+/// Returns the settings with the limits from form.h.
 Json all_settings() {
     Json all = Json::parse(settings);
     all["view"] = {{"enum", picture_view_names}};
@@ -92,7 +92,7 @@ Json object_of(const Json& properties, const Json& more, std::vector<std::string
             {"additionalProperties", false}};
 }
 
-/// An entry: one of three subjects at most, and what belongs to one of them stands only there.
+/// Returns the schema of an entry, which has at most one of three subjects, and a subject's keys only together with it.
 Json entry_of(const Json& of_all) {
     Json properties = Json::parse(subject);
     properties["step"] = whole_number(1, form::most_step);

@@ -1,5 +1,4 @@
-// The JSON Schema (draft 2020-12) of suite files, for editors and scripts. What a state that is written out may have is
-// the state's own schema.
+// The JSON Schema (draft 2020-12) of suite files, for editors and scripts. An inline state has its own schema.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Suite files, read with the care that states are read with: every mistake is one sentence with file and field.
+// Reads suite files as strictly as states: every mistake is reported in one sentence with file and field.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace form = suite_form;
 using form::each_names, form::measure_names;
 
-/// What every entry may say, and "defaults" for all.
+/// The keys of the settings of an entry, also allowed in "defaults".
 const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "profile", "worst",
                                             "share", "reach", "masks", "matrices", "measure", "problems"};
 
@@ -30,9 +30,9 @@ std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
     return keys;
 }
 
-// ---- what is drawn and checked -------------------------------------------------------------------------------------
+// ---- settings ------------------------------------------------------------------------------------------------------
 
-/// {"projection.near": 0.1, …} or ["projection.near=0.1", …].
+/// Reads {"projection.near": 0.1, …} or ["projection.near=0.1", …].
 std::vector<std::string> read_set(const Json& value, const Where& where) {
     if (value.is_object()) return read_settings(value, where);
     require_array(value, where, form::most_settings, "an object of fields and their values, or a list of PATH=VALUE");
@@ -51,7 +51,7 @@ glm::ivec2 read_size(const Json& value, const Where& where) {
             read_whole(value[1], where.at(1), 1, largest_image_side)};
 }
 
-/// A rectangle [x, y, width, height], or a picture's file, looked up from the suite's folder.
+/// Reads a rectangle [x, y, width, height], or the file name of a picture, relative to the suite's folder.
 void read_mask(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
     if (value.is_string()) {
         entry.mask.pictures.push_back(folder / read_name(value, where));
@@ -80,13 +80,13 @@ SuiteMeasure read_measure(const Json& value, const Where& where) {
 
 std::vector<SuiteMeasure> read_measures(const Json& value, const Where& where) {
     if (!value.is_array()) return {read_measure(value, where)};
-    require_array(value, where, measure_names.size(), "what is measured, each once");
+    require_array(value, where, measure_names.size(), "a list of measurements, each once");
     std::vector<SuiteMeasure> measures;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const SuiteMeasure measure = read_measure(value[i], where.at(i));
         if (std::any_of(measures.begin(), measures.end(),
                         [&](const SuiteMeasure& earlier) { return earlier.what == measure.what; }))
-            where.at(i).refuse("measures " + measure.what + " a second time");
+            where.at(i).refuse("measures " + measure.what + " twice");
         measures.push_back(measure);
     }
     return measures;
@@ -104,10 +104,10 @@ void read_problems(const Json& value, const Where& where, SuiteEntry& entry) {
     entry.unwanted_problems = names_at(value, "must_not", where);
     entry.allows_no_problem = has(value, "none") && read_bool(value["none"], where.key("none"));
     if (entry.allows_no_problem && !entry.wanted_problems.empty())
-        where.key("none").refuse("cannot be true beside \"must\"");
+        where.key("none").refuse("cannot be true together with \"must\"");
 }
 
-/// What the keys of `setting_keys` say, over what the entry has already.
+/// Reads the keys of `setting_keys`, overriding the settings of the entry.
 void read_settings_of(const Json& object, const Where& where, const fs::path& folder, SuiteEntry& entry) {
     const auto with = [&](const char* key, const auto& read) {
         if (has(object, key)) read(object[key], where.key(key));
@@ -123,7 +123,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
         entry.samples.reset();
         if (value == "state") return;
         entry.samples = read_whole(value, at, 0, 4);
-        if (*entry.samples != 0 && *entry.samples != 4) at.refuse("must be 0, 4 or \"state\", as the state says");
+        if (*entry.samples != 0 && *entry.samples != 4) at.refuse("must be 0, 4 or \"state\" (the value of the state)");
     });
     with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
     with("profile", [&](const Json& value, const Where& at) {
@@ -136,7 +136,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
         entry.limits.reach_px = read_whole(value, at, 0, form::most_reach_px);
     });
     with("masks", [&](const Json& value, const Where& at) {
-        require_array(value, at, form::most_masks, "a list of rectangles [x, y, width, height] and pictures' files");
+        require_array(value, at, form::most_masks, "a list of rectangles [x, y, width, height] and picture files");
         for (std::size_t i = 0; i < value.size(); ++i) read_mask(value[i], at.at(i), folder, entry);
     });
     with("matrices", [&](const Json& value, const Where& at) { entry.matrices_tolerance = read_matrices(value, at); });
@@ -144,9 +144,9 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
     with("problems", [&](const Json& value, const Where& at) { read_problems(value, at, entry); });
 }
 
-// ---- what is looked at ---------------------------------------------------------------------------------------------
+// ---- subjects ------------------------------------------------------------------------------------------------------
 
-/// What names a lesson, an exercise or a state; a file is looked up from the suite's folder.
+/// Returns the name of a lesson or a state; the name of a file is relative to the suite's folder.
 std::string found_from(const fs::path& folder, const std::string& name) {
     std::error_code unknown;
     const fs::path file = folder / name;
@@ -161,8 +161,7 @@ void read_state(const Json& value, const Where& where, const fs::path& folder, S
     }
     require_object(value, where, "a preset's name, a file, or a state written out");
     entry.inline_state = value.dump();
-    const Result<Params> params =
-        parse_state(entry.inline_state, where.prefix + where.path);  // so that it is refused now
+    const Result<Params> params = parse_state(entry.inline_state, where.prefix + where.path);  // checks the state now
     if (!params) throw Refusal(params.error());
 }
 
@@ -191,9 +190,9 @@ void read_subject(const Json& object, const Where& where, const fs::path& folder
     if (has(object, "lesson")) entry.step = read_lesson_step(object, where, folder);
     if (has(object, "exercise")) entry.step = read_exercise(object, where);
     for (const char* const key : {"step", "revealed", "present"})
-        if (has(object, key) && !has(object, "lesson")) where.key(key).refuse("belongs to a lesson");
+        if (has(object, key) && !has(object, "lesson")) where.key(key).refuse("needs \"lesson\"");
     for (const char* const key : {"course", "student"})
-        if (has(object, key) && !has(object, "exercise")) where.key(key).refuse("belongs to an exercise");
+        if (has(object, key) && !has(object, "exercise")) where.key(key).refuse("needs \"exercise\"");
     const auto is_look = [](const std::string& setting) { return setting.starts_with("ui."); };
     if (entry.step && !std::all_of(entry.settings.begin(), entry.settings.end(), is_look))
         where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
@@ -216,14 +215,14 @@ SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& fo
     return entry;
 }
 
-/// {"each": "preset", "name": "preset-{}", …}: an entry for every one that there is.
+/// Reads {"each": "preset", "name": "preset-{}", …}: one entry for each preset, for example.
 std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const fs::path& folder,
                                   const SuiteEntry& defaults) {
     require_keys(object, where, with_setting_keys({"each", "name", "about", "except"}));
     const int each = read_choice(object["each"], where.key("each"), each_names);
     const std::string pattern = name_at(object, "name", where);
     const std::size_t place = pattern.find("{}");
-    if (place == std::string::npos) where.key("name").refuse("must have a {} where each one's name stands");
+    if (place == std::string::npos) where.key("name").refuse("must contain {} as the place of each one's name");
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
     like.about = about_at(object, where);
@@ -252,9 +251,10 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     return entries;
 }
 
-// ---- the whole -----------------------------------------------------------------------------------------------------
+// ---- the suite -----------------------------------------------------------------------------------------------------
 
-/// Names are file names in the end: two that differ in case alone are one file on some systems.
+/// Assigns file names to entries. Two that differ only in case are refused, since on some systems they are the same
+/// file.
 void name_files(Suite& suite, const std::string& prefix) {
     std::map<std::string, std::string> taken;
     for (SuiteEntry& entry : suite.entries) {
@@ -262,11 +262,11 @@ void name_files(Suite& suite, const std::string& prefix) {
         const auto [other, is_new] = taken.emplace(in_lower_case(entry.file_name), entry.name);
         if (!is_new)
             throw Refusal(prefix + "the entries " + excerpt(other->second) + " and " + excerpt(entry.name) +
-                          " would have one file's name");
+                          " would have the same file name");
     }
 }
 
-/// Entries that were read later have the thresholds of "loosened", each with its reason.
+/// Gives entries the thresholds in "loosened", each with its reason.
 void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
     require_array(list, where, form::most_entries, "a list of names with thresholds and a reason");
     std::map<std::string, SuiteEntry*> by_name;
@@ -291,7 +291,7 @@ fs::path folder_at(const Json& object, const char* key, const Where& where, cons
     return folder / (has(object, key) ? read_name(object[key], where.key(key)) : key);
 }
 
-/// What an entry takes of memory, nearly.
+/// Returns the approximate amount of memory that an entry uses.
 std::size_t bytes_of(const SuiteEntry& entry) {
     std::size_t bytes = sizeof(SuiteEntry) + entry.name.size() + entry.about.size() + entry.state.size() +
                         entry.inline_state.size() + entry.mask.rects.size() * sizeof(MaskRect) +
@@ -303,7 +303,7 @@ std::size_t bytes_of(const SuiteEntry& entry) {
     return bytes;
 }
 
-/// Whether something of the entry can come out otherwise than it is expected: each kind of check alone says so.
+/// Whether any check of the entry can fail at all.
 bool tests_something(const SuiteEntry& entry) {
     const bool passes_any_picture = entry.limits.profile == CompareProfile::strict &&
                                     (entry.limits.worst == form::most_worst || entry.limits.share >= 1.0);
@@ -311,16 +311,16 @@ bool tests_something(const SuiteEntry& entry) {
            !entry.wanted_problems.empty() || !entry.unwanted_problems.empty() || entry.allows_no_problem;
 }
 
-/// What can be judged only when defaults, entry and "loosened" are together.
+/// Checks that are possible only once defaults, entry and "loosened" are combined.
 void check_entry_of(const SuiteEntry& entry, const Where& where) {
     if (const Status fits = check_picture_size(entry.view, entry.size_px); !fits)
         where.refuse(excerpt(entry.name) + ": size: " + fits.error());
     if (!entry.measures.empty() && !is_image_size(entry.size_px.x, entry.size_px.y, most_measured_pixels))
-        where.refuse(excerpt(entry.name) + ": size: to measure, " + image_size_rule(most_measured_pixels));
+        where.refuse(excerpt(entry.name) + ": size: for measuring, " + image_size_rule(most_measured_pixels));
     if (!tests_something(entry))
         where.refuse(excerpt(entry.name) +
                      (entry.checks_picture
-                          ? " passes whatever is drawn: \"worst\" 255 or \"share\" 1 lets every picture pass"
+                          ? " cannot fail: \"worst\" 255 or \"share\" 1 lets every picture pass"
                           : " tests nothing: without \"picture\" it needs \"matrices\", \"measure\" or \"problems\""));
 }
 
@@ -328,7 +328,7 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
     require_keys(document, where,
                  {"$schema", "suite", "title", "references", "report", "defaults", "entries", "loosened"});
     if (!has(document, "suite") || document["suite"] != 1)
-        where.key("suite").refuse("must be 1, the version of the form that this program reads");
+        where.key("suite").refuse("must be 1, the version of the format that this program reads");
     Suite suite;
     suite.argument = file;
     suite.folder = file.parent_path();
@@ -343,16 +343,15 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
     const Where entries = where.key("entries");
     if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
     require_array(document["entries"], entries, form::most_entries, "a list of entries");
-    std::size_t bytes = 0;  // with what each entry has of the defaults
+    std::size_t bytes = 0;  // including each entry's copy of the defaults
     const auto add = [&](SuiteEntry entry) {
         constexpr std::size_t most_bytes = 128U << 20U;
         bytes += bytes_of(entry);
         if (suite.entries.size() == form::most_entries)
-            entries.refuse("are more than " + std::to_string(form::most_entries) +
-                           " with those that stand for several");
+            entries.refuse("are more than " + std::to_string(form::most_entries) + ", counting all those of \"each\"");
         if (bytes > most_bytes)
             entries.refuse("have more than " + std::to_string(most_bytes >> 20U) +
-                           " MiB of settings, masks and texts with those of the defaults");
+                           " MiB of settings, masks and texts, including the defaults");
         suite.entries.push_back(std::move(entry));
     };
     for (std::size_t i = 0; i < document["entries"].size(); ++i) {
@@ -378,7 +377,7 @@ Suite suite_of_folder(const fs::path& folder) {
     suite.report = folder / "report";
     for (const fs::path& file : files_in(folder, ".json")) {
         if (!is_utf8(file.filename().string()))
-            throw Refusal(one_line(file.string()) + ": the file's name is not UTF-8, and reports are");
+            throw Refusal(one_line(file.string()) + ": the file name is not UTF-8, which reports need");
         SuiteEntry entry;
         entry.name = file.stem().string();
         entry.state = file.string();
@@ -387,10 +386,10 @@ Suite suite_of_folder(const fs::path& folder) {
     return suite;
 }
 
-/// Nothing that a run or accept writes may be a file that the suite reads.
+/// Refuses outputs of run and accept that are also files that the suite reads.
 void check_outputs(const Suite& suite, const Where& where) {
     if (are_same_file(suite.report, suite.references))
-        where.key("report").refuse("must be another folder than that of the references");
+        where.key("report").refuse("must not be the folder of the references");
     const auto is_read = [&suite](const fs::path& written) {
         return are_same_file(suite.argument, written) ||
                std::any_of(suite.entries.begin(), suite.entries.end(),
@@ -424,7 +423,7 @@ std::string safe_file_name(const std::string& name) {
     }
     if (safe.size() > longest) safe.resize(longest);
     while (!safe.empty() && safe.back() == '.') safe.back() = '_';
-    // CON, NUL, COM1 and the like are devices on Windows, whatever their ending.
+    // CON, NUL, COM1 and the like are devices on Windows, whatever their extension.
     static const std::vector<std::string> devices{"con", "prn", "aux", "nul"};
     const std::string stem = in_lower_case(safe.substr(0, safe.find('.')));
     const bool is_port = stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt")) &&
@@ -438,7 +437,7 @@ Result<Suite> load_suite(const std::string& argument) {
     const fs::path path(argument);
     const bool is_folder = fs::is_directory(path, unknown);
     if (!is_folder && !fs::exists(path, unknown))
-        return Error{one_line(argument) + ": there is no such suite: neither a .json file nor a folder of states"};
+        return Error{one_line(argument) + ": no such suite; give a .json file or a folder of states"};
     return guarded([&] {
         const std::string prefix = one_line(argument) + ": ";
         Suite suite;

@@ -8,7 +8,7 @@ namespace viewing {
 namespace {
 
 void answer(std::FILE* output, const Json& json) {
-    // A result quotes what it was given: what is no UTF-8 is replaced.
+    // A result quotes its input, so replace invalid UTF-8.
     const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     std::fwrite(line.data(), 1, line.size(), output);
     std::fflush(output);

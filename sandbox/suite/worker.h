@@ -1,5 +1,5 @@
-// The process that draws a suite's entries: told which, line by line, it answers with results, line by line. A crash
-// takes down nothing but itself. Read run.h for who tells it.
+// The process that draws a suite's entries: it reads requests line by line and answers with results line by line. A
+// crash ends only this process. Read run.h for the other side.
 #pragma once
 
 #include <cstdio>
@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// First {"renderer": …}; then to each {"entry": 12, "key": "…"} the entry's result, until the input ends. Of `wish`
-/// the known key is that of the line.
+/// Writes {"renderer": …}, then for each {"entry": 12, "key": "…"} the entry's result, until the input ends. The key in
+/// a request replaces the known key in `wish`.
 void serve_entries(const Suite& suite, CheckWish wish, Renderer& renderer, gl::DebugLog& log, std::istream& input,
                    std::FILE* output);
 

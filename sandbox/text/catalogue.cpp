@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 
+#include "text/particles.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -15,10 +16,10 @@ namespace {
 /// Translations by English text.
 using Texts = std::map<std::string, std::string, std::less<>>;
 
-/// Null in English.
+/// Null for English.
 std::atomic<const Texts*> spoken = nullptr;
 
-/// What was looked up once may be shown for as long as the program runs, so that no language spoken before is freed.
+/// Never frees a language: a string that was looked up may be shown for as long as the program runs.
 void speak_texts(Texts texts) {
     static std::mutex mutex;
     static std::vector<std::unique_ptr<const Texts>> all;
@@ -34,7 +35,7 @@ const std::string* find_text(std::string_view english) {
     return found == texts->end() ? nullptr : &found->second;
 }
 
-/// Letters of Latin-1, which the fonts have and English does not use, for a … z and A … Z.
+/// Letters of Latin-1 that the fonts have and English does not use, for a … z and A … Z.
 constexpr std::array<const char*, 26> small_letters = {"å", "þ", "ç", "ð", "é", "ß", "ñ", "ü", "í", "ì", "ø", "î", "ù",
                                                        "ñ", "ö", "þ", "ð", "ë", "ß", "ï", "ú", "ý", "û", "æ", "ÿ", "ç"};
 constexpr std::array<const char*, 26> capital_letters = {"Å", "Þ", "Ç", "Ð", "É", "È", "Ñ", "Ü", "Í",
@@ -86,7 +87,7 @@ std::string pseudo_text(std::string_view english) {
         if (!in_place && !continues_character(byte)) ++characters;
         in_place &= byte != '}';
     }
-    // Words of five letters, so that a sentence still finds where to break.
+    // Words of five letters, so that lines can still break.
     const std::size_t stretch = (2 * characters + 4) / 5;
     for (std::size_t i = 0; i < stretch; ++i) text += i % 6 == 0 ? " " : "å";
     return text + "]";
@@ -102,12 +103,19 @@ std::string_view tr_part(std::string_view english) {
     return text ? std::string_view(*text) : english;
 }
 
+std::string object_text(std::string_view name) {
+    const std::size_t end = name.find_last_not_of("0123456789");
+    const bool is_numbered = end != std::string_view::npos && end + 1 < name.size() && name[end] == ' ';
+    if (!is_numbered) return std::string(tr_part(name));
+    return std::string(tr_part(name.substr(0, end))) + std::string(name.substr(end));
+}
+
 std::string say_with(fmt::string_view english, fmt::format_args values) {
     if (const std::string* text = find_text({english.data(), english.size()})) {
         try {
-            return fmt::vformat(*text, values);
+            return with_particles(fmt::vformat(*text, values));
         } catch (const fmt::format_error&) {
-            // A translator's slip: English below.
+            // A translator's mistake: fall back to English.
         }
     }
     return fmt::vformat(english, values);

@@ -1,19 +1,21 @@
-// Every text that a person sees in the window, in the person's language. English is the id of a text: where there is no
-// translation it is shown itself. Command lines, state files, ImGui ids, recorded items and tests stay English.
+// Every text of the window, in the user's language. English is the id of a text and is shown if there is no
+// translation. Command lines, state files, ImGui ids, recorded items and tests stay English.
 //
-//     say("{count} of {all} pixels differ", "count"_a = grouped(count), "all"_a = grouped(all))   whole templates with
-//                                named places, never a sentence glued from halves; numbers come as text/numbers.h
-//                                writes them. The compiler checks that each place has its value.
-//     say_count(n, "one node is built", "{count} nodes are built")   two whole templates, never an "s" glued on
-//     tr("Scene")                a text without places that goes straight to ImGui
+//     say("{count} of {all} pixels differ", "count"_a = grouped_number(count), "all"_a = grouped_number(all))
+//                                whole templates with named placeholders, never a sentence joined from halves; numbers
+//                                come as text/numbers.h writes them. The compiler checks that each placeholder has its
+//                                value.
+//     say_count(n, "one node is built", "{count} nodes are built")
+//                                two whole templates, never an appended "s"
+//     tr("Scene")                a text without placeholders that goes straight to ImGui
 //     marked("Scene")            the same text in a table: shown later by tr(), or by a widget, which looks up every
-//     label,
-//                                name, tip, title and sentence that it draws. Literals given to a widget need nothing.
+//                                label, name, tip, title and sentence that it draws. Literals given to a widget need
+//                                nothing.
 //
-// Who chooses among languages is state/person/language.h.
+// state/person/language.h chooses the language.
 //
-// Templates and marked texts are literals, so that tests/catalogue finds them; what the program itself lists (fields,
-// presets) it finds through tests/texts. Object names, GL names and code are not texts. assets/text/*.po has the rest.
+// Templates and marked texts are literals, so that tests/catalogue finds them. tests/texts lists those of the program's
+// own tables (fields, presets). Object names, GL names and code are not texts. assets/text/*.po has the translations.
 #pragma once
 
 #include <fmt/format.h>
@@ -34,32 +36,35 @@ using fmt::literals::operator""_a;
 // ---- the language ------------------------------------------------------------------------------------------------
 
 void speak_english();
-/// What the entries translate; fuzzy and empty ones stay English. May be called while other threads look texts up.
+/// Sets the translations; fuzzy and empty ones stay English. Safe while other threads look texts up.
 void speak(std::span<const PoEntry> entries);
-/// For tests: each text of the entries in brackets, stretched by 40 %, without one letter of the English alphabet, with
-/// its places kept. What is still English then never went through the catalogue.
+/// For tests: encloses each text of the entries in brackets and stretches it by 40 %, without any letter of the English
+/// alphabet; placeholders stay. A text that is then still in English never went through the catalog.
 void speak_pseudo(std::span<const PoEntry> entries);
 
-/// All translations of the language spoken now, one after the other: what its fonts must have. "" in English.
+/// Returns all translations of the current language, joined: its fonts must have these characters. "" for English.
 std::string spoken_texts();
 
-/// "[Þçéñé ååå]" for "Scene".
+/// Returns "[Þçéñé ååå]" for "Scene".
 std::string pseudo_text(std::string_view english);
 
 // ---- texts -------------------------------------------------------------------------------------------------------
 
-/// The text in the language spoken now, ended by 0 and there for good; `english` itself where there is none, also in
-/// English.
+/// Returns the text in the current language, terminated by 0 and never freed; `english` itself for English, or if there
+/// is no translation.
 const char* tr(const char* english);
-/// The same for a part of a text, such as what a label shows.
+/// Translates a part of a text, such as the visible part of a label.
 std::string_view tr_part(std::string_view english);
+
+/// Returns the translated name of an object in the program's own scenes; a number at its end stays: "post 3".
+std::string object_text(std::string_view name);
 
 /// Marks a literal that is looked up where it is shown.
 constexpr const char* marked(const char* english) {
     return english;
 }
 
-/// The template in the language spoken now, filled. A translation that does not fit its values counts as missing.
+/// Fills the template in the current language. A translation that does not fit its values counts as missing.
 std::string say_with(fmt::string_view english, fmt::format_args values);
 
 template <typename... Values>
@@ -67,10 +72,10 @@ std::string say(fmt::format_string<Values...> english, Values&&... values) {
     return say_with(english, fmt::make_format_args(values...));
 }
 
-/// What say_count fills {count} with.
+/// The value that say_count inserts for {count}.
 using CountValue = decltype("count"_a = std::declval<const std::string&>());
 
-/// `one` for 1, else `many`; {count} is the count, its digits in groups. `one` may say the number in a word.
+/// Uses `one` for 1, else `many`; {count} is the count with its digits in groups. `one` may spell the number out.
 template <typename... Values>
 std::string say_count(std::int64_t count, fmt::format_string<CountValue, Values...> one,
                       fmt::format_string<CountValue, Values...> many, Values&&... values) {

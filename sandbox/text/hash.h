@@ -1,5 +1,5 @@
-// A hash that is the same on every machine and for ever: for picking variants and for telling files apart.
-// Source: Fowler, Noll and Vo, FNV-1a, 64 bits.
+// A hash that is the same on every machine, forever: for picking variants and distinguishing files. Source: Fowler,
+// Noll and Vo, FNV-1a, 64 bits.
 #pragma once
 
 #include <cstdint>

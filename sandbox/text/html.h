@@ -1,4 +1,4 @@
-// The pieces that the program's HTML pages are made of: each page is one file, with its pictures in it.
+// The building blocks of the program's HTML pages. Each page is one file that contains its pictures.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// A text fit to stand between tags and in quoted attributes.
+/// Escapes a text, so that it is safe between tags and in quoted attributes.
 std::string escaped(std::string_view text);
 
 std::string base64(std::span<const std::uint8_t> bytes);

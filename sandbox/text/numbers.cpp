@@ -22,10 +22,10 @@ constexpr std::string_view raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "�
 constexpr double largest_fixed = 1e6;  ///< from here on 1.234·10⁶
 constexpr double residue = 1e-9;       ///< smaller magnitudes come from rounding: 0.000
 
-/// 12.5, 1.25·10¹, and 1.25e1 where there is no room for that.
+/// 12.5, 1.25·10¹, and 1.25e1 where space is short.
 enum class Notation { fixed, power, compact };
 
-/// to_chars writes 1.5e-05; ours is 1.5·10⁻⁵.
+/// to_chars writes 1.5e-05; the program writes 1.5·10⁻⁵.
 void append_exponent(NumberChars& out, std::string_view exponent, Notation notation) {
     const bool compact = notation == Notation::compact;
     out.append(compact ? "e" : power_of_ten);
@@ -166,7 +166,7 @@ std::string figures(double value, int digits) {
 std::string steady_figures(double value) {
     if (value == 0.0) return "0";
     if (!std::isfinite(value)) return number_text(value, 0);
-    // Rounded first: 9.999 has the decimals of 10.0.
+    // Round first: 9.999 has the decimals of 10.0.
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
     if (exponent >= -4 && exponent < 6) return number_text(value, std::max(2 - exponent, 0));
@@ -175,9 +175,9 @@ std::string steady_figures(double value) {
 
 std::string percent(double share, int decimals) {
     const double per_cent = 100.0 * share, least = std::pow(10.0, -decimals);
-    if (share > 0.0 && per_cent < 0.5 * least) return "< " + number_text(least, decimals) + " %";
-    if (share < 1.0 && per_cent >= 100.0 - 0.5 * least) return "> " + number_text(100.0 - least, decimals) + " %";
-    return number_text(per_cent, decimals) + " %";
+    if (share > 0.0 && per_cent < 0.5 * least) return "< " + number_text(least, decimals) + "%";
+    if (share < 1.0 && per_cent >= 100.0 - 0.5 * least) return "> " + number_text(100.0 - least, decimals) + "%";
+    return number_text(per_cent, decimals) + "%";
 }
 
 std::string grouped_number(std::int64_t number) {
@@ -232,7 +232,7 @@ std::optional<double> parse_double(std::string_view text) {
 #ifdef __cpp_lib_to_chars
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-#else  // libc++ 14 reads whole numbers alone
+#else  // libc++ 14 reads only whole numbers
     if (text.find_first_not_of("0123456789.-eE+") != std::string_view::npos || text.substr(0, 1) == "+") {
         return std::nullopt;
     }
@@ -258,7 +258,7 @@ bool begins_number(std::string_view text, std::size_t at) {
     return is_digit(at) || (text[at] == '.' && is_digit(at + 1));
 }
 
-/// The number that begins there; moves `at` behind it.
+/// Reads the number that begins at `at`, and moves `at` past it.
 double take_number(std::string_view text, std::size_t& at) {
     const std::size_t begin = at;
     const auto digits = [&] {
@@ -300,7 +300,7 @@ std::vector<double> numbers_in(std::string_view text) {
             if (at + 1 < text.size() && text[at] == '/' && begins_number(text, at + 1))
                 value /= take_number(text, ++at);
             if (std::isfinite(value)) numbers.push_back(value);
-            while (at < text.size() && is_of_word(text[at])) ++at;  // a unit, or an f behind it
+            while (at < text.size() && is_of_word(text[at])) ++at;  // skip a unit, or a suffix such as f
             sign = 1.0;
         } else if (is_of_word(text[at])) {
             while (at < text.size() && (is_of_word(text[at]) || text[at] == '.')) ++at;

@@ -1,6 +1,6 @@
-// Numbers as characters, one function for each way in which the program writes them. For a person: a real minus sign,
-// digits in groups, 1.2·10⁻⁷. For code and files: what compilers and JSON read. What may be typed for a number stands
-// with the widgets (ParseNumber).
+// Numbers as characters, one function for each way in which the program writes them. For a person: a true minus sign,
+// digits in groups, 1.2·10⁻⁷. For code and files: what compilers and JSON read. The widgets define which numbers may be
+// typed (ParseNumber).
 #pragma once
 
 #include <cstdint>
@@ -14,58 +14,59 @@ namespace viewing {
 
 // ---- for a person --------------------------------------------------------------------------------------------------
 
-/// Fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, and where the decimals would
-/// show nothing of it, as 1.234·10⁶, 7.5·10⁻⁶; below 10⁻⁹ it is a rounding residue: 0.000.
+/// Fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, or if the decimals would all be
+/// zero, 1.234·10⁶ or 7.5·10⁻⁶; anything below 10⁻⁹ is a rounding residue: 0.000.
 std::string number_text(double value, int decimals);
 
-/// So many significant digits, without zeros at the end, as in a sentence: "0.25", "−3500", "1.2·10⁻⁷", "∞".
+/// As many significant digits, without zeros at the end, for sentences: "0.25", "−3500", "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
 
-/// Three significant digits, zeros at the end kept so that a moving value does not jump: "4.00", "12.5", "12,300",
-/// "1.20·10⁻⁷", and plainly "0".
+/// Three significant digits with zeros at the end, so that a moving value does not jump: "4.00", "12.5", "12,300",
+/// "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);
 
-/// A share as "12.5 %"; what would be rounded to nothing or to all without being it is "< 0.1 %", "> 99.9 %".
+/// A share as "12.5%"; a nonzero share that would round to 0 is "< 0.1%", one below 1 that would round to 1 is ">
+/// 99.9%".
 std::string percent(double share, int decimals = 1);
 
-/// A count: "12,345".
+/// A count with digits in groups: "12,345".
 std::string grouped_number(std::int64_t number);
 
-/// A whole number raised: 24 → "²⁴", −5 → "⁻⁵".
+/// A whole number in superscript: 24 → "²⁴", −5 → "⁻⁵".
 std::string raised_text(int value);
 
-/// Indices lowered: "₁₂" for 1 and 2.
+/// Indices in subscript: "₁₂" for 1 and 2.
 std::string lowered_text(std::initializer_list<std::size_t> indices);
 
 // ---- for code and files --------------------------------------------------------------------------------------------
 
-/// The shortest decimal that reads back to exactly `value`, as JSON takes it: "0.5", "-0.0", "40000", "1e6".
+/// The shortest decimal that reads back to exactly `value`, as in JSON: "0.5", "-0.0", "40000", "1e6".
 std::string format_number(double value);
 
-/// The same as C, Python and CSV have it, at times with an exponent of two digits: "0.5", "-0", "1e-05", "inf".
+/// The same as in C, Python and CSV, sometimes with a two-digit exponent: "0.5", "-0", "1e-05", "inf".
 std::string shortest_number(double value);
 
-/// A colour: "#e4572e".
+/// A color: "#e4572e".
 std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
 /// Fixed decimals with the keyboard's minus: "-0.500".
 std::string plain_decimals(double value, int decimals);
 
-/// What a text field starts with: the shortest digits that read back to the same value, in signs that a keyboard has.
+/// The initial content of a text field: the shortest digits that read back to the same value, in keyboard characters.
 std::string plain_number(double value);
 
-/// A whole text as one finite number with a point, whatever the locale: "1e-3", "-.5". Blanks and a leading "+" are
-/// refused.
+/// Parses a whole text as one finite number with a decimal point, in any locale: "1e-3", "-.5". Refuses blanks and a
+/// leading "+".
 std::optional<double> parse_double(std::string_view text);
 
-/// All numbers of a text in their order, whatever stands between them: "array([[1., -2e-3], [3, 4]], dtype=float64)",
-/// "[1 2; 3 4]", "1 & 1/3 \\\\". A minus may be the real one; 1/3 is a quotient; digits in a word are none. At most
-/// 1000.
+/// Returns all numbers in a text, in order, whatever is between them: "array([[1., -2e-3], [3, 4]], dtype=float64)",
+/// "[1 2; 3 4]", "1 & 1/3 \\\\". The minus may be a true minus sign; 1/3 is a quotient; digits inside a word do not
+/// count. At most 1000.
 std::vector<double> numbers_in(std::string_view text);
 
-// ---- where room is short -------------------------------------------------------------------------------------------
+// ---- where space is short ------------------------------------------------------------------------------------------
 
-/// A number in characters, UTF-8, with a real minus; on the stack, since tables write hundreds in a frame.
+/// A number in UTF-8 characters, with a true minus; on the stack, since tables write hundreds per frame.
 struct NumberChars {
     char data[48];
     int bytes = 0;
@@ -75,11 +76,11 @@ struct NumberChars {
     void append(std::string_view text);
 };
 
-/// What becomes of a magnitude too small for the decimals: 0.00, or 4.00·10⁻⁵ if it is no rounding residue.
+/// How to write a magnitude too small for the decimals: 0.00, or 4.00·10⁻⁵ unless it is a rounding residue.
 enum class Tiny { zero, exponent };
-/// What number_text writes, with a choice.
+/// Writes the same as number_text, with a choice for tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);
-/// The same with at most so many characters: fewer decimals, then without the unit, then 1.2·10⁵, then 1.2e5.
+/// Writes the same in at most `columns` characters: fewer decimals, then no unit, then 1.2·10⁵, then 1.2e5.
 NumberChars fitted_number(double value, int decimals, Tiny tiny, std::string_view unit, int columns);
 
 }  // namespace viewing

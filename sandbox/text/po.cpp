@@ -11,27 +11,27 @@ Error wrong(int line, const std::string& what) {
     return {"line " + std::to_string(line) + ": " + what};
 }
 
-/// Appends what stands between two quotes, with its escapes resolved.
+/// Appends the text between two quotes, with its escapes resolved.
 Status unquote(std::string_view quoted, int line, std::string& out) {
     if (quoted.size() < 2 || quoted.front() != '"' || quoted.back() != '"') {
-        return wrong(line, "a text must stand between double quotes on one line");
+        return wrong(line, "a string must be in double quotes on one line");
     }
     quoted = quoted.substr(1, quoted.size() - 2);
     for (std::size_t i = 0; i < quoted.size(); ++i) {
-        if (quoted[i] == '"') return wrong(line, "a double quote inside a text must be written \\\"");
+        if (quoted[i] == '"') return wrong(line, "a double quote inside a string must be written \\\"");
         if (quoted[i] != '\\') {
             out += quoted[i];
             continue;
         }
         constexpr std::string_view letters = "n\"\\t", meanings = "\n\"\\\t";
         const std::size_t which = ++i < quoted.size() ? letters.find(quoted[i]) : std::string_view::npos;
-        if (which == std::string_view::npos) return wrong(line, "after a backslash there must be n, t, \\ or \"");
+        if (which == std::string_view::npos) return wrong(line, "a backslash must be followed by n, t, \\ or \"");
         out += meanings[which];
     }
     return std::monostate{};
 }
 
-/// Goes through the lines; an entry is complete when the next one or the end comes.
+/// Reads line by line; an entry is complete when the next one begins or the file ends.
 class PoReader {
 public:
     Status take(std::string_view text, int line) {
@@ -58,15 +58,15 @@ public:
             part_ = Part::translation;
             return unquote(rest, line, entry_.translation);
         }
-        return wrong(
-            line, "a line begins with msgid, msgstr, # or a double quote, not with \"" + std::string(keyword) + "\"");
+        return wrong(line, "a line must begin with msgid, msgstr, # or a double quote, not with \"" +
+                               std::string(keyword) + "\"");
     }
 
     Status finish(int line) {
         if (part_ == Part::id) return wrong(line, "a msgstr is missing before this line");
         if (std::exchange(part_, Part::none) == Part::none) return std::monostate{};
         if (!ids_.insert(entry_.english).second) {
-            return wrong(entry_.line, "\"" + entry_.english + "\" is there twice");
+            return wrong(entry_.line, "\"" + entry_.english + "\" appears twice");
         }
         if (!entry_.english.empty()) entries_.push_back(entry_);
         return std::monostate{};
@@ -78,7 +78,7 @@ private:
     enum class Part { none, id, translation };
 
     Status more(std::string_view text, int line) {
-        if (part_ == Part::none) return wrong(line, "a text must follow a msgid or a msgstr");
+        if (part_ == Part::none) return wrong(line, "a string must follow a msgid or a msgstr");
         return unquote(text, line, part_ == Part::id ? entry_.english : entry_.translation);
     }
 

@@ -1,5 +1,5 @@
-// Catalogues of translations as translators' tools write them: gettext's .po files, read without gettext, since the
-// program has to do it where there is none. Read catalogue.h for what is done with them.
+// Translation catalogs in the format of translators' tools: gettext's .po files, read without gettext, which may not be
+// installed. Read catalogue.h for their use.
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@
 
 namespace viewing {
 
-/// One text: `english` is its id, `translation` is empty where there is none yet.
+/// One text: `english` is its id; `translation` is empty if there is none yet.
 struct PoEntry {
     std::string english;
     std::string translation;
-    bool is_fuzzy = false;   ///< a translator has to look at it again: counts as not translated
+    bool is_fuzzy = false;   ///< a translator must review it: counts as not translated
     int line = 0;            ///< where it begins, from 1
     std::string where = {};  ///< the files that show it, as "#:" lists them
 };
 
-/// The entries of a .po file in UTF-8 in their order, without its header (the entry with an empty id). Refused with one
-/// sentence that names the line: contexts and plural forms (an English text has one translation here, one for "1" and
-/// one for the rest are two texts), an unknown keyword or escape, an id that is there twice.
+/// Returns the entries of a .po file in UTF-8, in order, without its header (the entry with an empty id). Refuses these
+/// with one sentence that names the line: contexts and plural forms (an English text has one translation here; one for
+/// "1" and one for the rest are two texts), unknown keywords or escapes, and repeated ids.
 Result<std::vector<PoEntry>> read_po(std::string_view content);
 
-/// What stands in braces in a template, in order of the alphabet, each once: "{count} of {all}" has "all" and "count".
-/// "{{" and "}}" are braces to show. Nothing where a brace is left open.
+/// Returns the placeholders in braces of a template, in alphabetical order, each once: "{count} of {all}" has "all" and
+/// "count". "{{" and "}}" are literal braces. Fails if a brace is left open.
 Result<std::vector<std::string>> places_in(std::string_view text);
 
 }  // namespace viewing

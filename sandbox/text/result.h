@@ -1,5 +1,5 @@
-// The value-or-message that every outer edge returns (files, arguments, GL start).
-// Inside the program a wrong call is a programmer's mistake and asserts instead.
+// The value or message that every outer boundary (files, arguments, GL startup) returns. Inside the program, a wrong
+// call is a programming error and fails an assertion instead.
 #pragma once
 
 #include <cassert>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// One sentence for a person: what was wrong, where, and what is allowed.
+/// One sentence for the user: what was wrong, where, and what is allowed.
 struct Error {
     std::string message;
 };

@@ -17,7 +17,7 @@ struct Character {
     std::size_t bytes = 1;
 };
 
-/// The first character of a text that is not empty.
+/// Returns the first character of a text that is not empty.
 Character character_at(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -32,15 +32,15 @@ Character character_at(std::string_view text) {
     return {code_point, count};
 }
 
-/// Controls of C0 and C1, line separators, what turns the direction of writing, what has no width (but the two joiners
-/// that scripts need), and what is no character.
+/// Controls of C0 and C1, line separators, characters that change the writing direction, characters without width
+/// (except the two joiners that scripts need), and noncharacters.
 bool is_deceptive(char32_t c) {
     return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x00ad || c == 0x061c || c == 0x200b || c == 0x200e ||
            c == 0x200f || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x2069) || c == 0xfeff ||
            (c & 0xfffeU) == 0xfffeU;
 }
 
-/// At or before this place.
+/// Returns the start of the character at or before this place.
 std::size_t begin_of_character(std::string_view text, std::size_t at) {
     while (at > 0 && at < text.size() && continues_character(text[at])) {
         --at;

@@ -1,4 +1,4 @@
-// The small pieces that messages are made of, and the characters of UTF-8.
+// Builds parts of messages, and handles the characters of UTF-8.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// Whether a byte belongs to the character that the byte before it belongs to.
+/// Whether a byte belongs to the same character as the byte before it.
 constexpr bool continues_character(char byte) {
     return (byte & 0xC0) == 0x80;
 }
@@ -19,60 +19,61 @@ constexpr bool is_digit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/// Characters, not bytes.
+/// Counts characters, not bytes.
 std::size_t character_count(std::string_view text);
 
-/// Nothing in an empty text.
+/// Does nothing to an empty text.
 void remove_last_character(std::string& text);
 
-/// A text as a terminal and a window may show it: what is no character of UTF-8 as \xff, control characters and those
-/// that turn the direction of writing, which make a text look like another, as \u202e.
+/// Returns a text that is safe to show in a terminal and a window: invalid UTF-8 becomes \xff; control characters, and
+/// those that change the writing direction and so disguise a text, become \u202e.
 std::string printable(std::string_view text);
 
-/// A text of the person's own, fit for a message: printable, and cut between two characters beyond 200 bytes.
+/// Returns user input for a message: printable, and cut between two characters after at most 200 bytes.
 std::string one_line(std::string_view text);
 
-/// A message with a name of thousands of bytes: beyond `most_bytes` its beginning and its end, where the reason is.
+/// Shortens a message of more than `most_bytes`, such as one with a very long name, but keeps its beginning and its
+/// end, where the reason is.
 std::string without_middle(std::string_view text, std::size_t most_bytes);
 
 bool is_utf8(std::string_view text);
 
-/// A word of a file, fit for a message: printable, and not more than 20 characters of it.
+/// Returns a word from a file for a message: printable, at most 20 characters.
 std::string excerpt(std::string_view text);
 
-/// A text in lines of at most `width` characters where its words let it, each ended: the first begins with `first`, the
-/// others with `indent` blanks. Words are separated by single blanks.
+/// Breaks a text into lines of at most `width` characters where its words allow it, each with a newline. The first
+/// begins with `first`, the others with `indent` blanks. Words are separated by single blanks.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
 
-/// ASCII letters in lower case, all else as it is: for endings of files and for what is searched.
+/// Converts ASCII letters to lower case and keeps everything else: for file extensions and searches.
 std::string in_lower_case(std::string text);
 
-/// A byte as links and safe file names have it: "%2F".
+/// Returns a byte as in links and safe file names: "%2F".
 std::string percent_encoded(char byte);
 
-/// At each `sign` that stands in no brackets and no quotes; one part at least.
+/// Splits at each `sign` outside brackets and quotes; returns at least one part.
 std::vector<std::string> split_outside_brackets(std::string_view text, char sign);
 
-/// "1 entry", "1,024 entries"; `many` is left out where it is `one` with an s. For what commands print, in English.
+/// Returns "1 entry", "1,024 entries"; omit `many` if it is `one` with an s. For the output of commands, in English.
 std::string counted(std::int64_t count, const std::string& one, const std::string& many = "");
 
-/// "never, less, equal".
+/// Returns "never, less, equal".
 std::string joined(std::span<const char* const> names);
 std::string joined(std::span<const std::string> names);
-/// "13, 15".
+/// Returns "13, 15".
 std::string joined(std::span<const int> numbers);
 
-/// How many insertions, deletions, substitutions and swaps of neighbours turn one word into the other
+/// Returns the number of insertions, deletions, substitutions and swaps of neighbors that turn one word into the other
 /// (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 characters.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to a misspelt word, the first on a tie; none when nothing is near enough to be meant.
+/// Returns the candidate nearest to a misspelled word, the first on a tie; none if no candidate is near enough.
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 
-/// `; did you mean "less"?` for a misspelt word, "" when nothing is near.
+/// Returns `; did you mean "less"?` for a misspelled word, "" if nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-/// Whether so many edits still look like a slip of the pen in a word of this length: never in a single letter.
+/// Whether that many edits still look like a typo in a word of this length; never for a single letter.
 bool is_near(std::size_t distance, std::size_t word_length);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Building the tree, node by node in depth-first order, front sides first. Read bsp_walk.cpp next.
+// Builds the tree, node by node in depth-first order, front sides first. Read bsp_walk.cpp next.
 #include <algorithm>
 #include <cstdlib>
 #include <random>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Planes tried for a node, and polygons that each is tried on: bounds on the time of a choice.
+/// Planes tried per node, and polygons that each plane is tried on. These limit the time of a choice.
 constexpr std::size_t max_candidates = 12, max_tried_on = 192;
 
 struct Children {
@@ -36,7 +36,7 @@ public:
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
         if (!all.empty()) rests_.push_back({std::move(all), -1, false});
         while (!rests_.empty()) {
-            if (is_cancelled(progress)) tree_.problem = tr("The BSP tree is not finished: it was cancelled.");
+            if (is_canceled(progress)) tree_.problem = tr("The BSP tree is not finished: it was canceled.");
             grow();
             report(progress, static_cast<double>(tree_.fragments.size()) / live_count());
         }
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    /// Polygons and pieces; a polygon that was cut gives way to one of its pieces.
+    /// Returns the number of polygons and pieces in the tree; in the pool, one piece replaces the polygon that was cut.
     int live_count() const { return static_cast<int>(pool_.size()); }
 
     void grow() {
@@ -72,7 +72,7 @@ private:
         if (!children.front.empty()) rests_.push_back({std::move(children.front), index, true});
     }
 
-    /// The polygon whose plane shall divide the list.
+    /// Returns the polygon whose plane will divide the list.
     int choose(const std::vector<int>& list, BspNode& node) {
         node.candidate_count = 1;
         if (options_.splitter == BspSplitter::first) return list.front();
@@ -92,7 +92,7 @@ private:
         return best;
     }
 
-    /// What is to be small, then what decides between equals.
+    /// Returns the cost to minimize, then the tie-breaker.
     std::pair<std::size_t, std::size_t> cost_of(int candidate, const std::vector<int>& list) {
         const std::size_t tried_on = std::min(list.size(), max_tried_on);
         std::size_t front = 0, back = 0, spanning = 0;
@@ -107,14 +107,14 @@ private:
                                                                : std::pair(larger_child, spanning);
     }
 
-    /// A polygon lies in its own plane, whatever rounding says.
+    /// A polygon is in its own plane, whatever rounding says.
     PlaneSide side_as_to(int splitter, int polygon) {
         if (splitter == polygon) return PlaneSide::coplanar;
         ++tree_.counters.plane_tests;
         return side_of_plane(pool_[polygon], pool_[splitter].plane, tree_.epsilon);
     }
 
-    /// Sends every polygon to its side, cut where needed; returns those that lie in the plane.
+    /// Sends every polygon to its side, cutting it if needed; returns the polygons in the plane.
     std::vector<int> divide(const std::vector<int>& list, int splitter, BspNode& node, Children& children) {
         std::vector<int> own;
         for (const int polygon : list) {
@@ -143,9 +143,8 @@ private:
         node.back_count = static_cast<int>(children.back.size());
         tree_.counters.splits += node.split_count;
         if (live_count() > options_.max_fragments && tree_.problem.empty()) {
-            tree_.problem =
-                say("The BSP tree stopped at its budget of {count} fragments; what was left is drawn unsorted.",
-                    "count"_a = options_.max_fragments);
+            tree_.problem = say("The BSP tree stopped at its budget of {count} fragments; the rest is drawn unsorted.",
+                                "count"_a = options_.max_fragments);
         }
         return own;
     }

@@ -1,4 +1,4 @@
-// Walking the tree for one eye, without recursion: a convex mesh makes it as deep as it has triangles.
+// Traverses the tree for one eye, without recursion, since a convex mesh makes the tree as deep as it has triangles.
 // Read software_zbuffer.cpp next.
 #include <cmath>
 

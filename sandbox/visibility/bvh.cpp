@@ -1,4 +1,4 @@
-// Building the hierarchy from the top by where bins say that a cut is cheapest. Read bvh_rays.cpp next.
+// Builds the hierarchy top down, with cuts where bins estimate the lowest cost. Read bvh_rays.cpp next.
 #include "visibility/bvh.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Bin {
     int count = 0;
 };
 
-/// A triangle to be put into the tree.
+/// A triangle to add to the tree.
 struct Item {
     Box box;
     int triangle = 0;
@@ -51,11 +51,11 @@ struct Item {
 };
 
 struct Cut {
-    float cost = std::numeric_limits<float>::infinity();  ///< surface times count, of both sides
+    float cost = std::numeric_limits<float>::infinity();  ///< area times count, summed over both sides
     int axis = -1, last_bin = 0;                          ///< of the left side
 };
 
-/// Items of equal bins stay together; few items need few bins.
+/// Items in the same bin stay together; a few items need only a few bins.
 struct Bins {
     Bins(std::size_t item_count, const Box& twice_centers)
         : count(static_cast<int>(std::min<std::size_t>(most_bins, 4 + item_count / 20))), first(twice_centers.least) {
@@ -72,7 +72,7 @@ struct Bins {
     Point first, per_unit{};
 };
 
-/// Where a row of bins is cut in two at the least cost, if that is below `best`.
+/// Finds the cheapest cut of a row of bins, if it costs less than `best`.
 void cut_bins(std::span<const Bin> bins, int axis, Cut& best) {
     std::array<float, most_bins> right_cost;
     std::array<int, most_bins> right_count;
@@ -118,7 +118,7 @@ public:
         while (!ranges.empty()) {
             const Range range = ranges.back();
             ranges.pop_back();
-            const Cut cut = is_cancelled(progress) || range.depth >= deepest_bvh ? Cut{} : best_cut(range);
+            const Cut cut = is_canceled(progress) || range.depth >= deepest_bvh ? Cut{} : best_cut(range);
             BvhNode& node = bvh_.nodes_[static_cast<std::size_t>(range.node)];
             for (int axis = 0; axis < 3; ++axis) {
                 node.corners[0][axis] = range.box.least[axis];
@@ -178,7 +178,7 @@ private:
         return Point{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z), 0.0F};
     }
 
-    /// No axis where the range is best left whole: cheaper as a leaf, or all centres in one point.
+    /// Returns no axis if it is best not to cut the range: a leaf is cheaper, or all centers are at one point.
     static Cut best_cut(const Range& range) {
         Cut best;
         if (range.items.size() <= 1) return best;

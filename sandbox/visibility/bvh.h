@@ -1,6 +1,6 @@
-// A bounding-volume hierarchy over triangles: a ray meets few of them. Read ray_cast.h next.
-// Source: Wald 2007, building with a binned surface-area heuristic; Wald, Slusallek, Benthin and Wagner 2001,
-// neighbouring rays together; Möller and Trumbore 1997.
+// A bounding-volume hierarchy over triangles, so that a ray tests only a few of them. Read ray_cast.h next. Source:
+// Wald 2007, building with a binned surface-area heuristic; Wald, Slusallek, Benthin and Wagner 2001, tracing
+// neighboring rays together; Möller and Trumbore 1997.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace viewing {
 
 struct RayHit {
     double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
-    int polygon = -1;                                    ///< index into the polygons that were passed; −1: no hit
+    int polygon = -1;                                    ///< index into the given polygons; −1: no hit
     int source = -1;
 
     bool is_hit() const { return polygon >= 0; }
@@ -28,42 +28,42 @@ struct RayCounters {
     std::int64_t rays = 0, box_tests = 0, triangle_tests = 0, curved_tests = 0;
 };
 
-/// A ray from t = 0 to max_t; below 0: none of it.
+/// A ray from t = 0 to max_t; if max_t is negative, the range is empty.
 struct BoundedRay {
     Ray ray;
     double max_t;
 };
 
-/// Two children lie one after the other: at `first` and first + 1. A leaf has its triangles from `first` on.
+/// Two children are adjacent: at `first` and first + 1. A leaf has its triangles from `first` on.
 struct BvhNode {
-    /// Of the box, the least and the greatest coordinates, from the root's middle in units of its half diagonal.
+    /// The lowest and the highest coordinates of the box, relative to the root's middle, in units of its half diagonal.
     std::array<glm::vec3, 2> corners{};
     int first = 0;
-    int content = 0;  ///< above 0: so many triangles; else an inner node, cut across the axis −content
+    int content = 0;  ///< above 0: the number of triangles; else an inner node, cut across the axis −content
 
     bool is_leaf() const { return content > 0; }
     int triangle_count() const { return is_leaf() ? content : 0; }
-    int axis() const { return -content; }  ///< along which the first child comes before the second
+    int axis() const { return -content; }  ///< the axis along which the first child comes before the second
 };
 
-inline constexpr int deepest_bvh = 60;  ///< leaves there are as large as they are: keeps the rays' stack small
+inline constexpr int deepest_bvh = 60;  ///< leaves at this depth may have any size: limits the rays' stack
 
 class Bvh {
 public:
     Bvh() = default;
 
-    /// Polygons are cut into fans of triangles. Cancelled: the tree is finished at once with large leaves.
+    /// Cuts polygons into fans of triangles. If canceled, finishes the tree immediately with large leaves.
     explicit Bvh(std::span<const Polygon> polygons, WorkProgress* progress = nullptr);
 
-    /// The nearest hit with 0 ≤ t ≤ max_t, from either side, edges included. Of hits that agree to 1e−11 of the scene's
-    /// size the one with the lower source: coplanar polygons do not fight.
+    /// Returns the nearest hit with 0 ≤ t ≤ max_t, from either side, edges included. Of hits that agree to 1e−11 of the
+    /// scene's size, returns the one with the lower source: coplanar polygons do not fight.
     RayHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
-    /// The same for several rays, `hits` has room for as many: faster where neighbours take the same way. Counters
-    /// count what each ray meets, however many go together.
+    /// Does the same for several rays; `hits` must have room for as many. Faster if neighbors take the same path.
+    /// Counters count the tests of each ray, however many rays are traced together.
     void nearest(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
 
-    /// Every polygon that the ray meets with 0 ≤ t ≤ max_t, nearest first, then by source; each once.
+    /// Returns every polygon that the ray meets with 0 ≤ t ≤ max_t, nearest first, then by source; each once.
     std::vector<RayHit> all(const Ray& ray, double max_t, RayCounters& counters) const;
 
     std::span<const BvhNode> nodes() const { return nodes_; }
@@ -83,7 +83,7 @@ private:
     std::vector<BvhNode> nodes_;  ///< the root first; empty without polygons
     std::vector<Triangle> triangles_;
     glm::dvec3 middle_{0.0};      ///< of the root
-    double half_diagonal_ = 1.0;  ///< of the root, or 1 where it is a point
+    double half_diagonal_ = 1.0;  ///< of the root, or 1 if it is a point
     double same_t_ = 0.0;         ///< world units
 };
 

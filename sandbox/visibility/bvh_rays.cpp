@@ -1,6 +1,6 @@
-// Sending rays down the hierarchy, as many together as a register has room for, the nearer child first. Boxes are met
-// in single precision, a little larger than they are, triangles in double precision. Read curved.cpp next. Source:
-// Wald, Slusallek, Benthin and Wagner 2001; Ize 2013 for boxes that no rounding may miss.
+// Traces rays through the hierarchy, as many together as fit in a register, the nearer child first. Tests boxes in
+// single precision, slightly enlarged, and triangles in double precision. Read curved.cpp next. Source: Wald,
+// Slusallek, Benthin and Wagner 2001; Ize 2013 for boxes that no rounding error may miss.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,12 +12,12 @@
 #include <emmintrin.h>
 #endif
 
-#define VIEWING_INLINE inline __attribute__((always_inline))  // a function that takes registers has no other form
+#define VIEWING_INLINE inline __attribute__((always_inline))  // a function with register arguments exists only inlined
 
 namespace viewing {
 namespace {
 
-/// So many rays go together: as many floats as a register holds, in two registers of doubles.
+/// The rays traced together: one float of each fits in one register, one double of each in two.
 struct FourLanes {
     typedef float Float __attribute__((vector_size(16)));
     typedef double Double __attribute__((vector_size(16)));
@@ -29,7 +29,7 @@ struct EightLanes {
     static constexpr std::size_t count = 8, half = 4;
 };
 
-/// A bit for each lane of a comparison's result.
+/// Returns one bit per lane of a comparison's result.
 template <typename Mask>
 VIEWING_INLINE unsigned bits_of(const Mask& mask) {
     constexpr std::size_t lanes = sizeof(mask) / sizeof(mask[0]);
@@ -53,17 +53,17 @@ VIEWING_INLINE unsigned bits_of(const Mask& mask) {
 #endif
 }
 
-/// How many of eight bits are set, without a call.
+/// Returns how many of eight bits are set, without a function call.
 VIEWING_INLINE int count_of(unsigned bits) {
     const auto of_four = [](unsigned four) { return static_cast<int>(0x4332322132212110U >> 4 * four & 7); };
     return of_four(bits & 15) + of_four(bits >> 4);
 }
 
-/// The components of a vector, for each lane.
+/// The components of a vector, per lane.
 template <typename Number>
 using Three = std::array<Number, 3>;
 
-// The sums are those of glm::cross and glm::dot, so that a ray by itself and among others finds the same.
+// The same sums as in glm::cross and glm::dot, so that a ray has the same hits alone and in a group.
 template <typename A, typename B>
 VIEWING_INLINE auto cross(const A& a, const B& b) {
     return Three<std::decay_t<decltype(a[1] * b[2])>>{a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0],
@@ -83,18 +83,18 @@ struct Bvh::Together {
     static constexpr std::size_t count = Lanes::count, half = Lanes::half;
 
     // In the nodes' units, along the direction as a unit vector.
-    Three<Float> near_origin, far_origin;  ///< moved so far that boxes are met a little larger than they are
+    Three<Float> near_origin, far_origin;  ///< shifted so that boxes appear slightly enlarged
     Three<Float> inverse;
     Float limit;
-    Three<std::size_t> near_corner;  ///< the one that the rays pass first, by axis
+    Three<std::size_t> near_corner;  ///< the corner that the rays pass first, by axis
 
-    // In world units, as the rays are given.
+    // In world units, as given.
     std::array<Three<Double>, 2> origin, direction;
     std::array<Double, 2> max_t;
     std::array<double, count> unit_t;  ///< t times this is in the nodes' units
 
-    /// The given rays, 1 to `count`. False where their directions differ in sign along an axis: then they cannot go
-    /// together.
+    /// Takes 1 to `count` rays. Returns false if the signs of their directions differ along an axis: such rays cannot
+    /// be traced together.
     VIEWING_INLINE bool take(const Bvh& bvh, std::span<const BoundedRay> rays) {
         for (std::size_t lane = 0; lane < count; ++lane) {
             const BoundedRay& ray = rays[lane < rays.size() ? lane : 0];
@@ -124,14 +124,15 @@ struct Bvh::Together {
             const Double size = from_middle[axis] < 0.0 ? -from_middle[axis] : from_middle[axis];
             away = size > away ? size : away;
         }
-        // Sixteen times what single precision rounds at such distances, twice what the steps below can add up to.
+        // Sixteen times the rounding error of single precision at such distances, twice the largest total error of the
+        // steps below.
         const Double room = away * 0x1p-20;
         const auto put = [part](Float& to, const Double& from) {
             for (std::size_t lane = 0; lane < half; ++lane) to[part * half + lane] = static_cast<float>(from[lane]);
         };
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Double along = direction[part][axis];
-            // Large, not infinite: 0 times it is 0 on the face of a box, not NaN.
+            // Large instead of infinite: on the face of a box, 0 times this is 0, not NaN.
             const Double slow = length * 1e-30;
             const Double one = along < 0.0 ? Double{} - 1.0 : Double{} + 1.0;
             put(inverse[axis], length / (one * along > slow ? along : one * slow));
@@ -147,20 +148,19 @@ struct Bvh::Together {
 
     float in_units(std::size_t lane, double t) const { return static_cast<float>(std::min(t * unit_t[lane], 1e38)); }
 
-    /// Nothing beyond t counts any more.
+    /// Ignores all hits beyond t from now on.
     void end_at(std::size_t lane, double t) {
         max_t[lane / half][lane % half] = t;
         limit[lane] = in_units(lane, t);
     }
 
-    /// Those of a half that meet the triangle, as bits, and where: as geometry's intersect_triangle.
+    /// Returns the rays of a half that hit the triangle, as bits, and their t; like geometry's intersect_triangle.
     VIEWING_INLINE unsigned meet(const Triangle& triangle, std::size_t part, Double& t) const {
         const Three<Double>& d = direction[part];
         const Three<double> ab{triangle.ab.x, triangle.ab.y, triangle.ab.z},
             ac{triangle.ac.x, triangle.ac.y, triangle.ac.z};
         const auto across = cross(d, ac);
-        const Double inverse_volume =
-            1.0 / dot(ab, across);  // not finite where it is seen edge-on: then nothing below holds
+        const Double inverse_volume = 1.0 / dot(ab, across);  // not finite if seen edge-on: then every test below fails
         const Three<Double> from_a{origin[part][0] - triangle.a.x, origin[part][1] - triangle.a.y,
                                    origin[part][2] - triangle.a.z};
         const Double b = dot(from_a, across) * inverse_volume;
@@ -172,8 +172,8 @@ struct Bvh::Together {
         return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
     }
 
-    /// Calls visit(triangles, lanes as bits) for every leaf whose box is met before the ends, which the call may bring
-    /// nearer.
+    /// Calls visit(triangles, lanes as bits) for every leaf whose box is hit before the rays' ends; the call may move
+    /// the ends closer.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
         struct Waiting {
@@ -285,7 +285,7 @@ std::vector<RayHit> Bvh::all(const Ray& ray, double max_t, RayCounters& counters
             if ((alone.meet(triangle, 0, t) & 1U) != 0) hits.push_back({t[0], triangle.polygon, triangle.source});
         }
     });
-    // On the edge between two triangles of one polygon's fan the ray meets both.
+    // On the edge between two triangles of a polygon's fan, the ray hits both.
     std::sort(hits.begin(), hits.end(),
               [](const RayHit& a, const RayHit& b) { return std::pair(a.polygon, a.t) < std::pair(b.polygon, b.t); });
     hits.erase(

@@ -1,24 +1,24 @@
-// What can be chosen about the methods: said here once, kept by the parameters, and obeyed by the methods.
-// Read polygons.h next.
+// The options of the methods: defined only here, stored in the parameters, and used by the methods. Read polygons.h
+// next.
 #pragma once
 
 namespace viewing {
 
-/// Which eye distance of a polygon stands for it in the painter's order: of its nearest vertex, its farthest, or its
+/// The eye distance that represents a polygon in the painter's order: that of its nearest or farthest vertex, or of its
 /// centroid.
 enum class PainterKey { nearest, farthest, centroid };
 
-/// Which polygon of a list gives the plane of a BSP node: its first one; one by chance; of some evenly taken candidates
-/// the one that cuts fewest others, or the one whose larger child is smallest.
+/// The polygon whose plane divides a BSP node: the first of the node's list; a random one; or, among some evenly chosen
+/// candidates, the one that cuts the fewest others, or the one whose larger child is smallest.
 enum class BspSplitter { first, random, fewest_splits, balanced };
 
-/// Which side of a BSP node's plane is drawn first: that of the eye last, or first.
+/// The order of the two sides of a BSP node's plane: the eye's side last, or first.
 enum class BspOrder { back_to_front, front_to_back };
 
-/// Which way round the corners of a front go on the screen: what glFrontFace is told.
+/// The winding of front faces on the screen, as for glFrontFace.
 enum class FrontFace { ccw, cw };
 
-/// What glCullFace is told.
+/// The faces to cull, as for glCullFace.
 enum class CullFace { front, back, front_and_back };
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Two ways to tell a front from a back. Read painter.cpp next.
+// Two ways to distinguish front faces from back faces. Read painter.cpp next.
 #include "visibility/culling.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ Facing facing_of(double signed_measure, double tolerance, FrontFace front) {
     return (signed_measure > 0.0) == (front == FrontFace::ccw) ? Facing::towards : Facing::away;
 }
 
-/// What is in front of the near plane, divided by w: corners in normalised device coordinates.
+/// Returns the part in front of the near plane, divided by w: corners in normalized device coordinates.
 std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm::dmat4& clip_from_world) {
     std::vector<glm::dvec2> corners;
     const std::size_t count = polygon.vertices.size();
@@ -30,7 +30,7 @@ std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm:
     return corners;
 }
 
-/// Positive for counter-clockwise; `size` is the longest distance from the first corner.
+/// A positive area is counterclockwise; `size` is the longest distance from the first corner.
 struct ScreenArea {
     double twice_area = 0.0, size = 0.0;
 };
@@ -45,7 +45,7 @@ ScreenArea screen_area(const std::vector<glm::dvec2>& corners) {
     return result;
 }
 
-/// By the eye's side of its plane.
+/// Decides by the eye's side of a polygon's plane.
 class PlaneFacing {
 public:
     PlaneFacing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front)
@@ -62,7 +62,7 @@ private:
     const FrontFace front_;
 };
 
-/// By the sign of its area on the screen.
+/// Decides by the sign of a polygon's area on the screen.
 class ScreenFacing {
 public:
     ScreenFacing(const Viewpoint& viewpoint, FrontFace front)
@@ -101,7 +101,7 @@ CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& view
     const ScreenFacing screen(viewpoint, front);
     CullCounts counts;
     for (const Polygon& polygon : polygons) {
-        if (is_time_to_look(static_cast<std::size_t>(counts.input)) && is_cancelled(progress)) break;
+        if (is_time_to_look(static_cast<std::size_t>(counts.input)) && is_canceled(progress)) break;
         const Facing by_plane = plane.of(polygon), on_screen = screen.of(polygon);
         ++counts.input;
         ++(by_plane == Facing::neither   ? counts.edge_on

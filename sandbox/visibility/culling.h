@@ -1,6 +1,6 @@
-// Back-face culling, the cheapest step before any of the methods: polygons that turn their back are not drawn. Told in
-// two ways: by the eye's side of the plane, in world space, and by the sign of the area on the screen, as GL does it.
-// Read painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
+// Back-face culling, the cheapest step before any of the methods: polygons that face away are not drawn. Decides in two
+// ways: by the eye's side of the plane, in world space, and by the sign of the area on the screen, like GL. Read
+// painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
 #pragma once
 
 #include <span>
@@ -12,34 +12,35 @@
 
 namespace viewing {
 
-/// Which side of a polygon is seen; neither when the eye lies in its plane, or nothing of it is left to see.
+/// The visible side of a polygon; `neither` if the eye is in its plane, or if nothing of the polygon is in view.
 enum class Facing : char { towards, away, neither };
 
-/// By the eye's side of each plane, in the polygons' order. Within default_epsilon() of the plane, or for an
-/// orthographic camera below a sine of 1e−12, the eye counts as in it: neither.
+/// Decides by the eye's side of each plane, in the polygons' order. The eye counts as in the plane (neither) within
+/// default_epsilon() of it or, for an orthographic camera, below a sine of 1e−12.
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                     FrontFace front = FrontFace::ccw);
 
-/// By the sign of the area on the screen, of what is in front of the near plane. Neither: all of it is clipped, or its
-/// area is at most 1e−12 of the square of its size there. In a mirrored view clockwise and counter-clockwise change
-/// places on the screen, and this way is told the other winding, as GL is.
+/// Decides by the sign of the screen area of the part in front of the near plane. Neither: all of it is clipped, or its
+/// area is at most 1e−12 of the square of its size there. A mirrored view swaps clockwise and counterclockwise on the
+/// screen: then pass the other winding, as for GL.
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      FrontFace front = FrontFace::ccw);
 
-/// How many polygons face where, by the plane and as GL tells it; each three add up to `input`.
+/// Counts of polygons by facing, decided by the plane and as in GL; each group of three adds up to `input`.
 struct CullCounts {
     int input = 0;
     int facing_towards = 0, facing_away = 0, edge_on = 0;
     int gl_front = 0, gl_back = 0, gl_none = 0;
-    int disagree = 0;  ///< polygons that one way calls a front and the other a back: none, but for rounding
+    int disagree = 0;  ///< polygons that are front-facing one way and back-facing the other: none, except by rounding
 };
 
-/// Cancelled: of the first of them.
+/// Counts how polygons face. If canceled, counts only the first ones.
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front = FrontFace::ccw,
                         const WorkProgress* progress = nullptr);
 
-/// What is left after culling by the plane's sign, in the same order. What is seen edge-on is neither a front nor a
-/// back: it stays, and covers no pixel; front_and_back leaves nothing. Cancelled: of the first of them.
+/// Returns the polygons left after culling by the plane's side, in the same order. A polygon seen edge-on is neither
+/// front-facing nor back-facing: it stays, and covers no pixel. front_and_back leaves nothing. If canceled, considers
+/// only the first polygons.
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
                             FrontFace front = FrontFace::ccw, const WorkProgress* progress = nullptr);
 

@@ -1,5 +1,5 @@
-// Quadrics by a quadratic that does not cancel, the torus by a quartic cut into monotone pieces. Read ray_cast.cpp
-// next.
+// Intersects quadrics with a quadratic that avoids cancellation, and the torus with a quartic cut into monotone pieces.
+// Read ray_cast.cpp next.
 #include "visibility/curved.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double ring_radius = 0.9, tube_radius = 0.34;
 
-/// The part of a ray within some region: from `enter` to `leave`, empty when enter ≥ leave.
+/// The part of a ray within some region: from `enter` to `leave`, empty if enter ≥ leave.
 struct Interval {
     double enter, leave;
     bool empty() const { return !(enter < leave); }
@@ -19,7 +19,7 @@ struct Interval {
 
 constexpr double infinity = 1e300;
 
-/// The roots of a t² + 2 b t + c, the lower one first; none for less than two. Not for a = 0.
+/// Returns the roots of a t² + 2 b t + c, the lower one first; empty if there are fewer than two. `a` must not be 0.
 Interval quadratic_roots(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (!(discriminant > 0.0)) return {0.0, 0.0};
@@ -29,7 +29,7 @@ Interval quadratic_roots(double a, double b, double c) {
     return {std::min(first, second), std::max(first, second)};
 }
 
-/// Where the ray is between y = −1 and y = 1.
+/// Returns the part of the ray between y = −1 and y = 1.
 Interval within_slab(const Ray& ray) {
     if (ray.direction.y == 0.0) {
         return std::abs(ray.origin.y) < 1.0 ? Interval{-infinity, infinity} : Interval{0.0, 0.0};
@@ -69,17 +69,17 @@ CurvedHits intersect_cylinder(const Ray& ray) {
     return hits;
 }
 
-/// Inside the double cone with the tip at y = 1 where x² + z² < ((1 − y) / 2)²; the slab keeps the lower half.
+/// The inside of the double cone with its tip at y = 1 is x² + z² < ((1 − y) / 2)²; the slab keeps the lower half.
 CurvedHits intersect_cone(const Ray& ray) {
     CurvedHits hits;
     const glm::dvec3 &o = ray.origin, &d = ray.direction;
-    const double below_tip = (1.0 - o.y) * 0.5, sinks = -d.y * 0.5;  // radius of the cone along the ray: sum, per t
+    const double below_tip = (1.0 - o.y) * 0.5, sinks = -d.y * 0.5;  // cone radius along the ray: below_tip + t · sinks
     const double a = d.x * d.x + d.z * d.z - sinks * sinks;
     const double b = o.x * d.x + o.z * d.z - below_tip * sinks;
     const double c = o.x * o.x + o.z * o.z - below_tip * below_tip;
     const Interval slab = within_slab(ray);
     if (slab.empty()) return hits;
-    if (a == 0.0) {  // parallel to a line of the side: one crossing, at −c / 2b; inside where 2 b t + c < 0
+    if (a == 0.0) {  // parallel to a line on the side: one crossing, at −c / 2b; inside where 2 b t + c < 0
         if (b != 0.0) {
             const double crossing = -c / (2.0 * b);
             add_interval(hits, common(slab, b > 0.0 ? Interval{-infinity, crossing} : Interval{crossing, infinity}));
@@ -91,14 +91,15 @@ CurvedHits intersect_cone(const Ray& ray) {
         add_interval(hits, common(slab, roots));
     } else if (roots.empty()) {  // steeper than the side and through the tip, or next to it
         add_interval(hits, slab);
-    } else {  // inside both halves' ends: one of them lies in the slab
+    } else {  // inside before and after the roots: one of these parts is in the slab
         add_interval(hits, common(slab, {-infinity, roots.enter}));
         add_interval(hits, common(slab, {roots.leave, infinity}));
     }
     return hits;
 }
 
-/// The zero of a function that changes its sign once between two arguments: Newton, kept inside the shrinking bracket.
+/// Finds the zero of a function that changes sign once between two arguments, with Newton's method inside a shrinking
+/// bracket.
 template <typename Function, typename Derivative>
 double bracketed_zero(double low, double high, Function f, Derivative derivative) {
     const bool rises = f(low) < 0.0;
@@ -116,7 +117,7 @@ double bracketed_zero(double low, double high, Function f, Derivative derivative
     return t;
 }
 
-/// A quartic t⁴ + p t² + q t + r, as any has after its argument is shifted to the middle of its zeros.
+/// A quartic t⁴ + p t² + q t + r: the form of any quartic after shifting its argument to the middle of its zeros.
 struct DepressedQuartic {
     double p, q, r;
     double value(double t) const { return ((t * t + p) * t + q) * t + r; }
@@ -124,8 +125,9 @@ struct DepressedQuartic {
     double curvature(double t) const { return 12.0 * t * t + 2.0 * p; }
 };
 
-/// Calls `found` with each zero between −limit and limit at which the sign changes, in order. Between two neighbouring
-/// zeros of the derivative there is at most one, and the derivative's are found the same way from its own derivative's.
+/// Calls `found` with each zero between −limit and limit where the sign changes, in order. Between two neighboring
+/// zeros of the derivative there is at most one; the derivative's zeros are found the same way, from its own
+/// derivative's.
 template <typename Found>
 void for_each_zero(const DepressedQuartic& quartic, double limit, Found found) {
     const auto value = [&](double t) { return quartic.value(t); };
@@ -148,8 +150,9 @@ void for_each_zero(const DepressedQuartic& quartic, double limit, Found found) {
     }
 }
 
-/// From the ray's point nearest the centre, with unit direction, the torus is a quartic without a cubic term, whose
-/// zeros lie within the bounding sphere: all coefficients are of the size of the torus, however far the ray comes.
+/// Measured from the ray's point nearest to the center, with a unit direction, the torus is a quartic without a cubic
+/// term whose zeros are inside the bounding sphere: all coefficients are of the order of the torus's size, however far
+/// away the ray starts.
 CurvedHits intersect_torus(const Ray& ray) {
     CurvedHits hits;
     const double length = glm::length(ray.direction);
@@ -159,7 +162,7 @@ CurvedHits intersect_torus(const Ray& ray) {
     constexpr double outer = ring_radius + tube_radius;
     const double oo = glm::dot(o, o);
     if (oo >= outer * outer) return hits;
-    const double limit = std::sqrt(outer * outer - oo) + 1e-3;  // a little outside, where the quartic is positive
+    const double limit = std::sqrt(outer * outer - oo) + 1e-3;  // slightly outside, where the quartic is positive
 
     constexpr double ring_squared = ring_radius * ring_radius;
     const double m = oo + ring_squared - tube_radius * tube_radius;

@@ -1,5 +1,5 @@
-// Exact intersection of rays with the curved shapes of the scene format, without any triangles: what the lecture
-// praises ray casting for. Read ray_cast.h next.
+// Intersects rays exactly with the curved shapes of the scene format, without any triangles: an advantage of ray
+// casting that the lecture mentions. Read ray_cast.h next.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace viewing {
 /// closed, the cone's tip up; torus with radii 0.9 and 0.34 about y.
 enum class CurvedKind { sphere, cylinder, cone, torus };
 
-/// Where a ray crosses a surface: at most four times, nearest first, t ≥ 0 in units of the ray's direction.
+/// The points where a ray crosses a surface: at most four, nearest first, t ≥ 0 in units of the ray's direction.
 class CurvedHits {
 public:
     const double* begin() const { return t_.data(); }
@@ -23,7 +23,7 @@ public:
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
 
-    /// Takes hits in any order; those behind the ray's start are left out.
+    /// Adds a hit, in any order; ignores hits behind the ray's origin.
     void add(double t);
 
 private:
@@ -31,12 +31,13 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The ray is in model space; its direction need not be unit, so t is the same as in world space when origin and
-/// direction were both sent there by model_from_world. A ray that only touches, or that runs within a straight side or
-/// a cap, misses. A direction of length 0 misses.
+/// Returns the hits of a ray in model space. Its direction need not be unit, so t is the same as in world space if
+/// model_from_world was applied to both origin and direction. A ray that only touches the surface, or runs within a
+/// straight side or a cap, misses. A direction of length 0 misses.
 CurvedHits intersect_curved(CurvedKind kind, const Ray& ray_in_model);
 
-/// The outward unit normal in model space at a point of the surface; on a rim that of one of the two sides.
+/// Returns the outward unit normal in model space at a point of the surface; on a rim, the normal of one of the two
+/// sides.
 glm::dvec3 normal_of_curved(CurvedKind kind, const glm::dvec3& point_in_model);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Comparing pictures of ids.
+// Compares ID images.
 #include "visibility/difference.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where two methods disagree. Read ray_cast.h for the reference.
+// Finds where two methods disagree. Read ray_cast.h for the reference.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@ namespace viewing {
 
 struct IdDifference {
     std::int64_t compared = 0;            ///< pixels
-    std::int64_t different = 0;           ///< that show what the reference shows nowhere within a pixel
-    std::int64_t different_at_edges = 0;  ///< the other ones that differ: two correct methods may, by how they round
-    std::vector<std::uint8_t> differs;    ///< 1 where `different` counted; row by row from the top
+    std::int64_t different = 0;           ///< that show an ID that the reference shows nowhere within a pixel
+    std::int64_t different_at_edges = 0;  ///< all others that differ: rounding alone may cause them
+    std::vector<std::uint8_t> differs;    ///< 1 where `different` counts; row by row from the top
 };
 
-/// Compares ids. Both images have the same size.
+/// Compares IDs. Both images must have the same size.
 IdDifference difference(const IdImage& reference, const IdImage& image);
 
-/// The two polygons of which the one that is hidden was drawn over the other one in most of the pixels that differ.
+/// The pair of polygons with the most wrong pixels, where the hidden one was drawn over the visible one.
 struct WrongPair {
-    int seen = -1, drawn = -1;    ///< sources: what the reference shows, and what was drawn there
+    int seen = -1, drawn = -1;    ///< sources: visible in the reference, and drawn there instead
     std::int64_t pixels = 0;      ///< of this pair
     std::int64_t all_pixels = 0;  ///< of all pairs
-    std::int64_t compared = 0;    ///< of the picture
-    double x = 0.0, y = 0.0;      ///< the middle of the pair's pixels, as shares of the picture from the top left
+    std::int64_t compared = 0;    ///< pixels of the picture that were compared
+    double x = 0.0, y = 0.0;      ///< the center of the pair's pixels, as fractions of the picture from the top left
 };
 
-/// None where no polygon was drawn over one that is seen.
+/// Returns none if no polygon was drawn over a visible one.
 std::optional<WrongPair> worst_pair(const IdImage& reference, const IdImage& image);
 
-/// The same picture with `new_id[id]` in place of every id, such as objects for polygons.
+/// Returns the same image with every ID replaced by `new_id[id]`, for example to show objects instead of polygons.
 IdImage with_ids(IdImage image, std::span<const int> new_id);
 
 }  // namespace viewing

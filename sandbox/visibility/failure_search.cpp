@@ -1,4 +1,4 @@
-// A coarse scan of the orbit, then small steps from its worst view. Read bsp_build.cpp next.
+// A coarse scan of the orbit, then small steps from the worst view. Read bsp_build.cpp next.
 #include "visibility/failure_search.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// All round at several pitches, the views nearest to `start` first.
+    /// Scans the full circle at several pitches, beginning with the views nearest to `start`.
     void scan(const OrbitView& start) {
         const double pitch_shift = start.pitch_deg - start_.pitch_deg;
         round(start);
@@ -91,8 +91,8 @@ private:
     }
 
     void attempt(OrbitView view) {
-        worst_.cancelled = worst_.cancelled || is_cancelled(progress_);
-        if (worst_.cancelled) return;
+        worst_.canceled = worst_.canceled || is_canceled(progress_);
+        if (worst_.canceled) return;
         view = {wrapped(view.yaw_deg), std::clamp(view.pitch_deg, -steepest_deg, std::max(start_.pitch_deg, 0.0))};
         const std::int64_t wrong = wrong_pixels(viewpoint_on_orbit(orbit_, view));
         if (wrong > worst_.wrong_pixels) {
@@ -109,7 +109,7 @@ private:
             cast_rays(rays_, clip_from_world, {.width = options_.width, .height = options_.height});
         const PainterOrder painter = painter_order(polygons_, viewpoint, options_.key);
         const RasterResult painted =
-            rasterise(polygons_, painter.order, clip_from_world,
+            rasterize(polygons_, painter.order, clip_from_world,
                       {.rule = PaintRule::overwrite, .width = options_.width, .height = options_.height});
         return difference(reference.image, painted.image).different;
     }
@@ -125,20 +125,20 @@ private:
 
 std::string sentence_of(const FailureView& result, PainterKey key) {
     const char* const key_name = name_of(key);
-    if (!result.found && result.cancelled)
-        return say("The search was cancelled; sorting by {key} was right in every view. Views tried: {views}.",
+    if (!result.found && result.canceled)
+        return say("The search was canceled; sorting by {key} was right in every view. Views tried: {views}.",
                    "views"_a = result.views_tried, "key"_a = key_name);
     if (!result.found)
-        return say("No view was found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
+        return say("No view found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
                    "views"_a = result.views_tried);
-    const char* const sentence = result.cancelled
+    const char* const sentence = result.canceled
                                      ? marked(
-                                           "Sorting by {key} draws about {share} of the picture wrong at yaw {yaw}°, "
-                                           "pitch {pitch}°. Views tried before the search was cancelled: {views}.")
+                                           "Sorting by {key} gets about {share} of the picture wrong at yaw {yaw}°, "
+                                           "pitch {pitch}°. Views tried before the search was canceled: {views}.")
                                      : marked(
-                                           "Sorting by {key} draws about {share} of the picture wrong at yaw {yaw}°, "
+                                           "Sorting by {key} gets about {share} of the picture wrong at yaw {yaw}°, "
                                            "pitch {pitch}°. Views tried: {views}.");
-    // Searched in small pictures: a count of their pixels would stand beside the count of the view's.
+    // The search uses small pictures, so a count of their pixels would not match the count in the view.
     const double share = static_cast<double>(result.wrong_pixels) / static_cast<double>(result.compared);
     return say(fmt::runtime(sentence), "key"_a = key_name, "share"_a = percent(share),
                "yaw"_a = number_text(result.view.yaw_deg, 1), "pitch"_a = number_text(result.view.pitch_deg, 1),

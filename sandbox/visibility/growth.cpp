@@ -1,4 +1,4 @@
-// Every method measured on more and more polygons; each row is stopped at its time budget. Read growth_bench.h next.
+// Measures every method on more and more polygons; a time budget stops each row. Read growth_bench.h next.
 #include "visibility/growth.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ WorkProgress::Clock::time_point in_ms(double ms) {
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(ms));
 }
 
-/// What a row is of the whole: from `begin` on, `size` long.
+/// A row's share of the total progress: from `begin` on, `size` long.
 struct Share {
     double begin, size;
 };
@@ -33,13 +33,13 @@ std::string polygons_text(int count) {
     return say_count(count, "{count} polygon", "{count} polygons");
 }
 
-/// Why a method is not tried any more.
+/// Why a method is no longer tried.
 enum class TooMuch { nothing, polygons, time, missing_tree };
 
-/// A method's part in the whole: its rows so far, and whether it is worth another one.
+/// A method's state between rows: whether another row is worthwhile.
 struct Candidate {
     TooMuch too_much = TooMuch::nothing;
-    int too_many = 0;  ///< polygons with which that came out
+    int too_many = 0;  ///< polygon count at which that happened
     bool is_over = false;
 };
 
@@ -67,11 +67,11 @@ public:
     }
 
 private:
-    /// False when it was cancelled.
+    /// Returns false if canceled.
     bool measure_all(int count) {
         GrowthBench bench(request_, count);
         for (std::size_t i = 0; i < growth_method_count; ++i) {
-            if (is_cancelled(progress_)) return false;
+            if (is_canceled(progress_)) return false;
             const auto method = static_cast<GrowthMethod>(i);
             if (candidates_[i].is_over) continue;
             if (candidates_[i].too_much != TooMuch::nothing) {
@@ -81,14 +81,14 @@ private:
             const double share = count / all_counts_ / growth_method_count;
             GrowthRow row =
                 measure(bench, method, {counts_done_ / all_counts_ + static_cast<double>(i) * share, share});
-            if (is_cancelled(progress_)) return false;
+            if (is_canceled(progress_)) return false;
             judge(row);
             add(std::move(row));
         }
         return true;
     }
 
-    /// The median of some runs; of one where another would not fit into the budget.
+    /// Returns the median of several runs, or a single run if another one would exceed the budget.
     GrowthRow measure(GrowthBench& bench, GrowthMethod method, const Share& share) const {
         WorkProgress progress{.whole = progress_,
                               .begin = share.begin,
@@ -120,11 +120,12 @@ private:
     }
 
     std::string stopped(const GrowthRow& row) const {
-        return say("With {polygons} {method} stopped after its {budget}.", "polygons"_a = polygons_text(row.polygons),
-                   "method"_a = tr_part(growth_method_name(row.method)), "budget"_a = budget());
+        return say("With {polygons}, {method} stopped at its limit of {budget}.",
+                   "polygons"_a = polygons_text(row.polygons), "method"_a = tr_part(growth_method_name(row.method)),
+                   "budget"_a = budget());
     }
 
-    /// Whether the method shall be tried again.
+    /// Decides whether to try the method again.
     void judge(const GrowthRow& row) {
         Candidate& candidate = candidates_[static_cast<std::size_t>(row.method)];
         candidate.too_many = row.polygons;
@@ -144,14 +145,14 @@ private:
         const std::string_view name = tr_part(growth_method_name(method));
         switch (candidate.too_much) {
             case TooMuch::polygons:
-                return say("From {polygons} on {method} was not tried: {too_many} were too many for its budget.",
+                return say("With {polygons} or more, {method} was not tried: {too_many} exceeded its budget.",
                            "polygons"_a = from, "method"_a = name, "too_many"_a = many);
             case TooMuch::time:
-                return say("From {polygons} on {method} was not tried: {too_many} took longer than {budget}.",
+                return say("From {polygons} on, {method} was not tried: {too_many} took longer than {budget}.",
                            "polygons"_a = from, "method"_a = name, "too_many"_a = many, "budget"_a = budget());
             case TooMuch::missing_tree:
-                return say("From {polygons} on {method} was not tried: the tree was not finished.", "polygons"_a = from,
-                           "method"_a = name);
+                return say("From {polygons} on, {method} was not tried: the tree was not finished.",
+                           "polygons"_a = from, "method"_a = name);
             case TooMuch::nothing:
                 break;
         }

@@ -1,4 +1,4 @@
-// Each method as a caller would use it, with a clock beside it. Read growth_report.cpp next.
+// Runs each method as a caller would, and times it. Read growth_report.cpp next.
 #include "visibility/growth_bench.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
-/// From outside, a little from above: the sphere about the bounds touches the picture's nearer edges.
+/// Returns a view from outside, slightly above: the sphere around the bounds touches the nearer edges of the picture.
 Viewpoint viewpoint_of_all(std::span<const Polygon> polygons, double aspect) {
     const Bounds bounds = bounds_of(polygons);
     const double radius = bounds.empty() ? 1.0 : std::max(0.5 * glm::length(bounds.size()), 1e-6);
@@ -105,7 +105,7 @@ void GrowthBench::run_bsp_walk(GrowthRow& row, WorkProgress* progress) const {
 
 void GrowthBench::run_z_buffer(GrowthRow& row, WorkProgress* progress) const {
     const RasterResult result =
-        rasterise(polygons_, viewpoint_.clip_from_world(), {.width = width_, .height = height_}, progress);
+        rasterize(polygons_, viewpoint_.clip_from_world(), {.width = width_, .height = height_}, progress);
     row.operations = result.counters.pixels_tested;
 }
 
@@ -122,7 +122,7 @@ void GrowthBench::paint(std::span<const Polygon> drawn, std::span<const int> ord
                         WorkProgress* progress) const {
     const Stopwatch painting;
     const RasterResult painted =
-        rasterise(drawn, order, viewpoint_.clip_from_world(),
+        rasterize(drawn, order, viewpoint_.clip_from_world(),
                   {.rule = PaintRule::overwrite, .width = width_, .height = height_}, progress);
     row.pixels_painted = painted.counters.pixels_written;
     row.painting_ms = painting.ms();

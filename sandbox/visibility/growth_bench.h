@@ -1,4 +1,4 @@
-// Internal to growth.cpp: one run of one method on the polygons of one count. Read growth_report.cpp next.
+// Internal to growth.cpp: runs of methods on a given number of polygons. Read growth_report.cpp next.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ namespace viewing {
 
 class GrowthBench {
 public:
-    /// The request outlives it.
+    /// The request must outlive it.
     GrowthBench(const GrowthRequest& request, int count);
 
-    /// bsp_walk goes over the tree that bsp_build has left.
+    /// Runs one method. bsp_walk traverses the tree that bsp_build built.
     GrowthRow run(GrowthMethod method, WorkProgress* progress);
 
 private:

@@ -1,4 +1,4 @@
-// What the methods are measured on when their costs grow. Read growth.cpp next.
+// The polygons for measuring how costs grow. Read growth.cpp next.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -9,9 +9,9 @@
 namespace viewing {
 namespace {
 
-constexpr double small_radius = 0.025;  ///< of the sphere: 2.5 % of the cube's side of 2 are its diameter
+constexpr double small_radius = 0.025;  ///< of the sphere: its diameter is 2.5 % of the cube's side of 2
 
-/// std::uniform_real_distribution may differ from one standard library to the next; this does not.
+/// std::uniform_real_distribution may differ between standard libraries; this does not.
 class Chance {
 public:
     explicit Chance(unsigned seed) : engine_(seed) {}
@@ -42,7 +42,7 @@ std::vector<glm::dvec3> corners_of_a_triangle(GrowthScene scene, Chance& chance)
     return corners;
 }
 
-/// `count` of them, evenly over the list.
+/// Returns `count` of the polygons, evenly spaced in the list.
 std::vector<Polygon> sampled(std::span<const Polygon> polygons, std::size_t count) {
     std::vector<Polygon> taken;
     taken.reserve(count);

@@ -1,4 +1,4 @@
-// The curves as words and as a table. Read growth.h for what a row is.
+// Reports the curves in words and as a table. Read growth.h for the contents of a row.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -32,7 +32,7 @@ const GrowthRow* sound_row(std::span<const GrowthRow> rows, GrowthMethod method,
     return row != rows.end() ? &*row : nullptr;
 }
 
-/// Neighbouring counts with the same winner.
+/// A range of neighboring counts with the same winner.
 struct Reign {
     GrowthMethod method;
     int first, last;  ///< polygons
@@ -56,7 +56,7 @@ std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
     return reigns;
 }
 
-/// Who wins and where, as a part of the whole list: "ray casting up to 30 polygons".
+/// Returns one entry in the list of all winners: "ray casting up to 30 polygons".
 std::string reign_text(const Reign& reign, std::span<const Reign> all) {
     const std::string_view name = tr_part(growth_method_name(reign.method));
     const std::string first = grouped_number(reign.first);
@@ -72,8 +72,8 @@ std::string reign_text(const Reign& reign, std::span<const Reign> all) {
                "last"_a = grouped_number(reign.last));
 }
 
-/// How many times as much work ten times as many polygons are, by the method's last sound row and the last one before
-/// it that has at most half its polygons.
+/// Returns the factor by which the work grows for ten times the polygons, from the method's last row without a problem
+/// and the last one before it with at most half as many polygons.
 std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMethod method) {
     const GrowthRow *last = nullptr, *before = nullptr;
     for (const GrowthRow& row : rows) {
@@ -95,12 +95,11 @@ std::string growth_of_work(std::span<const GrowthRow> rows) {
         if (!factor) continue;
         const std::string times = grouped_number(std::llround(*factor));
         const std::string_view name = tr_part(growth_method_name(method));
-        list += list.empty() ? say("{times} times as many for {method}", "times"_a = times, "method"_a = name)
-                             : ", " + say("{times} times for {method}", "times"_a = times, "method"_a = name);
+        list += list.empty() ? say("by a factor of {times} for {method}", "times"_a = times, "method"_a = name)
+                             : ", " + say("by {times} for {method}", "times"_a = times, "method"_a = name);
     }
     if (list.empty()) return "";
-    return say("At the end of the curves ten times as many polygons take operations in these numbers: {list}.",
-               "list"_a = list);
+    return say("At the end of the curves, ten times the polygons multiply the operations {list}.", "list"_a = list);
 }
 
 }  // namespace
@@ -151,10 +150,10 @@ std::string growth_summary(std::span<const GrowthRow> rows) {
     std::string list;
     for (const Reign& reign : reigns) list += (list.empty() ? "" : ", ") + reign_text(reign, reigns);
     std::string text =
-        say("Fewest operations of the methods that are always right, painting among them: {list}.", "list"_a = list);
+        say("Fewest operations of the methods that are always right, painting included: {list}.", "list"_a = list);
     const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
-    if (walk_wins) text += std::string(" ") + tr("The tree is built beforehand, once for every eye.");
+    if (walk_wins) text += std::string(" ") + tr("The tree is built once, in advance, for every eye position.");
     const std::string growth = growth_of_work(rows);
     return growth.empty() ? text : text + " " + growth;
 }
@@ -181,8 +180,8 @@ std::string growth_times(std::span<const GrowthRow> rows) {
                 "most"_a = figures(row->time_most_ms, 2));
         list += (list.empty() ? "" : ", ") + time;
     }
-    return say_count(count, "By the clock, {count} polygon, medians of some runs: {list}.",
-                     "By the clock, {count} polygons, medians of some runs: {list}.", "list"_a = list);
+    return say_count(count, "Median times of several runs with {count} polygon: {list}.",
+                     "Median times of several runs with {count} polygons: {list}.", "list"_a = list);
 }
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// A pair is judged on what both cover of the screen: the part of B that lies behind or before A's outline, against A's
-// plane. Read newell.cpp next.
+// Judges a pair by the screen area that both cover: finds the part of B within A's outline as the eye sees it, and
+// tests that part against A's plane. Read newell.cpp next.
 #include "visibility/hiding.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// A polygon as far as it is seen.
+/// The visible part of a polygon.
 struct Seen {
     int index;
     Polygon polygon;
@@ -42,7 +42,7 @@ std::vector<Seen> seen_polygons(std::span<const Polygon> polygons, const Viewpoi
     return seen;
 }
 
-/// The part of a polygon that is seen through another one's outline.
+/// Returns the part of a polygon within another polygon's outline, as the eye sees it.
 std::optional<Polygon> behind_outline(Polygon polygon, const Polygon& outline, const glm::dvec4& eye, double epsilon) {
     std::optional<Polygon> part = std::move(polygon);
     const glm::dvec3 inside = centroid(outline);
@@ -73,7 +73,7 @@ void judge(const Seen& a, const Seen& b, const glm::dvec4& eye, double epsilon, 
         pairs.push_back({b.index, a.index});
 }
 
-/// The shortest way from a thing back to itself, along what must come later; empty where there is none.
+/// Returns the shortest cycle through an item, along the items that must come later; empty if there is none.
 std::vector<int> way_back(int start, const std::vector<std::vector<int>>& later) {
     std::vector<int> from(later.size(), -1);
     std::queue<int> reached({start});
@@ -122,7 +122,7 @@ std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<con
 
 WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     std::vector<std::vector<int>> later(static_cast<std::size_t>(count));
-    std::vector<int> earlier(static_cast<std::size_t>(count), 0);  // how many must still come before
+    std::vector<int> earlier(static_cast<std::size_t>(count), 0);  // how many items must still come before
     for (const auto& [before, after] : pairs) {
         later[static_cast<std::size_t>(before)].push_back(after);
         ++earlier[static_cast<std::size_t>(after)];
@@ -139,7 +139,7 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     }
     if (static_cast<int>(found.order.size()) == count) return found;
 
-    // What is left has a cycle before it or in it: the shortest of the first few that are found.
+    // The rest contains a cycle or follows one: use the shortest of the first few found.
     constexpr int tried = 64;
     found.order.clear();
     int tries = 0;

@@ -1,5 +1,5 @@
-// A picture of polygon numbers: what every method draws here, so that methods can be compared pixel by pixel.
-// Read difference.h next.
+// An image of polygon IDs. Every method here draws one, so that methods can be compared pixel by pixel. Read
+// difference.h next.
 #pragma once
 
 #include <limits>

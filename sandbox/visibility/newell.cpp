@@ -1,6 +1,7 @@
-// The list is kept sorted by farthest vertex; P is any place in it, at first the farthest. A Q that must go first
-// becomes P; when that leads round in a circle, something is cut. A P that is come back to goes on at the Q where it
-// stopped: whatever is farther has let it go, and so have its pieces. Read software_zbuffer.cpp next.
+// Keeps the list sorted by farthest vertex; P can be anywhere in it, and is the farthest at first. A Q that must be
+// drawn first becomes P; if that leads back to an earlier P, something is cut. A P that becomes P again continues at
+// the Q where it stopped: it has passed its tests against everything farther, and its pieces pass them too. Read
+// software_zbuffer.cpp next.
 #include "visibility/newell.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ public:
         for (const Polygon& polygon : polygons) {
             if (is_cut_short(taken++, progress)) {
                 list_.clear();
-                stop(tr("Newell's sort was cancelled before it began: nothing is drawn."));
+                stop(tr("Newell's sort was canceled before it began: nothing is drawn."));
                 return;
             }
             std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
@@ -58,7 +59,7 @@ private:
         NewellTest swap_test = NewellTest::none;
     };
 
-    /// The part in front of a plane, none where there is none; the rest is counted.
+    /// Returns the part in front of a plane, if any; counts the rest.
     std::optional<Polygon> clipped(const Polygon& polygon, const glm::dvec4& plane, double epsilon) {
         switch (side_of_plane(polygon, plane, epsilon)) {
             case PlaneSide::front:
@@ -76,7 +77,7 @@ private:
         return std::nullopt;
     }
 
-    /// Sort order of the list: what is drawn first is at its end.
+    /// The sort order of the list: the first one to draw is at the end.
     bool is_drawn_later(int a, int b) const {
         const double a_farthest = projected_[a].farthest, b_farthest = projected_[b].farthest;
         return a_farthest != b_farthest ? a_farthest < b_farthest : a < b;
@@ -95,7 +96,7 @@ private:
     }
 
     void stop(std::string why) { result_.problem = std::move(why); }
-    void stop_cancelled() { stop(tr("Newell's sort was cancelled; the rest is drawn by its farthest vertices.")); }
+    void stop_canceled() { stop(tr("Newell's sort was canceled; the rest is sorted by farthest vertex.")); }
 
     void record(const NewellStep& step) {
         if (result_.steps.size() < options_.max_steps) {
@@ -105,9 +106,9 @@ private:
         }
     }
 
-    /// One answer for the last of the chain: it is drawn, another one goes first, or something is cut.
+    /// Decides about the last fragment of the chain: it is drawn, another one goes first, or something is cut.
     void advance() {
-        if (is_cancelled(progress_)) return stop_cancelled();
+        if (is_canceled(progress_)) return stop_canceled();
         if (chain_.empty()) join_chain(list_.back());
         const int p = chain_.back();
         const Conflict conflict = first_conflict(p);
@@ -128,7 +129,7 @@ private:
         is_in_chain_[static_cast<std::size_t>(fragment)] = true;
     }
 
-    /// Out of the list, and out of the chain with all that followed it there.
+    /// Removes a fragment from the list, and from the chain together with everything after it.
     void remove(int fragment) {
         const auto later = [&](int a, int b) { return is_drawn_later(a, b); };
         list_.erase(std::lower_bound(list_.begin(), list_.end(), fragment, later));
@@ -144,7 +145,7 @@ private:
         remove(p);
     }
 
-    /// The first Q that P may hide, if any, and the test that lets Q go first.
+    /// Returns the first Q that P may hide, if any, and the test that lets Q be drawn first.
     Conflict first_conflict(int p) {
         double& let_go_beyond = let_go_beyond_[static_cast<std::size_t>(p)];
         const auto is_nearer = [&](double distance, int q) { return distance < projected_[q].farthest; };
@@ -154,8 +155,8 @@ private:
             if (q == p) continue;
             if (++result_.counters.pairs > options_.max_pairs) {
                 stop(
-                    say("Newell's sort stopped at its budget of {count} comparisons; the rest is drawn by its farthest "
-                        "vertices.",
+                    say("Newell's sort stopped at its budget of {count} comparisons; the rest is sorted by farthest "
+                        "vertex.",
                         "count"_a = options_.max_pairs));
                 return {};
             }
@@ -166,7 +167,7 @@ private:
                 return {q, test};
             }
             record({.p = p, .q = q, .decided_by = test});
-            if (test == NewellTest::depth_extents) break;  // and so is all that is nearer
+            if (test == NewellTest::depth_extents) break;  // everything nearer passes, too
         }
         return {};
     }
@@ -189,7 +190,8 @@ private:
         return glm::dot(plane, eye_) < 0.0 ? -plane : plane;
     }
 
-    /// Wholly behind the other's plane; in it, the one with the higher source counts as behind.
+    /// Returns whether a fragment is entirely behind the other's plane; if coplanar, the higher source counts as
+    /// behind.
     bool is_behind(int fragment, int other) const {
         const PlaneSide side = side_of_plane(result_.fragments[fragment], plane_towards_eye(other), epsilon_);
         return side == PlaneSide::back || (side == PlaneSide::coplanar && has_higher_source(fragment, other));
@@ -204,15 +206,15 @@ private:
         return result_.fragments[fragment].source > result_.fragments[other].source;
     }
 
-    /// Cuts P by Q's plane or Q by P's. A cycle may be such that neither is possible: then one of them along the
-    /// other's outline. False when nothing is left to cut.
+    /// Cuts P by Q's plane or Q by P's. In some cycles neither is possible: then cuts one of them along the other's
+    /// outline. Returns false if nothing is left to cut.
     bool cut_one_of(int p, int q) {
         if (cut(p, q, p, plane_towards_eye(q)) || cut(p, q, q, plane_towards_eye(p))) return true;
         return cut_along_outline(p, q, p, q) || cut_along_outline(p, q, q, p);
     }
 
     bool cut_along_outline(int p, int q, int fragment, int other) {
-        // A copy: a cut adds fragments.
+        // A copy, since a cut adds fragments.
         const std::vector<glm::dvec3> outline = result_.fragments[other].vertices;
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const glm::dvec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
@@ -225,14 +227,13 @@ private:
         return false;
     }
 
-    /// P or Q in two, if the plane cuts it.
+    /// Cuts P or Q in two, if the plane cuts it.
     bool cut(int p, int q, int fragment, const glm::dvec4& plane) {
         if (!result_.problem.empty()) return false;
         if (side_of_plane(result_.fragments[fragment], plane, epsilon_) != PlaneSide::spanning) return false;
         if (static_cast<int>(list_.size() + result_.order.size()) >= options_.max_fragments) {
-            stop(say(
-                "Newell's sort stopped at its budget of {count} fragments; the rest is drawn by its farthest vertices.",
-                "count"_a = options_.max_fragments));
+            stop(say("Newell's sort stopped at its budget of {count} fragments; the rest is sorted by farthest vertex.",
+                     "count"_a = options_.max_fragments));
             return false;
         }
         ++result_.counters.splits;
@@ -251,7 +252,7 @@ private:
 
     void add_piece(Polygon polygon, int whole) {
         Projected projected = project(polygon, viewpoint_, clip_from_world_);
-        projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // whatever rounding says
+        projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // despite rounding
         add_fragment(std::move(polygon), std::move(projected));
         let_go_beyond_.back() = let_go_beyond_[static_cast<std::size_t>(whole)];
         const auto place = std::upper_bound(list_.begin(), list_.end() - 1, list_.back(),
@@ -265,11 +266,11 @@ private:
     const NewellOptions& options_;
     const WorkProgress* const progress_;
     const double epsilon_;
-    std::vector<Projected> projected_;   ///< of every fragment
-    std::vector<double> let_go_beyond_;  ///< of every fragment as P: each Q whose farthest vertex is farther
+    std::vector<Projected> projected_;   ///< per fragment
+    std::vector<double> let_go_beyond_;  ///< per fragment as P: passed against every Q with a farther farthest vertex
     std::vector<bool> is_in_chain_;      ///< by fragment
-    std::vector<int> list_;              ///< not yet drawn, the next one last
-    std::vector<int> chain_;             ///< P last, before it those that wait for it
+    std::vector<int> list_;              ///< not yet drawn; the next one is last
+    std::vector<int> chain_;             ///< P is last, after those that wait for it
     NewellOrder result_;
 };
 

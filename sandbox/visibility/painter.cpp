@@ -1,4 +1,4 @@
-// Sorting by one key, with every comparison and swap counted. Read bsp_build.cpp next.
+// Sorts by one key, and counts every comparison and swap. Read bsp_build.cpp next.
 #include "visibility/painter.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ double key_of(const Polygon& polygon, const Viewpoint& viewpoint, PainterKey key
     return key == PainterKey::nearest ? nearest : farthest;
 }
 
-/// A heap of polygon indices whose top is the next to draw; counts into `result`.
+/// A heap of polygon indices with the next one to draw at the top; counts into `result`.
 class FarthestFirst {
 public:
     explicit FarthestFirst(PainterOrder& result) : result_(result), heap_(result.distances.size()) {
@@ -69,7 +69,7 @@ PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& v
     PainterOrder result;
     result.distances.reserve(polygons.size());
     for (const Polygon& polygon : polygons) {
-        if (is_time_to_look(result.distances.size()) && is_cancelled(progress)) break;
+        if (is_time_to_look(result.distances.size()) && is_canceled(progress)) break;
         result.distances.push_back(key_of(polygon, viewpoint, key));
     }
     result.distances.resize(polygons.size());
@@ -78,7 +78,7 @@ PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& v
     while (!heap.empty()) {
         if (is_time_to_look(result.order.size())) {
             report(progress, static_cast<double>(result.order.size()) / static_cast<double>(polygons.size()));
-            if (is_cancelled(progress)) break;
+            if (is_canceled(progress)) break;
         }
         result.order.push_back(heap.take());
     }

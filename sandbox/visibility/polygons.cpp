@@ -1,4 +1,4 @@
-// Making, measuring and cutting polygons. Read viewpoint.cpp next.
+// Makes, measures and cuts polygons. Read viewpoint.cpp next.
 #include "visibility/polygons.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double relative_epsilon = 1e-9;
 
-/// The normal whose length is twice the area. Differences from a corner, not coordinates, keep far objects exact.
+/// Returns the normal whose length is twice the area. Differences from one corner keep distant objects exact.
 glm::dvec3 twice_area_normal(const std::vector<glm::dvec3>& corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -55,7 +55,7 @@ PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgre
             return glm::dvec3(instance.world_from_model * glm::dvec4(position, 1.0));
         };
         for (std::size_t i = 0; i < mesh.triangle_count(); ++i, ++source) {
-            if (is_time_to_look(static_cast<std::size_t>(source)) && is_cancelled(progress)) return set;
+            if (is_time_to_look(static_cast<std::size_t>(source)) && is_canceled(progress)) return set;
             auto polygon = make_polygon({corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}, object, source);
             if (polygon) {
                 set.polygons.push_back(std::move(*polygon));
@@ -130,7 +130,8 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, const glm::dvec4& plan
         const bool leaves = here_distance > epsilon && next_distance < -epsilon;
         const bool enters = here_distance < -epsilon && next_distance > epsilon;
         if (leaves || enters) {
-            // Always from the front end to the back end: a neighbour walks this edge the other way round.
+            // Always from the front end to the back end, since a neighbor traverses this edge in the opposite
+            // direction.
             const glm::dvec3& from = leaves ? here : next;
             const glm::dvec3& to = leaves ? next : here;
             const double from_distance = leaves ? here_distance : next_distance;

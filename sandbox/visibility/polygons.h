@@ -1,5 +1,5 @@
-// Convex polygons in world space: what the object-space methods sort and cut. Made from triangles; every piece keeps
-// the plane and the number of the triangle it came from. Read viewpoint.h next.
+// Convex polygons in world space, which the object-space methods sort and cut. Made from triangles; every piece keeps
+// the plane and the number of its triangle. Read viewpoint.h next.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,25 +13,25 @@
 
 namespace viewing {
 
-/// Convex and planar, counter-clockwise seen from its front.
+/// Convex and planar, counterclockwise seen from its front.
 struct Polygon {
     std::vector<glm::dvec3> vertices;  ///< three or more, world space
-    glm::dvec4 plane{0.0};             ///< unit, positive in front; a piece has that of the whole
+    glm::dvec4 plane{0.0};             ///< unit, positive in front; a piece has the plane of the whole
     int object = 0;                    ///< index of the object it belongs to
-    int source = 0;                    ///< number of the input triangle: what id images hold
+    int source = 0;                    ///< number of the input triangle, as in ID images
 };
 
-/// Below this sine a direction counts as lying in a plane.
+/// A direction at an angle with a smaller sine counts as being in a plane.
 inline constexpr double parallel_sine = 1e-12;
-/// Twice an area below this share of the longest edge squared is none.
+/// If twice the area is a smaller fraction of the squared longest edge, the area counts as zero.
 inline constexpr double smallest_relative_area = 1e-12;
 
-/// The polygon with these corners, or none when it has no area: fewer than three corners, twice the area at most 1e−12
-/// of the longest edge squared, or a corner that is not finite. Corners that are slightly out of plane get the mean
-/// plane: its normal is the area's, and it goes through the mean of the corners.
+/// Returns the polygon with these corners, or none if it has no area: fewer than three corners, twice the area at most
+/// 1e−12 of the squared longest edge, or a corner that is not finite. Corners slightly out of plane get the mean plane,
+/// which has the normal of the area and passes through the mean of the corners.
 std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int object, int source);
 
-/// A mesh in its place. The mesh outlives the call it is passed to.
+/// A placed mesh. It must outlive the call it is passed to.
 struct MeshInstance {
     const Mesh* mesh = nullptr;
     glm::dmat4 world_from_model{1.0};
@@ -42,12 +42,12 @@ struct PolygonSet {
     int dropped = 0;  ///< triangles without area; their numbers stay unused
 };
 
-/// Every triangle of every mesh; `object` is the index in `instances`, `source` counts triangles over all of them.
-/// The winding is the mesh's, also under a mirroring world_from_model, as GL sees it. Cancelled: the first of them.
+/// Returns every triangle of every mesh; `object` is the index in `instances`, `source` counts triangles over all of
+/// them. The winding is the mesh's, even under a mirroring world_from_model, as in GL. If canceled, returns only the
+/// first triangles.
 PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgress* progress = nullptr);
 
-/// How near to a plane counts as on it, unless a method is told otherwise: 1e−9 of the diagonal of the bounds. The same
-/// fraction of 1 when there is no extent.
+/// Returns the default tolerance for points on a plane: 1e−9 of the diagonal of the bounds, or of 1 without extent.
 double default_epsilon(std::span<const Polygon> polygons);
 
 Bounds bounds_of(std::span<const Polygon> polygons);
@@ -57,12 +57,13 @@ glm::dvec3 centroid(const Polygon& polygon);  ///< of the area
 
 enum class PlaneSide { coplanar, front, back, spanning };
 
-/// Where a polygon lies as to a unit plane. Corners within `epsilon` lie on it and go with either side.
+/// Returns a polygon's position relative to a unit plane. Corners within `epsilon` are on the plane and fit either
+/// side.
 PlaneSide side_of_plane(const Polygon& polygon, const glm::dvec4& plane, double epsilon);
 
-/// The pieces in front of and behind a unit plane that the polygon spans. The cut's ends are the same in both pieces,
-/// and the same for any polygon that shares the edge, so no crack opens between them. Corners within `epsilon` are not
-/// moved: they belong to both pieces.
+/// Returns the pieces in front of and behind a unit plane that the polygon spans. The ends of the cut are the same in
+/// both pieces, and in any polygon that shares the edge, so no crack opens between them. Corners within `epsilon` do
+/// not move: they belong to both pieces.
 std::pair<Polygon, Polygon> split(const Polygon& polygon, const glm::dvec4& plane, double epsilon);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Separating axes on the screen. Read newell.cpp next.
+// Finds separating axes on the screen. Read newell.cpp next.
 #include "visibility/projected.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// In normalised device coordinates: neighbours in a mesh touch, they do not overlap.
+/// In normalized device coordinates: neighbors in a mesh touch, but do not overlap.
 constexpr double touching = 2e-8;
 
 std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector<glm::dvec2>& corners) {
@@ -20,7 +20,7 @@ std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector
     return extent;
 }
 
-/// An edge of `a` has all of `b` on its other side, or `a` has no width across an edge, or no edges at all.
+/// Returns whether an edge of `a` has all of `b` on its other side, or `a` has no width across an edge, or no edges.
 bool an_edge_separates(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
     bool is_a_point = true;
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a polygon covers on the screen and in depth.
+// A polygon's extent on the screen and in depth.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,17 +11,18 @@ namespace viewing {
 
 struct Projected {
     double nearest, farthest;         ///< eye distance
-    glm::dvec2 min, max;              ///< normalised device coordinates
-    std::vector<glm::dvec2> corners;  ///< convex, either way round
+    glm::dvec2 min, max;              ///< normalized device coordinates
+    std::vector<glm::dvec2> corners;  ///< convex, either winding
 };
 
-/// Of a polygon in front of the near plane.
+/// Projects a polygon in front of the near plane.
 Projected project(const Polygon& polygon, const Viewpoint& viewpoint, const glm::dmat4& clip_from_world);
 
-/// Apart on an axis (0 x, 1 y), but for a hundred-millionth of the picture's size.
+/// Returns whether two are apart on an axis (0 x, 1 y), to within a hundred-millionth of the picture's size.
 bool apart_on(int axis, const Projected& a, const Projected& b);
 
-/// Apart on the screen by the same measure. What has no area there is apart from everything.
+/// Returns whether two are apart on the screen, with the same tolerance. One without area there is apart from
+/// everything.
 bool are_disjoint(const Projected& a, const Projected& b);
 
 }  // namespace viewing

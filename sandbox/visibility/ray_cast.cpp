@@ -1,4 +1,4 @@
-// One ray a pixel. Read difference.cpp next.
+// Casts one ray per pixel. Read difference.cpp next.
 #include "visibility/ray_cast.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ BoundedRay PixelRays::through(int x, int y) const {
     const glm::dvec4 across = static_cast<double>(x) * per_x_ + static_cast<double>(y) * per_y_;
     const glm::dvec4 on_near = near_origin_ + across, on_far = far_origin_ + across;
     const glm::dvec3 origin = glm::dvec3(on_near) / on_near.w;
-    // Not the difference of the divided points: w on the far plane is next to 0 when far is far away.
+    // The difference of the divided points would be inexact: w on the far plane is almost 0 if far is far away.
     const glm::dvec3 along = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     const double length = glm::length(along);
     // Behind an oblique near plane a ray may never reach that plane, or never leave through the far plane.
@@ -89,7 +89,7 @@ BoundedRay PixelRays::through(int x, int y) const {
 
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress) {
-    // Neighbouring rays meet much the same boxes: four by two go together.
+    // Neighboring rays meet mostly the same boxes: blocks of four by two are traced together.
     constexpr int across = 4, down = 2;
     RayCastResult result;
     result.image = IdImage(options.width, options.height);
@@ -101,7 +101,7 @@ RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world
     std::array<std::size_t, across * down> pixel_of;
     std::array<RayCastHit, across * down> hits;
     for (int top = 0; top < options.height && result.image.index(0, top) < end; top += down) {
-        if (is_cancelled(progress)) break;
+        if (is_canceled(progress)) break;
         report(progress, static_cast<double>(top) / options.height);
         for (int left = 0; left < options.width; left += across) {
             std::size_t count = 0;

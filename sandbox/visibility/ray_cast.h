@@ -1,5 +1,5 @@
-// Ray casting: for every pixel the first surface on the ray through its centre. The reference that the other methods
-// are compared with. Read difference.h next. Source: Appel 1968; lecture, Hidden Surface Removal: ray-casting.
+// Ray casting: finds for every pixel the first surface on the ray through its center. It is the reference for the other
+// methods. Read difference.h next. Source: Appel 1968; lecture, Hidden Surface Removal: ray-casting.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace viewing {
 
-/// An exact shape in its place.
+/// A placed curved shape, for exact intersections.
 struct CurvedShape {
     CurvedKind kind = CurvedKind::sphere;
     glm::dmat4 world_from_model{1.0};  ///< affine, invertible
     int object = 0;
-    int source = 0;  ///< its number in id images: one that no polygon has
+    int source = 0;  ///< its number in ID images, different from every polygon's
 };
 
-/// What a ray met: a polygon or a curved shape.
+/// A ray's hit: a polygon or a curved shape.
 struct RayCastHit {
     double t = 0.0;    ///< world units from the near plane
     int polygon = -1;  ///< index into the polygons, or −1
@@ -31,20 +31,20 @@ struct RayCastHit {
     int source = -1;
 };
 
-/// Triangles and curved shapes, ready for rays.
+/// Triangles and curved shapes, prepared for ray casting.
 class RayScene {
 public:
     RayScene() = default;
     explicit RayScene(std::span<const Polygon> polygons, std::span<const CurvedShape> curved = {},
                       WorkProgress* progress = nullptr);
 
-    /// The first hit with 0 ≤ t ≤ max_t; source −1 when there is none. The ray's direction is unit.
+    /// Returns the first hit with 0 ≤ t ≤ max_t; source −1 if there is none. The ray's direction must be unit.
     RayCastHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
-    /// The same for several rays, `hits` has room for as many; faster where they are neighbours.
+    /// Does the same for several rays; `hits` must have room for as many. Faster if they are neighbors.
     void nearest(std::span<const BoundedRay> rays, std::span<RayCastHit> hits, RayCounters& counters) const;
 
-    /// All hits with 0 ≤ t ≤ max_t, nearest first.
+    /// Returns all hits with 0 ≤ t ≤ max_t, nearest first.
     std::vector<RayCastHit> all(const Ray& ray, double max_t, RayCounters& counters) const;
 
     const Bvh& bvh() const { return bvh_; }
@@ -60,14 +60,14 @@ private:
     std::vector<Placed> curved_;
 };
 
-/// The rays of a picture, through pixel centres, from the near plane to the far plane. The matrix is invertible with
-/// clip range −1 … 1.
+/// The rays of a picture, through pixel centers, from the near plane to the far plane. The matrix must be invertible
+/// and have a clip range of −1 … 1.
 class PixelRays {
 public:
     PixelRays(const glm::dmat4& clip_from_world, int width, int height);
 
-    /// Unit direction, to the far plane; with an oblique near plane: max_t −1 for a ray that never reaches it, and very
-    /// large where the far plane is never reached.
+    /// Returns a ray with a unit direction that ends at the far plane. With an oblique near plane, max_t is −1 for a
+    /// ray that never reaches the near plane, and very large for one that never reaches the far plane.
     BoundedRay through(int x, int y) const;
 
 private:
@@ -76,7 +76,7 @@ private:
 
 struct RayCastOptions {
     int width = 0, height = 0;
-    std::int64_t stop_after = -1;  ///< replay: stop after so many rays; −1: all
+    std::int64_t stop_after = -1;  ///< replay: stop after this many rays; −1: all
 };
 
 struct RayCastResult {
@@ -84,7 +84,7 @@ struct RayCastResult {
     RayCounters counters;
 };
 
-/// Row by row from the top. Cancelled: the rows so far, the rest background.
+/// Casts row by row from the top. If canceled, returns the rows so far; the rest is background.
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress = nullptr);
 

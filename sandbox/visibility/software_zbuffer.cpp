@@ -1,4 +1,4 @@
-// Scan conversion of convex polygons by their edges: each edge gives every row that it crosses one end of a span. Two
+// Scan-converts convex polygons by their edges: in every row that it crosses, an edge gives one end of a span. Two
 // polygons that share an edge compute the same ends, so no pixel is drawn twice or left out. Read bvh.cpp next.
 #include "visibility/software_zbuffer.h"
 
@@ -11,10 +11,10 @@
 namespace viewing {
 namespace {
 
-/// Depths nearer to one another than this are one surface: far below a step of any stored format, above rounding.
+/// Depths closer together than this are one surface: far below a step of any stored format, above rounding errors.
 constexpr double same_depth = 1e-12;
 
-/// The first pixel whose centre is at or beyond `position`, within 0 … limit.
+/// Returns the first pixel whose center is at or beyond `position`, within 0 … limit.
 int first_pixel(double position, int limit) {
     const double inside = std::clamp(position - 0.5, 0.0, static_cast<double>(limit));
     const int floor = static_cast<int>(inside);
@@ -29,9 +29,9 @@ struct ScreenPoint {
     double x, y, depth;  ///< pixels from the top left, window depth
 };
 
-class Rasteriser {
+class Rasterizer {
 public:
-    Rasteriser(const glm::dmat4& clip_from_world, const RasterOptions& options, RasterResult& result)
+    Rasterizer(const glm::dmat4& clip_from_world, const RasterOptions& options, RasterResult& result)
         : clip_from_world_(clip_from_world),
           clip_plane_from_world_(glm::inverseTranspose(clip_from_world)),
           options_(options),
@@ -73,7 +73,8 @@ public:
 private:
     static constexpr Span empty_span{1e300, -1e300};
 
-    /// Clips the polygon to where `distance` is not negative. Cuts go from inside to outside, the same for neighbours.
+    /// Clips the polygon to the part where `distance` is not negative. Computes cuts from inside to outside, so
+    /// neighbors get the same ones.
     template <typename Distance>
     void keep_where(Distance distance) {
         if (std::all_of(clip_.begin(), clip_.end(), [&](const glm::dvec4& p) { return distance(p) >= 0.0; })) return;
@@ -169,7 +170,7 @@ private:
         return true;
     }
 
-    /// Before the row is filled.
+    /// Records the watched fragment, before the row is written.
     template <PaintRule rule>
     void touch(int x, int y, std::int64_t number) {
         const std::size_t at = result_.image.index(x, y);
@@ -211,7 +212,7 @@ private:
     const double least_w_;
     std::vector<glm::dvec4> clip_, clipped_;
     std::vector<ScreenPoint> screen_;
-    std::vector<Span> spans_;  ///< one a row, empty between polygons
+    std::vector<Span> spans_;  ///< one per row, empty between polygons
     int row_begin_ = 0, row_end_ = 0;
     double nearest_ = 0.0, farthest_ = 0.0;
     const Polygon* polygon_ = nullptr;
@@ -222,19 +223,19 @@ private:
 
 }  // namespace
 
-RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> order, const glm::dmat4& clip_from_world,
+RasterResult rasterize(std::span<const Polygon> polygons, std::span<const int> order, const glm::dmat4& clip_from_world,
                        const RasterOptions& options, WorkProgress* progress) {
     RasterResult result;
     result.image = IdImage(options.width, options.height);
     if (options.count_per_pixel) result.written_per_pixel.assign(result.image.ids.size(), 0);
     result.tested_after.reserve(order.size());
-    Rasteriser rasteriser(clip_from_world, options, result);
-    for (std::size_t i = 0; i < order.size() && !rasteriser.stopped(); ++i) {
+    Rasterizer rasterizer(clip_from_world, options, result);
+    for (std::size_t i = 0; i < order.size() && !rasterizer.stopped(); ++i) {
         if (is_time_to_look(i)) {
-            if (is_cancelled(progress)) break;
+            if (is_canceled(progress)) break;
             report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
         }
-        rasteriser.draw(polygons[static_cast<std::size_t>(order[i])], order[i], static_cast<int>(i));
+        rasterizer.draw(polygons[static_cast<std::size_t>(order[i])], order[i], static_cast<int>(i));
         result.tested_after.push_back(result.counters.pixels_tested);
     }
     result.counters.pixels_covered = std::count_if(result.image.ids.begin(), result.image.ids.end(),
@@ -242,11 +243,11 @@ RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> o
     return result;
 }
 
-RasterResult rasterise(std::span<const Polygon> polygons, const glm::dmat4& clip_from_world,
+RasterResult rasterize(std::span<const Polygon> polygons, const glm::dmat4& clip_from_world,
                        const RasterOptions& options, WorkProgress* progress) {
     std::vector<int> order(polygons.size());
     std::iota(order.begin(), order.end(), 0);
-    return rasterise(polygons, order, clip_from_world, options, progress);
+    return rasterize(polygons, order, clip_from_world, options, progress);
 }
 
 }  // namespace viewing

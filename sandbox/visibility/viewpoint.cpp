@@ -1,4 +1,4 @@
-// What the methods ask of a camera. Read painter.cpp next.
+// Derives the quantities that the methods need from a camera. Read painter.cpp next.
 #include "visibility/viewpoint.h"
 
 #include "geometry/plane.h"

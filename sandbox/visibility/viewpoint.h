@@ -1,4 +1,4 @@
-// Where a method looks from: the camera as every method of this room takes it. Read painter.h next.
+// The camera for the methods in this folder. Read painter.h next.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,17 +13,18 @@ struct Viewpoint {
 
     glm::dmat4 clip_from_world() const { return clip_from_view * view_from_world; }
 
-    /// Eye distance −z of a point in world space.
+    /// Returns the eye distance −z of a point in world space.
     double distance(const glm::dvec3& point_world) const;
 
-    /// The eye with w = 1, or for an orthographic camera the unit direction towards the viewer with w = 0: its dot
-    /// product with a unit plane is positive when the plane's front is seen, 0 when the plane is seen edge-on.
+    /// Returns the eye with w = 1 or, for an orthographic camera, the unit direction toward the viewer with w = 0: its
+    /// dot product with a unit plane is positive if the plane's front is visible, 0 if the plane is seen edge-on.
     glm::dvec4 eye_world() const;
 
-    /// The plane on which clip z = −w, unit, in world space; what is seen lies on its positive side.
+    /// Returns the plane on which clip z = −w, unit, in world space; visible points are on its positive side.
     glm::dvec4 near_plane_world() const;
 
-    /// The plane just before a perspective eye, across its line of sight, unit; none for an orthographic camera.
+    /// Returns the plane just in front of a perspective eye, perpendicular to its view direction, unit; none if
+    /// orthographic.
     std::optional<glm::dvec4> eye_plane_world() const;
 
     bool operator==(const Viewpoint&) const = default;

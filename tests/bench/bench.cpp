@@ -1,4 +1,4 @@
-// Our parts measured in one process. Against the floor, as whole programs: ratios.cpp.
+// Benchmarks of our own parts in one process. ratios.cpp compares whole programs with the floor.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr int width = 1280;
 constexpr int height = 720;
 
-/// Like a rendered scene: a plain ground, a shaded ball, a checked floor.
+/// Like a rendered scene: a plain background, a shaded ball, a checkered floor.
 Image picture() {
     Image image{width, height, {}};
     image.rgba.resize(image.row_bytes() * height);
@@ -37,7 +37,7 @@ Image picture() {
     return image;
 }
 
-/// Every byte by chance: no row equal, every pixel beyond the threshold.
+/// Every byte is random: no two rows are equal, and every pixel exceeds the threshold.
 Image noise() {
     std::mt19937 random(1);
     Image image = picture();
@@ -45,7 +45,7 @@ Image noise() {
     return image;
 }
 
-/// A dot every 18 pixels: as many boxes as there can be.
+/// A dot every 18 pixels, for the maximum number of boxes.
 Image dotted() {
     Image image = picture();
     for (int y = 0; y < height; y += 18)
@@ -107,7 +107,7 @@ void write(benchmark::State& state) {
 }
 BENCHMARK(write)->Unit(benchmark::kMicrosecond);
 
-/// derive, plan and the whole user interface, after an edit of the camera and the light.
+/// Runs derive, plan and the whole user interface after an edit of camera and light.
 void ui_frame(benchmark::State& state) {
     bench::UiFrame frame(opening(), {static_cast<int>(state.range(0)), static_cast<int>(state.range(1))});
     int step = 0;

@@ -1,15 +1,14 @@
-// The floor: the least that a program can do for a picture of one lit mesh. A bare EGL context on a software device, a
-// torus, a framebuffer of its own, a readback, libpng. It shares no code with the sandbox on purpose: what the
-// sandbox costs more than this is its own doing.
+// The floor: the least work with which a program can draw one lit mesh. A bare EGL context on a software device, a
+// torus, its own framebuffer, a readback, libpng. It deliberately shares no code with the sandbox: any cost beyond this
+// floor is the sandbox's own.
 //
-//     bench-floor OUT.png [MESH.obj]        one picture of 1280 × 720, as `viewing-sandbox snapshot` makes it; of a
-//     mesh whose
-//                                           corners name the same position and normal, read by tinyobjloader
-//     bench-floor --count N WxH read|png [shaded|dense]
-//                                           N pictures in one process, each turned on, read back (and encoded); prints
-//                                           pictures per second and CPU milliseconds per picture. shaded: not one
-//                                           Lambert term but the look of the sandbox — seen sides, sky light,
-//                                           highlight, sRGB
+// bench-floor OUT.png [MESH.obj]
+//     one 1280 × 720 picture, like those of `viewing-sandbox snapshot`; with MESH.obj, of that mesh, read by
+//     tinyobjloader. Each corner must use the same index for position and normal
+// bench-floor --count N WxH read|png [shaded|dense]
+//     N pictures in one process, each rotated a bit more, read back (and encoded); prints pictures per second and CPU
+//     milliseconds per picture. shaded: the sandbox's shading (two-sided, sky light, highlight, sRGB) instead of one
+//     Lambert term
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <png.h>
@@ -37,7 +36,8 @@ void require(bool fine, const char* what) {
     std::exit(3);
 }
 
-/// A display of the EGL device that says it is software, else surfaceless with software forced.
+/// Returns the display of the EGL device that reports software rendering, or else a surfaceless one with software
+/// rendering forced.
 EGLDisplay software_display() {
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
@@ -85,7 +85,7 @@ void main() {
     color = vec4(vec3(0.35, 0.62, 0.94) * (0.2 + 0.8 * lambert), 1);
 })";
 
-/// What a picture looks like is no cost of the sandbox around it: the same terms, written down as one would.
+/// Shading is not overhead of the sandbox, so this shader computes the same terms in their simplest form.
 constexpr const char* shaded_source = R"(#version 330 core
 in vec3 position_view;
 in vec3 normal_view;
@@ -102,7 +102,7 @@ void main() {
     color = vec4(mix(12.92 * sum, curve, greaterThan(sum, vec3(0.0031308))), 1);
 })";
 
-/// One directional light; the torus is turned by `turn` and moved back by the shader itself; 40° upright.
+/// One directional light; the shader itself rotates the torus by `turn` and moves it back, tilted by 40°.
 void use_program(const char* fragment_source) {
     const GLuint program = glCreateProgram();
     glAttachShader(program, compiled(GL_VERTEX_SHADER, R"(#version 330 core
@@ -128,7 +128,7 @@ void main() {
     glUseProgram(program);
 }
 
-/// Interleaved positions and normals; returns the count of indices.
+/// Interleaved positions and normals; returns the number of indices.
 GLsizei upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& indices) {
     GLuint array = 0;
     std::array<GLuint, 2> buffers{};
@@ -216,7 +216,7 @@ void draw(GLint turn_location, GLsizei index_count, float turn, std::vector<std:
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
-/// libpng, level 1, SUB filter alone, RGB, rows from the bottom up as GL has them.
+/// Writes RGB with libpng: level 1, only the SUB filter, rows from the bottom up as in GL.
 void write_png(std::FILE* file, const std::vector<std::uint8_t>& rgba) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
@@ -257,8 +257,8 @@ int main(int argc, char** argv) {
     make_context_current();
     use_program(shaded ? shaded_source : lambert_source);
     const GLsizei index_count = !many && argc == 3 ? upload_file(argv[2])
-                                : dense            ? upload_torus(282, 141)  // 79 524 triangles
-                                                   : upload_torus(64, 32);              // 4 096
+                                : dense            ? upload_torus(282, 141)  // 79,524 triangles
+                                                   : upload_torus(64, 32);              // 4,096
     bind_target();
     GLint program = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &program);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A program that is ended, if it has not ended by itself, when its owner goes.
+/// A child process that is terminated with its owner unless it has ended by itself.
 class Running {
 public:
     explicit Running(const Command& command) : started_(start(command)) {}
@@ -36,7 +36,7 @@ public:
         if (clock_getcpuclockid(started_.process, &clock) != 0 || clock_gettime(clock, &spent) != 0) return 0.0;
         return static_cast<double>(spent.tv_sec) * 1e3 + static_cast<double>(spent.tv_nsec) * 1e-6;
     }
-    /// The first line it prints, without its end; empty when none comes in time.
+    /// Returns the first line that the process prints, without its newline; empty if none arrives in time.
     std::string line(int timeout_ms) const {
         std::string text;
         pollfd ready{started_.output, POLLIN, 0};
@@ -68,7 +68,7 @@ std::optional<double> idle_percent(const std::string& sandbox) {
     const double begin_ms = window.cpu_ms();
     std::this_thread::sleep_for(5s);
     const double spent_ms = window.cpu_ms() - begin_ms;
-    if (window.has_ended()) return std::nullopt;  // it did not come up
+    if (window.has_ended()) return std::nullopt;  // it failed to start
     return spent_ms / 5000.0 * 100.0;
 }
 

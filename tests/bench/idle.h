@@ -1,4 +1,4 @@
-// How busy the real window is when nobody touches it.
+// Measures how busy the real window is while nobody touches it.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace viewing::bench {
 
-/// CPU of the window in percent of one core, over five seconds from when it came to rest, on a display of its own. None
-/// where there is no Xvfb, or no window comes up.
+/// Returns the window's CPU time in percent of one core over the five seconds after it comes to rest, on its own
+/// display. Empty without Xvfb, or if no window appears.
 std::optional<double> idle_percent(const std::string& sandbox);
 
 }  // namespace viewing::bench

@@ -1,6 +1,6 @@
-// What a frame costs our own code with a mesh of a million triangles, on top of what it costs with nothing in the
-// scene: numbers, plan, problems and what the views beside the picture ask of the scene, while the camera or the light
-// moves. Reports, never fails.
+// Measures the cost that a million-triangle mesh adds to a frame in our own code, compared with an empty scene:
+// numbers, plan, problems and the requests of the other views, while the camera or the light moves. Reports, never
+// fails.
 #include <benchmark/benchmark.h>
 
 #include "frame/depth/near_advice.h"
@@ -13,10 +13,10 @@ namespace {
 
 enum class Moving { camera, light };
 
-constexpr int around_a_million = 1000, up_a_million = 501;  ///< of a ball
+constexpr int around_a_million = 1000, up_a_million = 501;  ///< segments of a ball
 constexpr Viewport viewport{{1280, 720}, true};
 
-/// A ball on a slope: near enough to the plane that the scene's box does not tell on which side of it all of it lies.
+/// Makes a ball so close to a sloping plane that the scene's bounding box cannot decide on which side the ball is.
 Scene scene_of(int around, int up) {
     Scene scene;
     if (around == 0) return scene;
@@ -31,7 +31,7 @@ Scene scene_of(int around, int up) {
     return scene;
 }
 
-/// Every switch whose sentence depends on where the objects are.
+/// Enables every switch whose message depends on the positions of objects.
 Params busy_params() {
     const std::vector<std::string> settings{
         "plane.equation=[1,1,1,0.866]", "light.position=[1.1,2.6,0.9,1]", "shadow.clip_casters=false",
@@ -56,12 +56,12 @@ void think(const Params& params, const Scene& scene) {
     benchmark::DoNotOptimize(find_problems(params, derived, scene, made));
 }
 
-/// What the precision view asks besides.
+/// Adds the requests of the precision view.
 void advise(const Params& params, const Scene& scene) {
     benchmark::DoNotOptimize(near_advice(params, derive(params, scene, viewport), scene));
 }
 
-/// Frames after the first one, which finds what is kept of the scene.
+/// Measures frames after the first one, which fills the scene's caches.
 void frame(benchmark::State& state, void (*ask)(const Params&, const Scene&), Moving moving, int around, int up) {
     const Scene scene = scene_of(around, up);
     Params params = busy_params();

@@ -1,10 +1,8 @@
-// A mesh of a million triangles from a Wavefront file: ours beside tinyobjloader, which is the fastest reader that
-// Debian has.
+// Reads a million-triangle Wavefront file: our reader against tinyobjloader, the fastest reader in Debian.
 //
-//     bench-mesh write FILE                    a torus of 1,000 × 500 quads with normals
-//     bench-mesh load FILE sandbox|tinyobj     reads it; prints milliseconds, of CPU too, the megabytes of the arrays
-//     that
-//                                              come out of it, and those that the process grew by at its largest
+// bench-mesh write FILE                    a torus of 1,000 × 500 quads with normals
+// bench-mesh load FILE sandbox|tinyobj     reads it; prints milliseconds, CPU milliseconds, the megabytes of the
+//                                          resulting arrays, and the megabytes by which the process grew at its peak
 #include <sys/resource.h>
 #include <tiny_obj_loader.h>
 
@@ -48,7 +46,7 @@ double megabytes(const std::vector<T>& values) {
     return static_cast<double>(values.size() * sizeof(T)) / (1024.0 * 1024.0);
 }
 
-/// Megabytes of what was read.
+/// Returns the megabytes read.
 double load(const std::string& path, bool ours) {
     if (ours) {
         const Result<ObjMesh> read = load_obj(path);

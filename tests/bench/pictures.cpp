@@ -1,16 +1,15 @@
-// The floor's counterpart: our pictures, many in one process, through the same code as the window and the snapshots.
+// The floor's counterpart: draws many of our pictures in one process, with the code of the window and the snapshots.
 //
-//     bench-pictures STATE N WxH read|png      N camera pictures, each turned on, read back (and encoded); prints
-//                                              pictures per second and CPU milliseconds per picture
-//     bench-pictures STATE N WxH window        N whole windows with every view drawn anew, read back; the same numbers
-//     bench-pictures STATE N WxH flight        the same while the key for forward is held, as in the window: what is
-//     large is
-//                                              drawn coarsely then
-//     bench-pictures STATE N WxH frame         medians of our thread's CPU milliseconds per frame of the window: derive
-//                                              and plan; user interface; the whole frame with GL_RASTERIZER_DISCARD, so
-//                                              that nothing is drawn, and the views' draw calls left out; with them, so
-//                                              that a software renderer transforms the vertices, on our thread; the
-//                                              whole frame, in which it also sorts triangles into tiles.
+// bench-pictures STATE N WxH read|png      N camera pictures, each rotated a bit more, read back (and encoded);
+//                                          prints pictures per second and CPU milliseconds per picture
+// bench-pictures STATE N WxH window        N whole windows with every view redrawn, read back; the same numbers
+// bench-pictures STATE N WxH flight        the same while the forward key is held, as in the window: large meshes are
+//                                          then drawn coarsely
+// bench-pictures STATE N WxH frame         medians of our thread's CPU milliseconds per window frame: derive and plan;
+//                                          user interface; the whole frame with GL_RASTERIZER_DISCARD (nothing is
+//                                          drawn), without the views' draw calls; the same with them (a software
+//                                          renderer then transforms the vertices on our thread); the whole frame
+//                                          (the renderer then also sorts triangles into tiles).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -45,7 +44,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// `picture` is called with 0, 1, 2 …; the first call is not counted.
+/// Calls `picture` with 0, 1, 2 …; the first call is not timed.
 void print_rate(int count, const std::function<void(int)>& picture) {
     picture(0);
     const auto begin = std::chrono::steady_clock::now();
@@ -85,7 +84,7 @@ void camera_pictures(Renderer& renderer, const LoadedState& state, int count, gl
 void windows(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     const Studio::Surroundings surroundings{.size_px = size_px, .input = {}};
     Studio studio(renderer, value_of(Session::make(state)));
-    for (int i = 0; i < 10; ++i) studio.frame(surroundings);  // settled
+    for (int i = 0; i < 10; ++i) studio.frame(surroundings);  // settles the window
     print_rate(count, [&](int i) {
         bench::edit(studio.session.params, i);
         studio.frame(surroundings);
@@ -93,13 +92,13 @@ void windows(Renderer& renderer, const LoadedState& state, int count, glm::ivec2
     });
 }
 
-/// Not counted: two seconds and more in which the window finds out that frames are slow and makes a coarser mesh.
+/// Does not count the first two seconds or more, in which the window notices slow frames and makes a coarser mesh.
 void flight(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     Studio::Surroundings surroundings{.size_px = size_px, .shows_time = true, .input = {}};
     surroundings.input.down[static_cast<std::size_t>(Key::w)] = true;
     Studio studio(renderer, value_of(Session::make(state)));
     const auto picture = [&](int i) {
-        // To and fro, so that the picture keeps its content.
+        // Rotate back and forth, so that the picture keeps its content.
         surroundings.input.dt_s = 1.0 / 60.0;
         studio.session.params.camera.yaw += i % 2 == 0 ? 0.5 : -0.5;
         studio.frame(surroundings);

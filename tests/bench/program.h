@@ -1,4 +1,4 @@
-// Starts a program and measures it from outside: wall time, CPU time of all its threads, peak memory, what it prints.
+// Starts a program and measures it from outside: wall time, CPU time of all its threads, peak memory, its output.
 #pragma once
 
 #include <sys/types.h>
@@ -16,7 +16,7 @@ struct Started {
     int output = -1;
 };
 
-/// Ends this program with a sentence when the command cannot be started. Standard error is shared.
+/// Ends this program with a message if the command cannot be started. Standard error is shared.
 Started start(const Command& command);
 
 struct Measured {
@@ -26,7 +26,7 @@ struct Measured {
     std::string output;
 };
 
-/// Runs the command to its end; one that does not exit with 0 ends this program with a sentence.
+/// Runs the command to its end. If it does not exit with 0, this program ends with a message.
 Measured run(const Command& command);
 
 }  // namespace viewing::bench

@@ -1,13 +1,13 @@
-// The sandbox against the floor in one run: started in turn, so that a machine that warms up or is busy treats both
-// alike; medians. Every ratio is of wall time and, because that is noise on a busy machine, of CPU time (user and
-// system, all threads) besides. Reports, never fails: exit 0 unless a program cannot be run.
+// Compares the sandbox with the floor in one run, starting them alternately so that a warm or busy machine affects both
+// alike. Reports medians. Every ratio is given in wall time and in CPU time (user and system, all threads), since wall
+// time is noisy on a busy machine. Never fails: exit status 0 unless a program cannot be run.
 //
-//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]
-//         the folder of bench-floor, bench-pictures and bench-mesh; the program; the states of the floor's pictures:
-//         its mesh, and one of 80 000 triangles
+// bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]
+//     FOLDER contains bench-floor, bench-pictures and bench-mesh; SANDBOX is the program; ONE_MESH and DENSE are states
+//     that match the floor's pictures: its mesh, and one of 80,000 triangles
 //
-// Where VIEWING_BENCH_ROWS names a file, the rows are added to it too, columns between tabs: for tests/bench/table.
-// Read floor.cpp, pictures.cpp and mesh.cpp for what is timed.
+// If VIEWING_BENCH_ROWS names a file, the rows are also appended to it, with tabs between columns, for
+// tests/bench/table. floor.cpp, pictures.cpp and mesh.cpp describe the timed work.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Programs {
     std::string floor, pictures, mesh, sandbox, one_mesh, dense;
 };
 
-/// Medians over the rounds.
+/// Collects one value per round; their median is the result.
 class Samples {
 public:
     void add(double value) { values_.push_back(value); }
@@ -59,7 +59,7 @@ struct Row {
     double sandbox;
     const char* unit;
     std::optional<double> cpu_ratio;
-    std::optional<Bound> bound;  ///< of the ratio, or of the value where there is no floor
+    std::optional<Bound> bound;  ///< for the ratio, or for the value if there is no floor
 
     double judged() const { return floor ? sandbox / *floor : sandbox; }
     std::string wanted() const {
@@ -117,7 +117,7 @@ struct Start {
     Samples wall_ms, cpu_ms, peak_mb;
 };
 
-/// With shaders cached in this folder: as it was left, or emptied first.
+/// Starts the command once with this folder as its shader cache; a cold start empties the folder first.
 void start_once(const Command& command, const fs::path& cache, bool cold, Start& start) {
     if (cold) fs::remove_all(cache);
     fs::create_directories(cache);
@@ -152,7 +152,7 @@ void compare_starts(const Programs& programs, const fs::path& scratch, int round
     for (const Kind& kind : {kinds[1], kinds[2]}) {
         for (const auto& [heat, start] : {std::pair("warm", &Kind::warm), std::pair("cold", &Kind::cold)}) {
             const Start &ours = kind.*start, &least = floor.*start;
-            // The opening state has five passes: warm it is told, cold it is judged.
+            // The opening state has five passes: its warm time is reported, its cold time is judged.
             const bool is_cold = start == &Kind::cold;
             const double most = kind.bound ? 1.3 : 1.5;
             print({std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
@@ -219,7 +219,7 @@ void compare_windows(const Programs& programs, int rounds) {
     }
 }
 
-/// Both buffers, histogram and precision chart, all drawn anew for each picture.
+/// Redraws both buffers, the histogram and the precision chart for each picture.
 void compare_depth_views(const Programs& programs, int rounds) {
     const std::string depth = fs::path(programs.dense).replace_filename("depth.json");
     Rate floor, window;
@@ -233,7 +233,7 @@ void compare_depth_views(const Programs& programs, int rounds) {
 
 // ---- a mesh of a million triangles -------------------------------------------------------------------
 
-/// What bench-mesh prints.
+/// The output of bench-mesh.
 struct Reading {
     Samples wall_ms, cpu_ms, arrays_mb, grown_mb;
 
@@ -278,7 +278,7 @@ void compare_large_mesh(const Programs& programs, const fs::path& scratch, int r
                 Bound{Wanted::at_least, 10.0});
 }
 
-/// Our thread's milliseconds a frame, as bench-pictures prints them.
+/// Our thread's milliseconds per frame, as bench-pictures prints them.
 struct FrameCost {
     Samples numbers, ui, calls, submitted, whole;
 };
@@ -305,7 +305,7 @@ void report_frame(const Programs& programs, int rounds) {
     print_value("CPU per frame at 1600×900: derive and plan", opening.numbers.median(), "ms", std::nullopt);
     print_value("… user interface", opening.ui.median(), "ms", std::nullopt);
     print_value("… these two and our GL calls", opening.calls.median(), "ms", Bound{Wanted::at_most, 1.0});
-    print_value("… with the driver's vertices, nothing rasterised", opening.submitted.median(), "ms",
+    print_value("… with the driver's vertices, nothing rasterized", opening.submitted.median(), "ms",
                 Bound{Wanted::at_most, 1.0});
     print_value("… our thread in all (sorts into tiles)", opening.whole.median(), "ms", std::nullopt);
     for (const std::string full : {"room", "shadow-derivation", "passes"}) {

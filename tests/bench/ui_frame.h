@@ -1,5 +1,5 @@
-// One frame of the user interface with the numbers under it, and no GL: what our own code costs before a driver is
-// asked for anything. Does what Studio::frame does between two edits.
+// Runs one frame of the user interface with its computed numbers but without GL: the cost of our own code before any
+// driver call. Follows Studio::frame between two edits.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace viewing::bench {
 
-/// Asserts away what cannot fail here; a benchmark with a broken state has nothing to measure.
+/// Asserts success; a benchmark with a broken state has nothing to measure.
 template <typename T>
 T value_of(Result<T> result) {
     if (!result) throw std::runtime_error(result.error());
     return *std::move(result);
 }
 
-/// Changes what every picture, every matrix and the panel depend on.
+/// Changes values that every picture, every matrix and the panel depend on.
 inline void edit(Params& params, int step) {
     params.camera.yaw += step % 2 == 0 ? 0.5 : -0.4;
     params.lights.front().position.x += step % 2 == 0 ? 0.02 : -0.02;
@@ -48,8 +48,8 @@ public:
 
     Session& session() { return session_; }
 
-    /// All that derive and plan are asked for when everything is drawn anew: the camera's view twice (now and before
-    /// the latest edit), the observer's, and the depth view's.
+    /// Computes everything that a redraw of all views needs from derive and plan: the camera's view twice (now and
+    /// before the latest edit), the observer's, and the depth view's.
     void derive_and_plan() {
         const Layout layout = workbench_.layout(ImGui::GetIO().DisplaySize, session_);
         const Params& params = session_.params;

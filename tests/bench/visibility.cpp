@@ -1,11 +1,10 @@
-// The hidden-surface methods: each of the speeds that they are to have, on one core and by CPU time, beside what is
-// wanted. Reports, never fails.
+// Measures the speed of the hidden-surface methods on one core, in CPU time, against their targets. Reports, never
+// fails.
 //
-//     visibility-bench              a table, in Google Benchmark's form and with its flags; ray casting beside Embree's
-//     single
-//                                   rays through the same pixels, its hierarchy beside Embree's, and the z-buffer
-//                                   beside llvmpipe, all on one thread
-//     visibility-bench --curves     time and dominant operation of every method on 10 … 100,000 polygons, as CSV
+// visibility-bench              a table in Google Benchmark's form and with its flags; compares ray casting with
+//                               Embree's single rays through the same pixels, its hierarchy with Embree's, and the
+//                               z-buffer with llvmpipe, all on one thread
+// visibility-bench --curves     time and dominant operation of every method on 10 … 100,000 polygons, as CSV
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
 #include <sys/resource.h>
@@ -94,14 +93,14 @@ BENCHMARK(newell_large)->Unit(benchmark::kMillisecond);
 void z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     const glm::dmat4 clip_from_world = viewpoint().clip_from_world();
     RasterCounters counters;
-    for (auto _ : state) counters = rasterise(polygons, clip_from_world, {.width = width, .height = height}).counters;
+    for (auto _ : state) counters = rasterize(polygons, clip_from_world, {.width = width, .height = height}).counters;
     const auto iterations = static_cast<double>(state.iterations());
     state.counters["triangles"] = {iterations * static_cast<double>(counters.polygons), benchmark::Counter::kIsRate};
     state.counters["pixels"] = {iterations * static_cast<double>(counters.pixels_tested), benchmark::Counter::kIsRate};
     state.counters["pixels_each"] = static_cast<double>(counters.pixels_tested) / static_cast<double>(polygons.size());
 }
 
-/// 100 large squares one before the other, the nearest drawn last.
+/// 100 large squares one behind the other, the nearest drawn last.
 std::vector<Polygon> squares() {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 100; ++i) {
@@ -116,12 +115,12 @@ BENCHMARK_CAPTURE(z_buffer, large_squares, squares())->Unit(benchmark::kMillisec
 Mesh torus() {
     return torus_mesh(320, 157);
 }
-// The whole torus, its tube so near that every ray hits it, and the teapot.
+// The whole torus, a close-up of its tube so that every ray hits it, and the teapot.
 const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0);
 
-// ---- the z-buffer by llvmpipe ------------------------------------------------------------------------
+// ---- the z-buffer in llvmpipe ------------------------------------------------------------------------
 
-/// The same triangles, transformed and told apart by a number, with GL's depth test; what is uploaded stays there.
+/// Draws the same triangles with GL's depth test, transformed and identified by number; keeps uploads.
 void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) return state.SkipWithError(context.error().c_str());
@@ -194,9 +193,9 @@ void hierarchy_build(benchmark::State& state) {
 }
 BENCHMARK(hierarchy_build)->Unit(benchmark::kMillisecond);
 
-// ---- the same by Embree ------------------------------------------------------------------------------
+// ---- the same in Embree ------------------------------------------------------------------------------
 
-/// Its device and one mesh, on the calling thread alone.
+/// Embree's device with one mesh; works only on the calling thread.
 class Embree {
 public:
     explicit Embree(const Mesh& mesh)
@@ -265,7 +264,7 @@ void embree_build(benchmark::State& state) {
 }
 BENCHMARK(embree_build)->Unit(benchmark::kMillisecond);
 
-// ---- beside what is wanted ---------------------------------------------------------------------------
+// ---- against the targets -----------------------------------------------------------------------------
 
 using Run = benchmark::BenchmarkReporter::Run;
 
@@ -292,7 +291,7 @@ constexpr Wanted wanted[] = {
     {"ray_casting/torus_near", ">= 3 M rays/s", [](const Run& run) { return per_second(run, "rays") >= 3e6; }},
     {"ray_casting/teapot", ">= 3 M rays/s", [](const Run& run) { return per_second(run, "rays") >= 3e6; }}};
 
-/// Google Benchmark's table with a verdict at the end of the lines that have a bound.
+/// Google Benchmark's table with a verdict at the end of each line that has a bound.
 class Verdicts : public benchmark::ConsoleReporter {
 public:
     Verdicts() : ConsoleReporter(OO_Tabular) {}

@@ -1,5 +1,5 @@
-// state --bundle: a folder that draws the same picture when what it was made of is gone; and that state keeps the names
-// and titles it is given.
+// state --bundle: a folder that draws the same picture even after its sources are gone. Also, `state` keeps given names
+// and titles.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +27,7 @@ protected:
         words.insert(words.end(), state.begin(), state.end());
         return without_note(expect(0, words).out);
     }
-    /// A PNG file but for the chunk that names its state's files, which lie elsewhere in a bundle.
+    /// Returns the PNG file without its state, since a bundle has other file paths.
     static std::string without_note(const std::string& png) {
         std::string rest = png.substr(0, 8);
         for (std::size_t at = 8; at + 12 <= png.size();) {
@@ -39,7 +39,7 @@ protected:
         }
         return rest;
     }
-    /// The names below the folder.
+    /// Returns the relative paths of all files in the folder.
     std::set<std::string> names(const std::string& below) const {
         std::set<std::string> found;
         for (const auto& entry : fs::recursive_directory_iterator(folder() / below))
@@ -102,11 +102,11 @@ TEST_F(Bundle, OfAnInlineSceneWithUnsafeNames) {
     }
 }
 
-TEST_F(Bundle, NamesWhatComesWithTheProgram) {
+TEST_F(Bundle, CopiesNothingThatShipsWithTheProgram) {
     expect_same({"teapot"}, {"state.json"});
 }
 
-TEST_F(Bundle, OfALibraryThatLeadsElsewhereTakesNothing) {
+TEST_F(Bundle, IgnoresAMaterialLibraryThatIsALink) {
     make("from/roof.obj", roof);
     write("secret", "secret");
     fs::create_symlink(folder() / "secret", folder() / "from" / "stone.mtl");
@@ -114,9 +114,9 @@ TEST_F(Bundle, OfALibraryThatLeadsElsewhereTakesNothing) {
     EXPECT_EQ(names("bundle"), (std::set<std::string>{"state.json", "roof.obj"}));
 }
 
-TEST_F(Bundle, IsWholeOrNotThere) {
+TEST_F(Bundle, AppearsCompleteOrNotAtAll) {
     make("full/file", "kept");
-    refused({"state", "--bundle", "full"}, {"full", "it holds file"});
+    refused({"state", "--bundle", "full"}, {"full", "it contains file"});
     refused({"state", "--bundle", "full/file"}, {"full/file", "it is a file"});
     refused({"state", "broken.obj", "--bundle", "missing/bundle"}, {"broken.obj"});
     refused({"state", "--bundle", "/proc/bundle"}, {"/proc"});
@@ -132,7 +132,7 @@ TEST_F(Bundle, IsWholeOrNotThere) {
     EXPECT_EQ(names("missing"), std::set<std::string>{"bundle/state.json"});
 }
 
-TEST_F(Bundle, AMeshIsCalledAsItWasGiven) {
+TEST_F(Bundle, AMeshKeepsItsGivenName) {
     make("sub/mine.obj", tetrahedron);
     EXPECT_EQ(expect(0, {"state", "sub/mine.obj"}).json()["scene"], "sub/mine.obj");
     EXPECT_EQ(expect(0, {"state", "--mesh", "./sub/mine.obj"}).json()["scene"], "./sub/mine.obj");
@@ -142,7 +142,7 @@ TEST_F(Bundle, AMeshIsCalledAsItWasGiven) {
     EXPECT_TRUE(picture({"printed.json"}) == picture({"sub/mine.obj"}));
 }
 
-TEST_F(Bundle, StateKeepsWhatAFileSaysAboutItself) {
+TEST_F(Bundle, StateKeepsTheTitlesOfAFile) {
     write("mine.json", R"({"$schema": "s.json", "title": "Mine", "about": "\"One\" – two.", "group": "Own",
                            "camera": {"yaw": 3}})");
     const std::string printed = expect(0, {"state", "mine.json", "--set", "camera.pitch=4"}).out;

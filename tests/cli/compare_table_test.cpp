@@ -1,5 +1,5 @@
-// The README's table of what a comparison tells apart, drawn and counted again. With VIEWING_COMPARE_TABLE=FOLDER the
-// pairs are left there for other programs (tests/compare_table).
+// Redraws and recounts the README's table of comparisons. With VIEWING_COMPARE_TABLE=FOLDER, keeps the pairs of
+// pictures in that folder for other programs (tests/compare_table).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Pair {
 
 class CompareTableSlowTest : public Program {
 protected:
-    /// Of the camera at 640 x 360 with 4 samples, unless `more` says otherwise.
+    /// A camera view at 640 x 360 with 4 samples, unless `more` says otherwise.
     Image drawn(const Words& more) const {
         const auto says = [&more](const char* name) { return std::find(more.begin(), more.end(), name) != more.end(); };
         Words words{"snapshot", "--view", "camera", "-o", "drawn.png"};
@@ -72,7 +72,7 @@ protected:
         return all;
     }
 
-    /// The column behind which red changes most in this row.
+    /// Returns the column after which red changes most in this row.
     static int strongest_edge(const Image& image, int y) {
         int best = 8, most = 0;
         for (int x = 8; x + 9 < image.width; ++x) {
@@ -86,7 +86,8 @@ protected:
     }
 };
 
-/// "equal, 12" or "different, 12": the pixels that count; where it is the mean that shifts, "different, shift 0.75".
+/// Returns "equal, 12" or "different, 12", with the number of counted pixels; "different, shift 0.75" if only the mean
+/// shifts.
 std::string cell(const CompareReport& report) {
     const bool counts =
         report.beyond_share() > report.options.share ||
@@ -99,7 +100,7 @@ std::string cell(const CompareReport& report) {
     return text.str();
 }
 
-/// The same verdict for the same reason; numbers may be those of another processor.
+/// Returns whether two verdicts agree for the same reason; numbers may differ between processors.
 bool agree(const std::string& published, const std::string& found) {
     const std::size_t number = published.find_last_of(' ') + 1;
     if (published.substr(0, number) != found.substr(0, found.find_last_of(' ') + 1)) return false;
@@ -108,8 +109,8 @@ bool agree(const std::string& published, const std::string& found) {
     return std::abs(actual - expected) <= 0.05 * expected + (published.find("shift") == std::string::npos ? 5.0 : 0.05);
 }
 
-TEST_F(CompareTableSlowTest, OfTheReadmeHolds) {
-    std::ifstream stream(std::string(std::getenv("TEST_SOURCE_DIR")) + "/../README.md");
+TEST_F(CompareTableSlowTest, OfTheTestsReadmeHolds) {
+    std::ifstream stream(std::string(std::getenv("TEST_SOURCE_DIR")) + "/README.md");
     const std::string readme{std::istreambuf_iterator<char>(stream), {}};
     const char* const kept = std::getenv("VIEWING_COMPARE_TABLE");
     std::ofstream rows;

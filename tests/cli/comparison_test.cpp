@@ -1,5 +1,5 @@
-// What decides a comparison, by both commands that compare: profiles, masks, a picture from standard input, and the
-// picture of the differences.
+// Comparisons by `compare` and `snapshot --compare`: profiles, masks, a picture from standard input, and the picture of
+// the differences.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ protected:
     void write_picture(const std::string& name, const Image& image) const {
         ASSERT_TRUE(viewing::write_png(folder() / name, image));
     }
-    /// Black, with this rectangle in white.
+    /// Returns a black picture with this rectangle in white.
     static Image rectangle(int width, int height, int x, int y, int w, int h) {
         Image image{width, height, {}};
         image.rgba.resize(image.row_bytes() * static_cast<std::size_t>(height));
@@ -62,7 +62,7 @@ TEST_F(Comparison, TheProfileDecides) {
     refused(snapshot({"-o", "x.png", "--profile", "portable"}), {"--compare"});
 }
 
-TEST_F(Comparison, AMaskLeavesOut) {
+TEST_F(Comparison, AMaskExcludesPixels) {
     expect(0, snapshot({"-o", "a.png"}));
     Image other = picture("a.png");
     for (int y = 20; y < 30; ++y)

@@ -1,4 +1,4 @@
-// The report of --json, which is there however compare or snapshot ends.
+// The report of --json, which is written however compare or snapshot ends.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -20,7 +20,7 @@ protected:
     }
     static Words small(const Words& more) { return with({"snapshot", "--view", "camera", "--size", "96x64"}, more); }
 
-    /// The run ends with this status, and its report in FILE says the same as standard error.
+    /// Expects the run to end with this status, and its report in FILE to say the same as standard error.
     Json told(int status, const Words& arguments, const Surroundings& surroundings = {}) const {
         const Ended ended = run(with(arguments, {"--json", "report.json"}), surroundings);
         EXPECT_EQ(ended.status, status) << ended.told();
@@ -39,7 +39,7 @@ protected:
         }
         return report;
     }
-    /// The same, and there is no other file than before.
+    /// Expects the same, and that no new file appears.
     Json alone(int status, const Words& arguments, const Surroundings& surroundings = {}) const {
         const std::size_t before = files();
         Json report = told(status, arguments, surroundings);
@@ -69,13 +69,13 @@ TEST_F(EndingReport, OfBadInput) {
     EXPECT_EQ(alone(2, {"compare", "a.png"}).at("b"), nullptr);
     write("broken.png", "no picture");
     EXPECT_EQ(alone(2, small({"--compare", "broken.png"})).at("reference"), "broken.png");
-    // Nobody waits on standard output either.
+    // Standard output gets a report too.
     const Ended ended = run(small({"-o", "a.png", "--samples", "3", "--json", "-"}));
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.json().at("status"), 2);
 }
 
-TEST_F(EndingReport, OfWhatTheDriverRefuses) {
+TEST_F(EndingReport, OfDriverErrors) {
     const Surroundings without_gl{.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere.json"}}};
     const Json report = alone(3, small({"-o", "a.png"}), without_gl);
     EXPECT_EQ(report.at("size"), Json::parse("[96, 64]"));
@@ -102,7 +102,7 @@ TEST_F(EndingReport, OfComparisons) {
     EXPECT_EQ(by_pipe.json().at("sentence").get<std::string>() + "\n", by_pipe.err);
 }
 
-TEST_F(EndingReport, OfAProcessThatIsOutOfTime) {
+TEST_F(EndingReport, OfATimeout) {
     const Surroundings waiting{.input_stays_open = true};
     const Json report = alone(8, small({"-", "-o", "a.png", "--timeout", "0.3"}), waiting);
     EXPECT_EQ(report.at("duration_s"), 0.3);
@@ -113,19 +113,19 @@ TEST_F(EndingReport, OfAProcessThatIsOutOfTime) {
     const Ended by_pipe = run(small({"-", "-o", "b.png", "--timeout", "0.3", "--json", "-"}), waiting);
     EXPECT_EQ(by_pipe.status, 8);
     EXPECT_EQ(by_pipe.json().at("status"), 8);
-    // A picture that nobody takes: the report is there all the same.
+    // The report is written even if nobody reads the picture.
     ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
     EXPECT_EQ(alone(8, small({"-o", "pipe", "--timeout", "2"})).at("duration_s"), 2.0);
 }
 
-TEST_F(EndingReport, OutOfTimeBetweenItsFilesNothingUnfinishedIsLeft) {
+TEST_F(EndingReport, ATimeoutBetweenFilesLeavesNothingUnfinished) {
     ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
     const Ended ended = run(small({"-o", "a.png", "--json", "pipe", "--timeout", "2"}));
     EXPECT_EQ(ended.status, 8) << ended.told();
     EXPECT_EQ(files(), 1U) << "the pipe";
 }
 
-TEST_F(EndingReport, OfAProcessThatHasNoMemory) {
+TEST_F(EndingReport, OfAProcessWithoutMemory) {
     for (const unsigned long megabytes : {100, 140, 180, 220, 260, 300, 400}) {
         SCOPED_TRACE(std::to_string(megabytes) + " MB");
         const Ended ended =
@@ -133,7 +133,7 @@ TEST_F(EndingReport, OfAProcessThatHasNoMemory) {
                 {.environment = {{"MESA_SHADER_CACHE_DISABLE", "1"}}, .limits = {{RLIMIT_AS, megabytes << 20U}}});
         if (ended.err.find("ReserveShadowMemoryRange") != std::string::npos)
             GTEST_SKIP() << "the address sanitizer needs terabytes of address space for itself";
-        if (ended.err.find("shared libraries") != std::string::npos) continue;  // before the program begins
+        if (ended.err.find("shared libraries") != std::string::npos) continue;  // before the program starts
         ASSERT_TRUE(exists("report.json")) << ended.told();
         EXPECT_EQ(Json::parse(read("report.json")).at("status"), ended.status) << ended.told();
         fs::remove(folder() / "report.json");
@@ -146,7 +146,7 @@ TEST_F(EndingReport, OfAFullDisk) {
     EXPECT_EQ(ended.json().at("status"), 2) << ended.told();
 }
 
-TEST_F(EndingReport, KeepsAwayFromWhatIsNotItsOwn) {
+TEST_F(EndingReport, LeavesOtherFilesAlone) {
     write("state.json", R"({"scene": "room.json"})");
     write("room.json", "no scene");
     for (const char* const name : {"state.json", "a.png", "/nowhere/report.json"}) {

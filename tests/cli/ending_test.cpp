@@ -1,4 +1,4 @@
-// What is left where a command is ended from outside: nothing unfinished, of a suite its report, and no child.
+// Commands ended from outside leave nothing unfinished and no child; a suite leaves its report.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -19,7 +19,7 @@ protected:
     /// Everything below the folder.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
-        std::error_code gone;  // what is there may go while it is looked at
+        std::error_code gone;  // files may disappear while we look
         for (fs::recursive_directory_iterator at(folder(), gone), end; !gone && at != end; at.increment(gone))
             names.push_back(at->path().lexically_relative(folder()).string());
         return names;
@@ -27,10 +27,10 @@ protected:
     void expect_nothing_unfinished() const {
         for (const std::string& name : names()) EXPECT_FALSE(has(name, ".viewing-sandbox-")) << name;
     }
-    /// How many processes work in this folder.
+    /// Returns the number of processes that work in this folder.
     int processes_in_it(const std::string& program = "") const {
         int count = 0;
-        std::error_code gone;  // a process may end while it is looked at
+        std::error_code gone;  // a process may end while we look
         for (const fs::directory_entry& process : fs::directory_iterator("/proc", gone))
             if (fs::read_symlink(process.path() / "cwd", gone) == folder() &&
                 (program.empty() || fs::read_symlink(process.path() / "exe", gone).filename() == program))
@@ -64,8 +64,8 @@ protected:
 
 constexpr int many = 40;
 
-/// The parent answers for its workers, who leave nothing unfinished either.
-TEST_F(Ending, OfASuiteLeavesItsReportWithTheRestAsNotDrawn) {
+/// The parent cleans up after its workers, which leave nothing unfinished either.
+TEST_F(Ending, OfASuiteReportsTheRestAsNotDrawn) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         SCOPED_TRACE(signal);
         for (const char* const left : {"references", "report"}) fs::remove_all(folder() / left);
@@ -86,14 +86,14 @@ TEST_F(Ending, OfASuiteLeavesItsReportWithTheRestAsNotDrawn) {
             const bool is_drawn = entry["outcome"] == "new";
             EXPECT_TRUE(is_drawn ? has_picture : has(entry["reasons"][0], "SIG")) << entry;
         }
-        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "another program is told as well";
-        EXPECT_TRUE(has(ended.err, std::to_string(all["counts"]["not drawn"].get<int>()) + " entries are not drawn"))
+        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "other programs see it as well";
+        EXPECT_TRUE(has(ended.err, std::to_string(all["counts"]["not drawn"].get<int>()) + " entries were not drawn"))
             << ended.err;
     }
 }
 
-TEST_F(Ending, OfASuiteByItsTimeoutLeavesItsReport) {
-    std::string large;  // a second or more each
+TEST_F(Ending, OfASuiteByTimeoutLeavesItsReport) {
+    std::string large;  // each takes a second or more
     for (const char* const name : {"a", "b", "c", "d", "e", "f"})
         large += R"({"name": ")" + std::string(name) + R"(", "size": [4096, 4096], "samples": 4}, )";
     write("suite.json", R"({"suite": 1, "entries": [{"name": "small"}, )" + large + R"({"name": "after"}]})");
@@ -106,8 +106,8 @@ TEST_F(Ending, OfASuiteByItsTimeoutLeavesItsReport) {
     EXPECT_TRUE(has(report()["entries"][7]["reasons"][0], "--timeout"));
 }
 
-/// What an early end has not drawn keeps its key.
-TEST_F(Ending, OfASuiteForgetsNothingThatIsKnown) {
+/// Entries not drawn because of an early end keep their keys.
+TEST_F(Ending, OfASuiteKeepsKnownResults) {
     write_suite(6);
     run({"suite", "run", "suite.json", "--cache"});
     expect(0, {"suite", "run", "suite.json", "--cache"});
@@ -129,7 +129,7 @@ TEST_F(Ending, OfAKilledSuiteEndsItsWorkersToo) {
     EXPECT_EQ(run({"suite", "run", "suite.json", "--only", "e0"}).status, 0) << "the folder is still the suite's";
 }
 
-/// Every moment of a sweep, from its beginning on.
+/// Signals arrive at random moments of the sweep, from its first picture on.
 TEST_F(Ending, OfASweepLeavesNoPartOfItsFolder) {
     constexpr unsigned seed = 41;
     std::cout << "seed " << seed << '\n';
@@ -151,7 +151,7 @@ TEST_F(Ending, OfASweepLeavesNoPartOfItsFolder) {
     EXPECT_EQ(names(), std::vector<std::string>{});
 }
 
-/// With a program in ffmpeg's place that keeps what it is given, and that is `cat` while it does so.
+/// Replaces ffmpeg with a script that stores its input; the running process is named `cat`.
 TEST_F(Ending, OfAFilmLeavesNoFileAndNoChild) {
     fs::create_directory(folder() / "bin");
     write("bin/ffmpeg", "#!/bin/sh\nfor last; do :; done\nexec cat >\"$last\"\n");
@@ -175,7 +175,7 @@ TEST_F(Ending, OfAFilmLeavesNoFileAndNoChild) {
     EXPECT_EQ(names().size(), before.size() + 1);
 }
 
-/// Complete files wait for their names while standard output takes its part.
+/// Complete files get their names only after standard output is written.
 TEST_F(Ending, ByAPipeWithoutAReaderLeavesNothing) {
     const Ended ended = run({"snapshot", "--view", "camera", "--size", "64x36", "-o", "a.png", "--json", "-"},
                             {.output_has_no_reader = true});

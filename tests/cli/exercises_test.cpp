@@ -1,4 +1,4 @@
-// Exercises by the command line: the list, a student's sheet, their own tests, and an exercise as a picture.
+// Exercises on the command line: the list, a student's sheet, their tests, and an exercise as a picture.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,7 +31,7 @@ std::string exercise_with(const std::string& wrong, const std::string& near_list
 
 // ---- the list ------------------------------------------------------------------------------------------------------
 
-TEST_F(ExercisesCommand, ListsThemWithTheirPoints) {
+TEST_F(ExercisesCommand, ListsExercisesWithTheirPoints) {
     const std::vector<std::string> lines = lines_of(expect(0, {"exercises"}).out);
     ASSERT_EQ(lines.size(), 25U);
     EXPECT_EQ(lines.back(), "24 exercises, 50 points");
@@ -42,7 +42,7 @@ TEST_F(ExercisesCommand, ListsThemWithTheirPoints) {
     }
 }
 
-TEST_F(ExercisesCommand, ListsASetOrWhatIsNamed) {
+TEST_F(ExercisesCommand, ListsASetOrNamedExercises) {
     std::vector<std::string> lines = lines_of(expect(0, {"exercises", "--set", "shadow"}).out);
     std::set<std::string> found;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -64,7 +64,7 @@ TEST_F(ExercisesCommand, ListsASetOrWhatIsNamed) {
     EXPECT_EQ(all.size(), 24U) << "each belongs to one or more";
 }
 
-TEST_F(ExercisesCommand, AnUnknownSetIsToldTheNearest) {
+TEST_F(ExercisesCommand, AnUnknownSetSuggestsTheNearest) {
     refused({"exercises", "--set", "shadwo"},
             {"\"shadwo\"", "camera, hidden, depth, shadow, mirror", "did you mean shadow?"});
     refused({"exercises", "--set", "E01,E99"}, {"\"E99\""});
@@ -74,7 +74,7 @@ TEST_F(ExercisesCommand, AnUnknownSetIsToldTheNearest) {
 
 // ---- a student's sheet ---------------------------------------------------------------------------------------------
 
-TEST_F(ExercisesCommand, ASheetIsAlwaysTheSameAndEachStudentsOwn) {
+TEST_F(ExercisesCommand, ASheetIsReproducibleAndIndividual) {
     const auto sheet = [&](const std::string& student, const std::string& course) {
         return expect(0, {"exercises", "--student", student, "--course", course}).out;
     };
@@ -89,7 +89,7 @@ TEST_F(ExercisesCommand, ASheetIsAlwaysTheSameAndEachStudentsOwn) {
     EXPECT_FALSE(has(first, "{")) << "every place is filled";
 }
 
-TEST_F(ExercisesCommand, ItsVariantsAreThoseThatWereComputedElsewhere) {
+TEST_F(ExercisesCommand, VariantsMatchAnIndependentComputation) {
     const nlohmann::json sheet = expect(0, {"exercises", "--student", "32201234", "--course", "viewing-2026", "--set",
                                             "E16,E01", "--format", "json"})
                                      .json();
@@ -101,8 +101,9 @@ TEST_F(ExercisesCommand, ItsVariantsAreThoseThatWereComputedElsewhere) {
     EXPECT_EQ(sheet["exercises"][0]["values"], nlohmann::json::parse(R"({"P": [0, 1, 0, 0], "L": [-1, 4, 3, 1]})"))
         << "the ninth of its deployed ones";
     EXPECT_EQ(sheet["exercises"][0]["points"], 3);
-    EXPECT_EQ(sheet["exercises"][0]["question"],
-              "P = (0, 1, 0, 0), L = (−1, 4, 3, 1). Type the shadow matrix. (Any multiple but zero is the same map.)");
+    EXPECT_EQ(
+        sheet["exercises"][0]["question"],
+        "P = (0, 1, 0, 0), L = (−1, 4, 3, 1). Enter the shadow matrix S. (Any nonzero multiple is the same map.)");
     EXPECT_EQ(sheet["exercises"][1]["variant"], 12);
     EXPECT_FALSE(sheet["exercises"][0].contains("solution"));
 }
@@ -126,7 +127,7 @@ TEST_F(ExercisesCommand, SolutionsAreForTheLecturer) {
     EXPECT_EQ(arrows, 24U);
 }
 
-TEST_F(ExercisesCommand, ASheetSpeaksKorean) {
+TEST_F(ExercisesCommand, ASheetCanBeInKorean) {
     const nlohmann::json korean =
         expect(0, {"exercises", "--student", "1", "--language", "ko", "--format", "json"}).json();
     const nlohmann::json english = expect(0, {"exercises", "--student", "1", "--format", "json"}).json();
@@ -140,7 +141,7 @@ TEST_F(ExercisesCommand, ASheetSpeaksKorean) {
     refused({"exercises", "--student", "1", "--language", "kr"}, {"--language", "ko"});
 }
 
-TEST_F(ExercisesCommand, WhatDoesNotGoTogetherIsRefused) {
+TEST_F(ExercisesCommand, IncompatibleOptionsAreRefused) {
     const std::vector<std::string> one_of{"only one of --student, --test and --deploy"};
     refused({"exercises", "--student", "1", "--test"}, one_of);
     refused({"exercises", "--student", "1", "--deploy"}, one_of);
@@ -153,7 +154,7 @@ TEST_F(ExercisesCommand, WhatDoesNotGoTogetherIsRefused) {
     refused({"exercises", "nowhere.json"}, {"nowhere.json"});
 }
 
-TEST_F(ExercisesCommand, AStudentMayBeAnything) {
+TEST_F(ExercisesCommand, AStudentMayHaveAnyName) {
     for (const char* const student : {"", "한국", "../../x", "a|b", "%s%n"}) {
         const nlohmann::json sheet =
             expect(0, {"exercises", "--student", student, "--set", "E16", "--format", "json"}).json();
@@ -163,43 +164,43 @@ TEST_F(ExercisesCommand, AStudentMayBeAnything) {
     EXPECT_EQ(files(), 0U);
 }
 
-// ---- a lecturer's own ----------------------------------------------------------------------------------------------
+// ---- custom exercises ----------------------------------------------------------------------------------------------
 
 TEST_F(ExercisesCommand, AWrongAnswerThatIsRightFailsTheTest) {
     write("mine.json", exercise_with("10"));
     EXPECT_TRUE(has(expect(0, {"exercises", "mine.json", "--test"}).out,
-                    "2 variants: right accepted, wrong ones refused and told apart"));
+                    "2 variants: right answers accepted, wrong ones refused and distinguished"));
     write("mine.json", exercise_with("40"));
     const Ended failed = expect(1, {"exercises", "mine.json", "--test"});
-    EXPECT_TRUE(has(failed.out, "N01-far, step variant 0: ask.wrong[0] is taken for right\n")) << failed.told();
-    EXPECT_TRUE(has(failed.out, "N01-far, step variant 1: ask.wrong[0] is taken for right\n")) << failed.told();
+    EXPECT_TRUE(has(failed.out, "N01-far, step variant 0: ask.wrong[0] is accepted as right\n")) << failed.told();
+    EXPECT_TRUE(has(failed.out, "N01-far, step variant 1: ask.wrong[0] is accepted as right\n")) << failed.told();
     EXPECT_TRUE(has(failed.err, "2 variants fail")) << failed.told();
-    EXPECT_FALSE(has(failed.out, "2 wrong answers told apart")) << failed.told();
-    write("mine.json", exercise_with("\"=80 * n\""));  // 40 where n is 0.5 alone
+    EXPECT_FALSE(has(failed.out, "2 wrong answers distinguished")) << failed.told();
+    write("mine.json", exercise_with("\"=80 * n\""));  // 40 only for n = 0.5
     EXPECT_TRUE(has(expect(1, {"exercises", "mine.json", "--test"}).err, "1 variant fails"));
 }
 
-TEST_F(ExercisesCommand, SomeOfTheProgramsOwnPassTheirTest) {
+TEST_F(ExercisesCommand, SomeShippedExercisesPassTheirTest) {
     const std::string told = expect(0, {"exercises", "--set", "E16,E18", "--test"}).out;
     EXPECT_TRUE(has(told, "E16-shadow-matrix: 16 deployed")) << told;
-    EXPECT_TRUE(has(told, "32 variants: right accepted")) << told;
+    EXPECT_TRUE(has(told, "32 variants: right answers accepted")) << told;
 }
 
-TEST_F(ExercisesCommand, ABrokenFileIsOneSentence) {
+TEST_F(ExercisesCommand, ABrokenFileIsReportedInOneSentence) {
     write("mine.json", exercise_with("10", "[]"));
-    refused({"exercises", "mine.json"}, {"mine.json: pick.n: must have one value or more"});
+    refused({"exercises", "mine.json"}, {"mine.json: pick.n: must have at least one value"});
     write("mine.json", "{");
     refused({"exercises", "mine.json", "--test"}, {"mine.json: "});
     write("mine.json", exercise_with("10", "[{}]"));
     refused({"exercises", "mine.json", "--student", "1"}, {"mine.json: variant 0: state.set.projection.near: "});
     std::filesystem::create_directory(folder() / "none");
-    refused({"exercises", "none"}, {"a folder without a .json file"});
+    refused({"exercises", "none"}, {"the folder contains no .json file"});
     write("a.json", exercise_with("10"));
     write("b.json", exercise_with("11"));
-    refused({"exercises", "a.json", "b.json"}, {"b.json: a.json has the id \"N01-far\" too"});
+    refused({"exercises", "a.json", "b.json"}, {"b.json: a.json also has the id \"N01-far\""});
 }
 
-TEST_F(ExercisesCommand, WhatAnExpressionComesToIsSaidWithFileAndField) {
+TEST_F(ExercisesCommand, ErrorsInExpressionsNameFileAndField) {
     const std::string own = exercise_with("10");
     const std::size_t at = own.find("\"=n\"");
     const auto told = [&](const std::string& expression) {
@@ -207,11 +208,11 @@ TEST_F(ExercisesCommand, WhatAnExpressionComesToIsSaidWithFileAndField) {
         return expect(2, {"exercises", "mine.json", "--student", "1"}, {.limits = {{RLIMIT_CPU, 10}}}).err;
     };
     const std::string field = "mine.json: variant 0: state.set.projection.near: ";
-    EXPECT_TRUE(has(told("\\\"\\\\xff\\\""), field + "its value \\xff is no text in UTF-8"));
-    EXPECT_TRUE(has(told("(--'\\n(function() return 1 end)() --'\\n)"), field + "function is no name here"));
+    EXPECT_TRUE(has(told("\\\"\\\\xff\\\""), field + "its value \\xff is not valid UTF-8"));
+    EXPECT_TRUE(has(told("(--'\\n(function() return 1 end)() --'\\n)"), field + "function is not allowed"));
 }
 
-TEST_F(ExercisesCommand, AVariantMeasuresNoMoreThanSixtyFourDifferentValues) {
+TEST_F(ExercisesCommand, AVariantMeasuresAtMostSixtyFourDistinctValues) {
     const auto sheet = [&](int status, int values) {
         std::string places;
         for (int i = 0; i < values; ++i) places += "{pixel(" + std::to_string(i) + ", 0).stencil}";
@@ -221,10 +222,10 @@ TEST_F(ExercisesCommand, AVariantMeasuresNoMoreThanSixtyFourDifferentValues) {
         return expect(status, {"exercises", "mine.json", "--student", "1"});
     };
     EXPECT_TRUE(has(sheet(0, 64).out, std::string(65, '0')));
-    EXPECT_TRUE(has(sheet(2, 65).err, "pixel would be one more than the 64 different values")) << sheet(2, 65).err;
+    EXPECT_TRUE(has(sheet(2, 65).err, "pixel exceeds the limit of 64 different measured values")) << sheet(2, 65).err;
 }
 
-TEST_F(ExercisesCommand, WhatIsDeployedKeepsTheSheets) {
+TEST_F(ExercisesCommand, DeployedVariantsKeepTheSheets) {
     write("mine.json", exercise_with("10",
                                      "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, "
                                      "1.7, 1.8, 1.9, 2]"));
@@ -239,7 +240,7 @@ TEST_F(ExercisesCommand, WhatIsDeployedKeepsTheSheets) {
     const nlohmann::json parsed = nlohmann::json::parse("{" + deployed + "}");
     ASSERT_EQ(parsed["deployed"].size(), 16U);
     EXPECT_EQ(std::set<nlohmann::json>(parsed["deployed"].begin(), parsed["deployed"].end()).size(), 16U);
-    // Another list now would give other sheets.
+    // Without deployed variants, a different list gives different sheets.
     const std::string other = exercise_with("10", "[3, 4]");
     write("mine.json", other);
     EXPECT_NE(sheets(), before);
@@ -247,9 +248,9 @@ TEST_F(ExercisesCommand, WhatIsDeployedKeepsTheSheets) {
     EXPECT_EQ(sheets(), before);
 }
 
-// ---- a picture -----------------------------------------------------------------------------------------------------
+// ---- pictures ------------------------------------------------------------------------------------------------------
 
-TEST_F(ExercisesCommand, AnExerciseIsAPictureOfItsBeginningOrItsEnd) {
+TEST_F(ExercisesCommand, DrawsTheBeginningOrTheEndOfAnExercise) {
     const auto draw = [&](std::vector<std::string> what, const std::string& file) {
         what.insert(what.begin(), "snapshot");
         what.insert(what.end(), {"--exercise", "E18", "--view", "camera", "--size", "320x180", "-o", file});
@@ -272,13 +273,13 @@ TEST_F(ExercisesCommand, AnExerciseIsAPictureOfItsBeginningOrItsEnd) {
     EXPECT_EQ(read("back.png"), read("begins.png")) << "the latest attempt counts";
 }
 
-TEST_F(ExercisesCommand, AnExerciseIsAWindowWithItsQuestion) {
+TEST_F(ExercisesCommand, OpensAWindowWithTheQuestion) {
     expect(0, {"snapshot", "--exercise", "E16", "--student", "1", "--size", "640x480", "-o", "one.png"});
     expect(0, {"snapshot", "--exercise", "E16", "--student", "2", "--size", "640x480", "-o", "two.png"});
     EXPECT_NE(read("one.png"), read("two.png"));
 }
 
-TEST_F(ExercisesCommand, APictureOfNoExerciseIsRefused) {
+TEST_F(ExercisesCommand, APictureOfAnUnknownExerciseIsRefused) {
     const auto picture = [&](std::vector<std::string> what, const std::vector<std::string>& words) {
         what.insert(what.begin(), "snapshot");
         what.insert(what.end(), {"--view", "camera", "--size", "320x180", "-o", "x.png"});
@@ -286,13 +287,13 @@ TEST_F(ExercisesCommand, APictureOfNoExerciseIsRefused) {
     };
     picture({"--exercise", "E99", "--student", "1"}, {"\"E99\""});
     picture({"--exercise", "E18-place-the-lihgt", "--student", "1"}, {"E18-place-the-lihgt"});
-    picture({"--exercise", "shadow", "--student", "1"}, {"names one exercise"});
+    picture({"--exercise", "shadow", "--student", "1"}, {"must name one exercise"});
     picture({"--student", "1"}, {"need --exercise"});
     picture({"--exercise", "E18", "nowhere.json"}, {"nowhere.json"});
     write("a.json", R"({"answers": 1, "student": "1", "items": [{"exercise": "E18-place-the-light", "variant": 0,
         "attempts": [{"set": {"camera.yaw": 9}}]}]})");
     picture({"--exercise", "E18", "a.json"}, {"camera.yaw"});
-    picture({"--exercise", "E18", "a.json", "--student", "1"}, {"a hand-in says itself whose it is"});
+    picture({"--exercise", "E18", "a.json", "--student", "1"}, {"cannot be given with a hand-in"});
     write("b.json", R"({"answers": 1, "student": "1", "items": [{"exercise": "E18-place-the-light", "variant": 0,
         "attempts": [{"set": {"light.position": "up"}}]}]})");
     picture({"--exercise", "E18", "b.json"}, {"light.position"});

@@ -1,4 +1,4 @@
-// snapshot of views by themselves: as SVG and PDF, transparent, for print, and what is refused.
+// Snapshots of single views: as SVG and PDF, transparent, and for print. Also refusals.
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
@@ -11,13 +11,13 @@ using Words = std::vector<std::string>;
 
 class Figure : public Program {
 protected:
-    /// A figure; more arguments behind.
+    /// Returns the arguments for a figure, followed by `more`.
     static Words figure(const char* view, const std::string& output, const Words& more = {}) {
         Words words{"snapshot", "--view", view, "--size", "800x500", "-o", output};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
-    /// The one sentence of what is refused; nothing was written.
+    /// Returns the sentence of a refusal; expects that nothing was written.
     std::string refused(const Words& words) {
         const Ended run = expect(2, words);
         EXPECT_FALSE(std::filesystem::exists(folder() / "no.png"));
@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(Figure, IsWrittenInTheFormThatItsNameSays) {
+TEST_F(Figure, IsWrittenInTheFormatOfItsName) {
     for (const char* name : {"a.svg", "a.pdf", "a.png", "again.svg", "again.pdf"}) expect(0, figure("matrices", name));
     EXPECT_EQ(read("a.svg").substr(0, 5), "<?xml");
     EXPECT_EQ(read("a.pdf").substr(0, 5), "%PDF-");
@@ -34,7 +34,7 @@ TEST_F(Figure, IsWrittenInTheFormThatItsNameSays) {
     EXPECT_EQ(read("a.pdf"), read("again.pdf"));
     EXPECT_NE(read("a.svg").find(">Shadow"), std::string::npos);
     EXPECT_NE(read("a.svg").find("@font-face"), std::string::npos);
-    // A figure of what GL draws holds a picture.
+    // A figure of a GL view contains a picture.
     expect(0, {"snapshot", "--view", "camera", "--size", "96x64", "-o", "camera.svg"});
     EXPECT_NE(read("camera.svg").find("<image"), std::string::npos);
     EXPECT_EQ(read("camera.svg").find("<text"), std::string::npos);
@@ -51,14 +51,14 @@ TEST_F(Figure, CarriesItsState) {
     }
     write("none.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
     EXPECT_EQ(expect(2, {"state", "none.svg"}).err,
-              "none.svg: this picture carries no state; those that this program wrote do\n");
+              "none.svg: this picture contains no state; only pictures written by this program do\n");
     write("broken.pdf", "%PDF-1.5 viewing-sandbox-state-7b22");
     EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
 }
 
-/// Its names take two bytes a sign in a file, and what was left out is written in full.
-TEST_F(Figure, AStateThatIsTooLongToBeReadBackIsLeftOutAndThatIsSaid) {
-    const std::string quotes(2 * 950, '\\');  // 950 signs of their own, each escaped
+/// The state's names take two bytes per character in a file, and its omitted fields are written in full.
+TEST_F(Figure, AStateTooLongToReadBackIsLeftOutWithAMessage) {
+    const std::string quotes(2 * 950, '\\');  // 950 characters, each escaped
     std::string objects;
     for (int i = 0; i < 8000; ++i)
         objects += (i == 0 ? "" : ",") + (R"({"name":")" + quotes + std::to_string(i)) +
@@ -68,22 +68,22 @@ TEST_F(Figure, AStateThatIsTooLongToBeReadBackIsLeftOutAndThatIsSaid) {
         const Ended run = this->run({"snapshot", "long.json", "--view", "camera", "--size", "32x18", "-o", name});
         EXPECT_EQ(run.status, 0) << run.told();
         EXPECT_EQ(run.err, "the picture does not carry its state, which is longer than 16 MiB\n");
-        EXPECT_NE(expect(2, {"state", name}).err.find("carries no state"), std::string::npos);
+        EXPECT_NE(expect(2, {"state", name}).err.find("contains no state"), std::string::npos);
     }
 }
 
-TEST_F(Figure, MatricesThatTheStateListsStandAlone) {
+TEST_F(Figure, DrawsOnlyTheMatricesThatTheStateLists) {
     expect(0, figure("matrices", "S.svg", {"--set", R"(view.layout.matrices=["S"])"}));
     EXPECT_NE(read("S.svg").find(">Shadow"), std::string::npos);
     EXPECT_EQ(read("S.svg").find(">Reflection"), std::string::npos);
 }
 
-TEST_F(Figure, WhatCannotBeShownIsSaid) {
+TEST_F(Figure, ViewsThatCannotBeShownAreReported) {
     EXPECT_EQ(refused(figure("tree", "no.png")),
-              "the view tree has nothing to show: Only the BSP tree has a tree to show.\n");
+              "the view tree has nothing to show: Only the BSP tree method has a tree to show.\n");
     EXPECT_EQ(refused(figure("pixel", "no.svg")),
-              "the view pixel is of a pixel of the camera's picture, and none is pinned: view.pixel=[X,Y]\n");
-    EXPECT_NE(refused({"snapshot", "--view", "passes", "--size", "600x300", "-o", "no.svg"}).find("has room for it"),
+              "the view pixel needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]\n");
+    EXPECT_NE(refused({"snapshot", "--view", "passes", "--size", "600x300", "-o", "no.svg"}).find("it fits in "),
               std::string::npos);
     EXPECT_NE(refused({"snapshot", "--view", "matrices", "--size", "100x100", "-o", "no.png"}).find("--size"),
               std::string::npos);
@@ -94,7 +94,7 @@ TEST_F(Figure, WhatCannotBeShownIsSaid) {
     EXPECT_NE(refused({"snapshot", "--view", "nothing", "-o", "no.png"}).find("mirror_ways"), std::string::npos);
 }
 
-TEST_F(Figure, IsTransparentWhereThereIsNothing) {
+TEST_F(Figure, HasATransparentBackground) {
     using viewing::read_png;
     expect(0, {"snapshot", "--view", "camera", "--size", "96x64", "--transparent", "-o", "cut.png"});
     const auto cut = read_png(folder() / "cut.png");
@@ -109,7 +109,7 @@ TEST_F(Figure, IsTransparentWhereThereIsNothing) {
     EXPECT_EQ(read("cut.svg").find(ground), std::string::npos);
 }
 
-TEST_F(Figure, SaysHowLargeItIsOnPaper) {
+TEST_F(Figure, StoresItsSizeOnPaper) {
     expect(0, figure("codes", "print.svg", {"--dpi", "200"}));
     EXPECT_NE(read("print.svg").find("width=\"4in\" height=\"2.5in\""), std::string::npos);
     expect(0, figure("codes", "print.pdf", {"--dpi", "200"}));
@@ -120,7 +120,7 @@ TEST_F(Figure, SaysHowLargeItIsOnPaper) {
     EXPECT_EQ(read("screen.png").find("pHYs"), std::string::npos);
 }
 
-TEST_F(Figure, AViewByItselfCanBeSwept) {
+TEST_F(Figure, ASingleViewCanBeSwept) {
     expect(0,
            {"sweep", "--vary", "projection.near=0.1:1:2", "--view", "precision", "--size", "480x320", "-o", "frames"});
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder() / "frames"), {}), 2);

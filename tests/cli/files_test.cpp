@@ -1,5 +1,4 @@
-// Files that go in and out: names that are empty, long or misleading, what cannot be read and why, and that nothing is
-// written anywhere else.
+// Input and output files: empty, long or misleading names, unreadable files. Nothing is written anywhere else.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -50,7 +49,7 @@ TEST_F(FileNames, TwoHyphensEndTheOptions) {
     EXPECT_EQ(expect(0, {"state", "--", "-x.json"}).out, state);
     EXPECT_EQ(expect(0, {"state", "--set=camera.yaw=8", "--", "--set"}).json()["camera"]["yaw"], 8);
     EXPECT_EQ(expect(0, {"state", "--", "-"}, {.input = state}).out, state);
-    refused({"state", "--", "-x.json", "--help"}, {"\"--help\"", "one argument too many"});
+    refused({"state", "--", "-x.json", "--help"}, {"\"--help\"", "unexpected argument"});
     refused({"state", "-x.json"}, {"-x.json: no such option"});
 }
 
@@ -62,7 +61,7 @@ TEST_F(FileNames, PicturesEndInPng) {
     refused({"compare", "x.PNG", "x.png", "-o", "difference.bmp"}, {"-o", ".png", "difference.bmp"});
 }
 
-TEST_F(FileNames, MayBeAsLongAsTheFileSystemTakes) {
+TEST_F(FileNames, MayBeAsLongAsTheFileSystemAllows) {
     const std::string longest = std::string(251, 'x') + ".png", longer = "x" + longest;
     expect(0, small(longest));
     EXPECT_TRUE(exists(longest));
@@ -73,7 +72,7 @@ TEST_F(FileNames, MayBeAsLongAsTheFileSystemTakes) {
     refused({"state", "x" + state}, {"cannot be read", "too long"});
 }
 
-TEST_F(FileNames, WhatCannotBeReadSaysWhy) {
+TEST_F(FileNames, UnreadableFilesSayWhy) {
     fs::create_directory(folder() / "folder");
     refused({"state", "./folder"}, {"./folder: is a directory"});
     refused({"state", "missing.json"}, {"missing.json: no such file"});
@@ -81,27 +80,27 @@ TEST_F(FileNames, WhatCannotBeReadSaysWhy) {
     refused({"state", "./folder/x.json"}, {"no such file"});
 }
 
-TEST_F(FileNames, ModesOfWhatIsReplacedAreKept) {
+TEST_F(FileNames, ModesOfReplacedFilesAreKept) {
     write("x.png", "old");
     ASSERT_EQ(::chmod((folder() / "x.png").c_str(), 0604), 0);
     expect(0, small("x.png"));
     EXPECT_EQ(fs::status(folder() / "x.png").permissions(), static_cast<fs::perms>(0604));
 }
 
-TEST_F(FileNames, ASceneSaysThatItIsNoPreset) {
+TEST_F(FileNames, ASceneSaysThatItIsNotAPreset) {
     refused({"state", "decals"}, {"decals: is a scene, not a preset", "--set scene=decals"});
     refused(small("x.png", {"decals"}), {"decals: is a scene, not a preset", "--set scene=decals"});
     expect(0, {"state", "--set", "scene=decals"});
     EXPECT_EQ(expect(0, {"state", "coplanar"}).json()["scene"], "coplanar") << "a preset too";
 }
 
-TEST_F(FileNames, OfSamplesThereAreTwo) {
+TEST_F(FileNames, SamplesHasTwoValues) {
     const std::string error = expect(2, small("x.png", {"--samples", "8"})).err;
     EXPECT_NE(error.find("--samples: must be 0 or 4, got \"8\"\n"), std::string::npos) << error;
 }
 
-/// Where the program looks up a home by itself it finds a folder of the test.
-TEST_F(FileNames, WithoutAHomeNothingElseIsWritten) {
+/// A preloaded library makes the program use a folder of the test as its home.
+TEST_F(FileNames, NothingElseIsWrittenWithoutAHome) {
     const fs::path library = fs::path(std::getenv("VIEWING_SANDBOX")).parent_path() / "tests" / "libother-home.so";
     if (!fs::exists(library)) GTEST_SKIP() << "no library to be loaded before others in this build";
     fs::create_directory(folder() / "home");
@@ -115,7 +114,7 @@ TEST_F(FileNames, WithoutAHomeNothingElseIsWritten) {
         expect(0, words, bare);
     EXPECT_TRUE(fs::is_empty(folder() / "home"));
     EXPECT_EQ(std::distance(fs::directory_iterator(folder() / "work"), fs::directory_iterator()), 1);
-    // That the driver would have written there is seen where a person wants it to.
+    // The driver writes there once its cache is enabled.
     bare.without.pop_back();
     bare.environment["MESA_SHADER_CACHE_DISABLE"] = "false";
     expect(0, small("x.png"), bare);

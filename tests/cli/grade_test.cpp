@@ -1,4 +1,4 @@
-// Hand-ins by the command line: what is right, what a broken file costs, and the forms of the result.
+// Hand-ins on the command line: right answers, the effect of a broken file, and the formats of the result.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ protected:
         return expect(status, arguments);
     }
 
-    /// Of N01-far, which alone has two.
+    /// Returns the student's variant of N01-far, the only exercise with two variants.
     int variant_of(const std::string& student) const {
         write("probe.json", hand_in(student, ""));
         const nlohmann::json probe = grade(1, {"probe.json", "--format", "json"}).json();
@@ -85,7 +85,7 @@ protected:
         return probe["students"][0]["items"][0]["variant"];
     }
 
-    /// Everything right, at these times.
+    /// Returns right answers to everything, given at these times.
     std::string right_items(const std::string& student, const std::string& at = "2026-11-21T10:") const {
         return item("N01-far", variant_of(student), answer("40", at + "03:12")) + "," +
                item("M02-shadow", 0, answer(shadow_matrix, at + "07:40")) + "," +
@@ -93,7 +93,7 @@ protected:
     }
 };
 
-TEST_F(GradeCommand, WhatIsRightIsWorthItsPoints) {
+TEST_F(GradeCommand, RightAnswersEarnTheirPoints) {
     write("right.json", hand_in("32201234", right_items("32201234")));
     const std::string table = grade(0, {"right.json"}).out;
     EXPECT_TRUE(has(table, "student   N01 M02 G03 points  first try  hints  notes\n")) << table;
@@ -101,7 +101,7 @@ TEST_F(GradeCommand, WhatIsRightIsWorthItsPoints) {
     EXPECT_TRUE(has(grade(0, {"right.json", "--course", "cg"}).out, " 7/7 "));
 }
 
-TEST_F(GradeCommand, NothingThatAFileSaysOfItselfIsBelieved) {
+TEST_F(GradeCommand, VerdictsInAFileAreNotTrusted) {
     write("wrong.json", hand_in("1", item("N01-far", variant_of("1"), answer("10") + R"(, {"hint": 1})") + "," +
                                          item("M02-shadow", 0, answer("7") + "," + answer(transposed_matrix)) + "," +
                                          item("G03-near", 0, change(R"({"projection.near": 0.6})"))));
@@ -115,7 +115,7 @@ TEST_F(GradeCommand, NothingThatAFileSaysOfItselfIsBelieved) {
     EXPECT_EQ(student["items"][2]["standing"], "partly");
 }
 
-TEST_F(GradeCommand, AnotherStudentsVariantIsNotJudgedAndMissingIsSaid) {
+TEST_F(GradeCommand, AnotherStudentsVariantIsNotJudgedAndMissingAnswersAreShown) {
     const int other = 1 - variant_of("1");
     write("one.json", hand_in("1", item("N01-far", other, answer("40"))));
     const std::string table = grade(1, {"one.json"}).out;
@@ -123,7 +123,7 @@ TEST_F(GradeCommand, AnotherStudentsVariantIsNotJudgedAndMissingIsSaid) {
     EXPECT_EQ(count_of(table, " - "), 2U) << table;
 }
 
-TEST_F(GradeCommand, AnAnswerThatCannotBeOneIsWrong) {
+TEST_F(GradeCommand, AnInvalidAnswerIsWrong) {
     const auto standing = [&](const std::string& items, std::size_t index) -> std::string {
         write("one.json", hand_in("1", items));
         const nlohmann::json student = grade(1, {"one.json", "--format", "json"}).json()["students"][0];
@@ -140,7 +140,7 @@ TEST_F(GradeCommand, AnAnswerThatCannotBeOneIsWrong) {
     EXPECT_EQ(standing(item("M02-shadow", 0, change(R"({"light.position": [0, 9, 0, 1]})")), 1), "wrong");
 }
 
-TEST_F(GradeCommand, ABrokenFileCostsItsOwnLine) {
+TEST_F(GradeCommand, ABrokenFileCostsOnlyItsOwnLine) {
     write("hand-ins/a-cut.json", hand_in("1", "").substr(0, 30));
     write("hand-ins/b-plain.json", "my answers are 1 and 2");
     write("hand-ins/c-huge.json", hand_in("1", item("N01-far", 0, answer("1e999"))));
@@ -151,7 +151,7 @@ TEST_F(GradeCommand, ABrokenFileCostsItsOwnLine) {
     for (const char* const name : {"a-cut", "b-plain", "c-huge", "d-nameless", "f-deep", "nowhere"})
         EXPECT_TRUE(has(ended.out, std::string(name) + ".json: ")) << ended.told();
     EXPECT_TRUE(has(ended.err, "a-cut.json: ")) << ended.told();
-    EXPECT_TRUE(has(ended.err, "; 5 more cannot be read, as the table says")) << ended.told();
+    EXPECT_TRUE(has(ended.err, "; 5 more cannot be read (see the table)")) << ended.told();
     EXPECT_TRUE(has(ended.out, "32201234    2   3   2    7/7 ")) << ended.told();
     const nlohmann::json all = grade(2, {"hand-ins", "--format", "json"}).json();
     EXPECT_EQ(all["students"].size(), 6U);
@@ -168,27 +168,27 @@ TEST_F(GradeCommand, ASpreadsheetGetsTextAndNoFormulas) {
         << csv;
 }
 
-TEST_F(GradeCommand, MisconceptionsAreSharesOfThoseWhoTried) {
+TEST_F(GradeCommand, MisconceptionsAreSharesOfStudentsWhoTried) {
     write("hand-ins/1.json", hand_in("1", item("N01-far", variant_of("1"), answer("10") + "," + answer("40"))));
     write("hand-ins/2.json", hand_in("2", item("N01-far", variant_of("2"), answer("40"))));
     write("hand-ins/3.json", hand_in("3", ""));
-    const std::string said = "T10 ten, not forty: 50 % of 2 students, 0 % at the last attempt\n";
+    const std::string said = "T10 ten, not forty: 50% of 2 students, 0% at the last attempt\n";
     EXPECT_TRUE(has(grade(1, {"hand-ins", "--tags"}).out, "\n\n" + said));
     const std::string csv = grade(1, {"hand-ins", "--tags", "--format", "csv"}).out;
     EXPECT_EQ(csv, "tag,text,students,at_last,students_of\r\nT10,\"ten, not forty\",1,0,2\r\n");
 }
 
-TEST_F(GradeCommand, ASetIsAllThatCounts) {
+TEST_F(GradeCommand, OnlyTheSetCounts) {
     write("one.json", hand_in("1", item("M02-shadow", 0, answer(shadow_matrix))));
     EXPECT_TRUE(has(grade(0, {"one.json", "--set", "shadow"}).out, "student  M02 points"));
     EXPECT_TRUE(has(grade(1, {"one.json", "--set", "N01,G03-near"}).out, "student  N01 G03 points"));
     refused({"grade", "one.json", "--exercises", "exercises", "--set", "shadwo"}, {"shadwo", "camera, shadow"});
     refused({"grade", "one.json", "--exercises", "nowhere.json"}, {"nowhere.json"});
-    refused({"grade", "--exercises", "exercises"}, {"a hand-in is missing"});
+    refused({"grade", "--exercises", "exercises"}, {"no hand-in given"});
     refused({"grade", "one.json", "--html", "-"}, {"-o and --html"});
 }
 
-TEST_F(GradeCommand, WhatTwoFilesHaveAlikeIsNoted) {
+TEST_F(GradeCommand, SimilarFilesGetANote) {
     write("hand-ins/1.json", hand_in("1", right_items("1")));
     write("hand-ins/2.json", hand_in("2", right_items("2")));
     write("hand-ins/3.json", hand_in("3", right_items("3", "2026-11-22T09:")));
@@ -206,7 +206,7 @@ TEST_F(GradeCommand, ThePageHasEverythingInIt) {
     EXPECT_TRUE(has(read("grades.txt"), "w:M33"));
     const std::string page = read("report.html");
     for (const char* const part : {"class=\"histogram\"", "김학생", "&lt;script&gt;&amp;", "rows and columns",
-                                   "What their matrices do", "typed by 1 student", "Rows are columns. (M33)"})
+                                   "What the wrong matrices do", "entered by 1 student", "Rows are columns. (M33)"})
         EXPECT_TRUE(has(page, part)) << part;
     EXPECT_FALSE(has(page, "<script"));
     EXPECT_EQ(count_of(page, "data:image/png;base64,iVBORw0KGgo"), 2U);
@@ -218,7 +218,7 @@ TEST_F(GradeCommand, ThePageHasEverythingInIt) {
     }
 }
 
-TEST_F(GradeCommand, FoldersAreSearchedThroughNoLinksAndWhatIsSkippedIsCounted) {
+TEST_F(GradeCommand, FoldersAreSearchedWithoutLinksAndSkippedFilesAreCounted) {
     const std::string right = hand_in("32201234", right_items("32201234"));
     for (const char* const name : {"hand-ins/b", "hand-ins/b/deep", "hand-ins/.git", "elsewhere"})
         fs::create_directory(folder() / name);
@@ -248,31 +248,30 @@ TEST_F(GradeCommand, FoldersAreSearchedThroughNoLinksAndWhatIsSkippedIsCounted) 
     refused({"grade", "elsewhere", "-o", "elsewhere/e.json"}, {"cannot be the same file"});
 }
 
-TEST_F(GradeCommand, AFolderWithoutHandInsIsOneLine) {
+TEST_F(GradeCommand, AFolderWithoutHandInsIsReportedInOneLine) {
     write("hand-ins/a.txt", "");
-    EXPECT_TRUE(has(grade(2, {"hand-ins"}).err, "hand-ins: a folder without a .json file; 0 files judged"));
+    EXPECT_TRUE(has(grade(2, {"hand-ins"}).err, "hand-ins: the folder contains no .json file; 0 files judged"));
 }
 
-TEST_F(GradeCommand, OutOfTimeWritesWhatIsJudgedAndSaysWhatIsNot) {
+TEST_F(GradeCommand, OutOfTimeWritesJudgedResultsAndMarksTheRest) {
     write("hand-ins/1.json", hand_in("1", right_items("1")));
     write("hand-ins/2.json", hand_in("2", ""));
     const Ended ended =
         grade(8, {"hand-ins", "--timeout", "0.001", "--format", "json", "-o", "grades.json", "--html", "page.html"});
-    EXPECT_TRUE(has(ended.err, "the 0.001 s of --timeout; 1 of 2 hand-ins are not judged to the end")) << ended.told();
+    EXPECT_TRUE(has(ended.err, "the 0.001 s of --timeout; 1 of 2 hand-ins are not fully judged")) << ended.told();
     const nlohmann::json all = nlohmann::json::parse(read("grades.json"));
     ASSERT_EQ(all["students"].size(), 2U);
     EXPECT_EQ(all["students"][0]["items"][0]["standing"], "not_judged");
-    EXPECT_EQ(all["students"][0]["items"][0]["trouble"], "the time of --timeout ran out");
+    EXPECT_EQ(all["students"][0]["items"][0]["trouble"], "--timeout expired");
     EXPECT_EQ(all["students"][1]["items"][0]["standing"], "missing");
     EXPECT_EQ(all["files"]["out_of_time"], 1);
-    EXPECT_TRUE(has(read("page.html"), "not judged: the time of --timeout ran out"));
+    EXPECT_TRUE(has(read("page.html"), "not judged: --timeout expired"));
     EXPECT_TRUE(has(read("page.html"), "</html>"));
     const std::string csv = grade(8, {"hand-ins", "--timeout", "0.001", "--format", "csv"}).out;
-    EXPECT_TRUE(has(csv, ",?,?,?,0,7,0,0,\"N01-far, M02-shadow, G03-near not judged: the time of --timeout ran out\""))
-        << csv;
+    EXPECT_TRUE(has(csv, ",?,?,?,0,7,0,0,\"N01-far, M02-shadow, G03-near not judged: --timeout expired\"")) << csv;
     const std::string table = grade(8, {"hand-ins", "--timeout", "0.001"}).out;
-    EXPECT_TRUE(has(table, "1 file judged, 1 not judged to the end\n")) << table;
-    EXPECT_TRUE(has(grade(1, {"hand-ins", "--timeout", "60"}).err, "1 of 2 hand-ins are all right"));
+    EXPECT_TRUE(has(table, "1 file judged, 1 not fully judged\n")) << table;
+    EXPECT_TRUE(has(grade(1, {"hand-ins", "--timeout", "60"}).err, "1 of 2 hand-ins are fully correct"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Lessons by the command line: their list, their own tests, a step as a picture, paper.
+// Lessons on the command line: their list, their tests, a step as a picture, a handout.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,15 +31,15 @@ TEST_F(LessonCommand, ACheckThatFailsNamesLessonStepAndValues) {
     EXPECT_TRUE(has(expect(0, {"lesson", "--check", "mine.json"}).out, "1 lesson, 1 step: "));
     write("mine.json", lesson_with("projection.near == 3"));
     const std::string found = expect(1, {"lesson", "--check", "mine.json"}).out;
-    EXPECT_TRUE(has(found, "mine, step one: claims[0]: projection.near == 3 does not hold; it is 2.0 and 3.0"))
+    EXPECT_TRUE(has(found, "mine, step one: claims[0]: projection.near == 3 does not hold; its sides are 2.0 and 3.0"))
         << found;
     write("mine.json", lesson_with("true", "11"));
-    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is not recognised"));
+    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is not recognized"));
     write("mine.json", lesson_with("true", "40"));
-    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is taken for right"));
+    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is accepted as right"));
 }
 
-TEST_F(LessonCommand, ABrokenFileIsOneSentence) {
+TEST_F(LessonCommand, ABrokenFileIsReportedInOneSentence) {
     write("mine.json", lesson_with("projection.naer == 2 and"));
     EXPECT_TRUE(has(expect(2, {"lesson", "--check", "mine.json"}).err, "mine.json: step one: claims[0]: "));
     expect(2, {"lesson", "--check", "nowhere.json"});
@@ -49,18 +49,18 @@ TEST_F(LessonCommand, ABrokenFileIsOneSentence) {
     expect(2, {"lesson", "--check", "--list"});
 }
 
-TEST_F(LessonCommand, AnExpressionOfSomebodyElseEndsHoweverItIsHidden) {
+TEST_F(LessonCommand, HiddenFunctionsInExpressionsAreRefused) {
     const std::string bomb =
         "(function() local t={1,1,1,1,1,1,1,1,1,1} for i=1,13 do t={t,t,t,t,t,t,t,t,t,t} end return t end)()";
     for (const std::string& hidden : {bomb, "(--'\\n" + bomb + " --'\\n) == 1"}) {
         write("mine.json", lesson_with(hidden));
         const Ended ended = expect(2, {"lesson", "--check", "mine.json"}, {.limits = {{RLIMIT_CPU, 10}}});
-        EXPECT_TRUE(has(ended.err, "mine.json: step one: claims[0]: function is no name here")) << ended.told();
+        EXPECT_TRUE(has(ended.err, "mine.json: step one: claims[0]: function is not allowed")) << ended.told();
     }
 }
 
-/// One call costs what its scene costs, whatever the expression does otherwise.
-TEST_F(LessonCommand, WhatIsMeasuredOfALargeSceneIsRefusedBeforeItIsBegun) {
+/// One call costs as much as its scene, whatever else the expression does.
+TEST_F(LessonCommand, MeasuringALargeSceneIsRefusedBeforeItBegins) {
     std::string spheres;
     for (int i = 0; i < 200; ++i)
         spheres += std::string(i == 0 ? "" : ", ") + R"({"name": "s)" + std::to_string(i) + R"(", "shape": "sphere"})";
@@ -69,11 +69,11 @@ TEST_F(LessonCommand, WhatIsMeasuredOfALargeSceneIsRefusedBeforeItIsBegun) {
     text.replace(text.find(set), set.size(), R"("scene": {"objects": [)" + spheres + "]}");
     write("mine.json", text);
     const Ended ended = expect(1, {"lesson", "--check", "mine.json"}, {.limits = {{RLIMIT_CPU, 10}}});
-    EXPECT_TRUE(has(ended.out, "visibility_counts() takes scenes of at most 20,000 polygons, this one has "))
+    EXPECT_TRUE(has(ended.out, "visibility_counts() takes scenes of at most 20,000 polygons, but this one has "))
         << ended.told();
 }
 
-TEST_F(LessonCommand, AStepIsAPictureBeforeAndAfterItsAnswer) {
+TEST_F(LessonCommand, DrawsAStepBeforeAndAfterItsAnswer) {
     write("mine.json", lesson_with("true"));
     const auto draw = [&](const std::string& file, std::vector<std::string> more) {
         std::vector<std::string> all{"snapshot", "--lesson", "mine.json", "--size", "480x360", "-o", file};
@@ -92,7 +92,7 @@ TEST_F(LessonCommand, AStepIsAPictureBeforeAndAfterItsAnswer) {
     expect(2, {"snapshot", "room", "--lesson", "mine.json", "-o", "x.png"});
 }
 
-TEST_F(LessonCommand, PaperHasAPageForEachStepAndAnswersOnRequest) {
+TEST_F(LessonCommand, HandoutHasAPageForEachStepAndAnswersOnRequest) {
     write("mine.json", lesson_with("true"));
     const std::string page = expect(0, {"lesson", "mine.json", "--handout", "-"}).out;
     EXPECT_TRUE(has(page, "How far is z-far?"));
@@ -101,7 +101,7 @@ TEST_F(LessonCommand, PaperHasAPageForEachStepAndAnswersOnRequest) {
     EXPECT_TRUE(has(expect(0, {"lesson", "mine.json", "--handout", "-", "--answers"}).out, "Forty."));
 }
 
-TEST_F(LessonCommand, AStateThatIsALessonSaysSo) {
+TEST_F(LessonCommand, ALessonGivenAsAStateIsReported) {
     write("mine.json", lesson_with("true"));
     EXPECT_TRUE(has(expect(2, {"state", "mine.json"}).err, "viewing-sandbox lesson mine.json"));
 }

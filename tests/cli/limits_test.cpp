@@ -1,4 +1,4 @@
-// What the system refuses a process, and the limits of its time: the status is one of the table all the same.
+// Limits of the system and of time: the exit status is still a documented one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -32,15 +32,15 @@ TEST_F(Limits, EveryCommandHasATimeout) {
     EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(Limits, AFileThatMayNotGrowIsLikeAFullDisk) {
+TEST_F(Limits, AFileSizeLimitIsLikeAFullDisk) {
     const Ended ended = expect(2, {"snapshot", "-o", "a.png", "--size", "320x240"},
                                {.environment = {{"MESA_SHADER_CACHE_DISABLE", "1"}}, .limits = {{RLIMIT_FSIZE, 2000}}});
     EXPECT_NE(ended.err.find("a.png: cannot be written"), std::string::npos) << ended.told();
     EXPECT_EQ(files(), 0U);
 }
 
-/// Wherever the memory ends, in the program or inside the driver.
-TEST_F(Limits, ShortMemoryEndsWithAStatusOfTheTable) {
+/// Memory may run out in the program or inside the driver.
+TEST_F(Limits, LittleMemoryEndsWithADocumentedStatus) {
     for (const unsigned long megabytes : {400, 300, 260, 220, 180, 140, 100, 60}) {
         std::filesystem::remove(folder() / "a.png");
         const Ended ended =
@@ -54,8 +54,8 @@ TEST_F(Limits, ShortMemoryEndsWithAStatusOfTheTable) {
     }
 }
 
-/// Four samples a pixel, and an observer's picture beside the camera's: no other view takes more.
-TEST_F(Limits, TheLargestPictureTakesNoMoreThanAGigabyte) {
+/// Four samples per pixel, and an observer view besides the camera view: no other picture needs more.
+TEST_F(Limits, TheLargestPictureTakesAtMostAGigabyte) {
     const Ended ended =
         expect(0, {"snapshot", "--view", "observer", "--samples", "4", "--size", "4096x4096", "-o", "a.png"});
     if (!viewing::is_sanitized) {

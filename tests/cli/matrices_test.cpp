@@ -1,4 +1,4 @@
-// The chosen matrices, with digits and symbols, in every format: read by those who take them, Python and LaTeX.
+// The chosen matrices, with digits and symbols, in every format, as Python and LaTeX read them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ protected:
     }
 };
 
-TEST_F(ChosenMatrices, StandInTheOrderInWhichTheyAreNamed) {
+TEST_F(ChosenMatrices, ArePrintedInTheGivenOrder) {
     const Json all = matrices({}).json();
     const auto some = nlohmann::ordered_json::parse(matrices({"--only", "R,S[2,1],PV,S[2,2],R[2],C,S"}).out);
     std::string keys;
@@ -45,7 +45,7 @@ TEST_F(ChosenMatrices, StandInTheOrderInWhichTheyAreNamed) {
     EXPECT_EQ(chosen["shadow_sign[2,1]"], -1);
 }
 
-TEST_F(ChosenMatrices, NamesThatThereAreNotAreRefused) {
+TEST_F(ChosenMatrices, UnknownNamesAreRefused) {
     for (const char* list : {"X", "", "S,", "S[1]", "S[1,1,1]", "S[1,1", "V[1]", "R[1,1]", "R[]", "S[a,b]", "SR"})
         refused({"matrices", "--only", list}, {"--only", "C, V, P, PV, S, S[plane,light], R or R[plane]"});
     refused({"matrices", "--only", "R[2]"}, {"R[2]: there is no plane 2, only 1"});
@@ -55,7 +55,7 @@ TEST_F(ChosenMatrices, NamesThatThereAreNotAreRefused) {
     refused({"matrices", "--digits", "18"}, {"--digits", "1 to 17"});
 }
 
-TEST_F(ChosenMatrices, HaveTheDigitsThatAreAskedFor) {
+TEST_F(ChosenMatrices, HaveTheRequestedDigits) {
     const Json all = matrices({}).json(), four = matrices({"--digits", "4"}).json();
     for (const char* name : {"view_from_world", "clip_from_view", "shadow_from_world"})
         for (std::size_t row = 0; row < 4; ++row)
@@ -69,7 +69,7 @@ TEST_F(ChosenMatrices, HaveTheDigitsThatAreAskedFor) {
     EXPECT_EQ(matrices({"--digits", "17"}).json(), all);
 }
 
-TEST_F(ChosenMatrices, TellTheSignThatIsUploadedInEveryFormat) {
+TEST_F(ChosenMatrices, IncludeTheUploadedSignInEveryFormat) {
     const std::map<std::string, std::string> signs{
         {"text", "shadow_sign[2,1] = -1 (uploaded is shadow_sign[2,1] * S[2,1])\n"},
         {"latex", "\\mathrm{shadow\\_sign}_{2,1} = -1\n"},
@@ -125,7 +125,7 @@ assert worst < 1e-12, worst
         << read("told") << read("compare.py");
 }
 
-TEST_F(ChosenMatrices, LatexTakesThemBetweenDollars) {
+TEST_F(ChosenMatrices, LatexAcceptsThemBetweenDollars) {
     if (std::system("command -v pdflatex >/dev/null") != 0)
         GTEST_SKIP() << "no pdflatex: Debian's package texlive-latex-base has it";
     std::string text = "\\documentclass{article}\\usepackage{amsmath}\\begin{document}\n";

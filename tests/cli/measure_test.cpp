@@ -1,4 +1,4 @@
-// measure: what the hidden-surface methods do and where depth fights, as a script reads it.
+// measure: hidden-surface methods and depth fighting, as a script reads them.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -54,7 +54,7 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    // As GL draws them, which rounds corners: software_depth_buffer alone is drawn pixel by pixel.
+    // GL draws these and rounds their corners; only software_depth_buffer is drawn pixel by pixel.
     EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
     EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
@@ -70,7 +70,7 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     EXPECT_EQ(culling["after"], culling["by_plane"]["front"]);
 }
 
-TEST_F(Measure, VisibilityOfACycleIsTheLectures) {
+TEST_F(Measure, VisibilityOfACycleMatchesTheLecture) {
     const Json measured = visibility({"painter-cycle", "--size", "160x90"});
     for (const char* key : {"nearest", "farthest", "centroid"}) EXPECT_GT(measured["painter_keys"][key], 20) << key;
     EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0);
@@ -93,7 +93,7 @@ TEST_F(Measure, OrderNamesTheCycleOfThreeBars) {
     for (const char* key : {"nearest", "farthest", "centroid"}) EXPECT_GT(polygons["painter_keys"][key], 0) << key;
 }
 
-TEST_F(Measure, OrderExistsWhereBoxesStandApart) {
+TEST_F(Measure, OrderExistsForSeparateBoxes) {
     const std::string boxes =
         R"(scene={"objects":[{"name":"near","shape":"box","position":[0,1,3]},{"name":"far","shape":"box","position":[0,1,-3]}]})";
     const Json measured = expect(0, {"measure", "--set", "camera.position=[0,1,12]", "--set", "camera.yaw=0", "--set",
@@ -108,7 +108,7 @@ TEST_F(Measure, OrderExistsWhereBoxesStandApart) {
 }
 
 /// Squares one behind the other: each hides all that come after it.
-TEST_F(Measure, OrderListsAMillionPairsAtMost) {
+TEST_F(Measure, OrderListsAtMostAMillionPairs) {
     const auto write_squares = [this](int count) {
         std::string mesh;
         for (int i = 0; i < count; ++i)
@@ -133,7 +133,7 @@ TEST_F(Measure, PainterUsesTheStatesKey) {
         const Json measured = visibility({"--size", "160x90", "--set", std::string("visibility.sort_key=") + key,
                                           "--set", "visibility.step=2", "--set", "visibility.method=newell"});
         EXPECT_EQ(measured["methods"]["painter"]["wrong_pixels"], measured["painter_keys"][key]) << key;
-        EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2) << "all steps, whatever the state's step is";
+        EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2) << "all steps, whatever the state's step";
     }
 }
 
@@ -164,10 +164,11 @@ TEST_F(Measure, GrowthHasARowForEveryMethodAndCount) {
     EXPECT_EQ(counts, (std::set<int>{10, 30, 50}));
     EXPECT_EQ(measured["rows"].size(), 3U * 6U);
     EXPECT_TRUE(measured["summary"].get<std::string>().starts_with("Fewest")) << measured["summary"];
-    EXPECT_TRUE(measured["times"].get<std::string>().starts_with("By the clock, 50 polygons")) << measured["times"];
+    EXPECT_TRUE(measured["times"].get<std::string>().starts_with("Median times of several runs with 50 polygons"))
+        << measured["times"];
 }
 
-TEST_F(Measure, WithoutTimesIsTheSameByteForByte) {
+TEST_F(Measure, WithoutTimesIsByteIdentical) {
     const std::vector<std::vector<std::string>> commands{
         {"measure", "--what", "growth", "--max", "100", "--size", "32x24", "--no-times"},
         {"measure", "--what", "growth", "--max", "100", "--size", "32x24", "--no-times", "--format", "csv"},
@@ -192,7 +193,7 @@ TEST_F(Measure, GrowthAsCsvHasALineForEveryRow) {
     EXPECT_EQ(rows, 6);
 }
 
-TEST_F(Measure, GrowthTakesTheScenesPolygons) {
+TEST_F(Measure, GrowthUsesTheScenesPolygons) {
     const Json measured = expect(0, {"measure", "cyclic-overlap", "--what", "growth", "--polygons", "scene", "--max",
                                      "1000", "--size", "32x24"})
                               .json();
@@ -277,7 +278,7 @@ TEST_F(Measure, MirrorHasEveryWayWithItsPictureAndDepths) {
     }
 }
 
-TEST_F(Measure, RefusesWhatIsNoQuantityAndNamesAllThereAre) {
+TEST_F(Measure, RefusesUnknownQuantitiesAndListsAll) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"measure"}, {"measure", "--what", "miror"}})
         refused(arguments, {"visibility", "growth", "fighting", "mirror"});

@@ -1,5 +1,5 @@
-// Comparisons against hundreds of pictures that were changed on purpose, all of which are found, and against equal
-// pictures in other kinds of PNG files, of which none is.
+// Compares pictures with hundreds of deliberately changed ones, all of which must be detected, and with equal ones in
+// other kinds of PNG files, none of which may be.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -36,7 +36,7 @@ struct Mutation {
     Image image;
 };
 
-/// How far two areas of the same size are apart on average, levels.
+/// Returns the average difference between two areas of the same size, in levels.
 double distance(const Image& a, const Area& from, const Image& b, const Area& to) {
     double sum = 0.0;
     for (int y = 0; y < from.height; ++y)
@@ -45,7 +45,7 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
     return sum / (4.0 * from.width * from.height);
 }
 
-/// How far red, green and blue are from 0 and 255 in the area, at least, and whether there is more room above.
+/// Returns how far all levels of the area can move down or up, whichever is more, and whether that is up.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)
@@ -57,7 +57,7 @@ std::pair<int, bool> room_in(const Image& image, const Area& area) {
     return {std::max(low, 255 - high), 255 - high > low};
 }
 
-/// The changes that are made in memory, at places and by amounts that a seed chooses.
+/// Makes changes in memory; a seed chooses their places and amounts.
 class Mutator {
 public:
     Mutator(const Image& image, unsigned seed) : image_(image), random_(seed) {}
@@ -74,13 +74,13 @@ private:
         return {from(0, image_.width - width), from(0, image_.height - height), width, height};
     }
 
-    /// 36 pixels or more, by 8 levels or more.
+    /// Changes at least 36 pixels by at least 8 levels.
     Image hole() {
         const Area where = area(6, 20);
         const double levels = (room_in(image_, where).second ? 1 : -1) * from(8, 60);
         return changed(image_, where, [levels](int, double level) { return level + levels; });
     }
-    /// By two pixels or more across an edge of 40 levels over half of the rows or more, where there is one.
+    /// Moves an edge by at least two pixels: at least 40 levels high in at least half of the rows, if one can be found.
     Image edge() {
         for (;;) {
             const Area where = area(24, 40);
@@ -119,7 +119,7 @@ private:
             return result;
         }
     }
-    /// A shadow of half the light once more, where there is light to take.
+    /// Adds a shadow that takes half of the light, where there is enough light.
     Image blended() {
         for (;;) {
             const Area where = area(8, 30);
@@ -142,7 +142,7 @@ protected:
         return *viewing::read_png(folder() / "drawn.png");
     }
 
-    /// Of a state that is another one.
+    /// A picture of another state.
     std::vector<Mutation> drawn_otherwise(const std::string& preset) const {
         const Json state = expect(0, {"state", preset}).json();
         const auto yaw = [&](double more) {
@@ -175,7 +175,7 @@ TEST_F(MutationsSlowTest, AreAllFound) {
             }
         for (const Mutation& mutation : mutations) {
             SCOPED_TRACE(std::string(presets[p]) + ": " + mutation.kind);
-            if (mutation.image == image) continue;  // byte-equal: a shadow that this preset does not show
+            if (mutation.image == image) continue;  // identical: this preset does not show the changed shadow
             ++count[mutation.kind.substr(0, mutation.kind.find(','))];
             const auto strict = compare_images(mutation.image, image);
             const auto portable = compare_images(mutation.image, image, portable_options);
@@ -205,7 +205,7 @@ int channels_of(int color_type) {
                                                      : 1;
 }
 
-/// The pixels as a file of this kind has them; an index where it has a palette, which is filled.
+/// Returns the pixels as stored in a file of this kind. For a palette these are indices; `palette` is filled.
 std::vector<png_byte> raw_of(const Image& image, const Kind& kind, std::vector<png_color>& palette) {
     std::map<std::array<std::uint8_t, 3>, png_byte> index;
     std::vector<png_byte> raw;
@@ -251,7 +251,7 @@ void write_kind(const std::filesystem::path& path, const Image& image, const Kin
     std::fclose(file);
 }
 
-/// Grey, or with 5 levels a channel, so that a file of that kind can have them all.
+/// Reduces the picture to gray or to 5 levels per channel, so that a file of this kind can store all colors.
 Image grey(const Image& image) {
     Image result = image;
     for (std::size_t i = 0; i < result.rgba.size(); i += 4) result.rgba[i + 1] = result.rgba[i + 2] = result.rgba[i];
@@ -280,7 +280,7 @@ TEST_F(MutationsSlowTest, NoneIsFoundInAnotherKindOfFile) {
         for (const auto& [picture, kinds] :
              {std::pair(image, coloured), {grey(image), greys}, {of_few_colours(image), palettes}})
             for (const Kind& kind : kinds) {
-                SCOPED_TRACE(std::string(preset) + ", " + std::to_string(kind.bits) + " bits, colour type " +
+                SCOPED_TRACE(std::string(preset) + ", " + std::to_string(kind.bits) + " bits, color type " +
                              std::to_string(kind.color_type) + ", interlace " + std::to_string(kind.interlace));
                 write_kind(folder() / "kind.png", picture, kind);
                 const auto back = viewing::read_png(folder() / "kind.png");

@@ -1,4 +1,4 @@
-// README's lines of Python, run as they stand there.
+// The lines of Python in the manual, run as printed.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,14 +21,14 @@ protected:
             GTEST_SKIP() << "no Pillow: Debian's package python3-pil has it";
     }
 
-    static std::string lines_of_readme() {
-        std::ifstream stream(fs::path(std::getenv("TEST_SOURCE_DIR")).parent_path() / "README.md");
-        const std::string readme{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    static std::string lines_of_manual() {
+        std::ifstream stream(fs::path(std::getenv("TEST_SOURCE_DIR")).parent_path() / "assets/manual/notebook.md");
+        const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         const std::string begin = "```python\n";
-        const std::size_t first = readme.find(begin);
-        if (first == std::string::npos) throw std::runtime_error("README has no lines of Python");
+        const std::size_t first = page.find(begin);
+        if (first == std::string::npos) throw std::runtime_error("the manual has no lines of Python");
         const std::size_t from = first + begin.size();
-        return readme.substr(from, readme.find("```", from) - from);
+        return page.substr(from, page.find("```", from) - from);
     }
 
     void expect_to_run(const std::string& lines) const {
@@ -40,8 +40,8 @@ protected:
     }
 };
 
-TEST_F(Notebook, TheLinesOfTheReadmeRun) {
-    expect_to_run(lines_of_readme() +
+TEST_F(Notebook, LinesOfTheManualRun) {
+    expect_to_run(lines_of_manual() +
                   "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
                   "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
                   "state = json.loads(ask('state', 'tilted-plane'))\n"
@@ -52,8 +52,8 @@ TEST_F(Notebook, TheLinesOfTheReadmeRun) {
                   "assert json.loads(told) == state\n");
 }
 
-/// Pillow takes no text of more than 1 MiB, and such a state has several.
-TEST_F(Notebook, AndWithAStateOfManyTriangles) {
+/// Pillow rejects a text chunk of more than 1 MiB, and such a state has several MiB.
+TEST_F(Notebook, TheLinesRunWithAStateOfManyTriangles) {
     nlohmann::json objects = nlohmann::json::array();
     for (int i = 0; i < 4000; ++i) {
         const double x = i % 100, z = i / 100;
@@ -62,7 +62,7 @@ TEST_F(Notebook, AndWithAStateOfManyTriangles) {
                            {"vertices", {{x, 0.5, z}, {x + 0.7, 0.5, z}, {x, 0.5, z + 0.7}}}});
     }
     write("many.json", nlohmann::json{{"scene", {{"objects", objects}}}}.dump());
-    std::string lines = lines_of_readme();
+    std::string lines = lines_of_manual();
     const std::string preset = "tilted-plane";
     for (std::size_t at = lines.find(preset); at != std::string::npos; at = lines.find(preset))
         lines.replace(at, preset.size(), "many.json");

@@ -11,7 +11,7 @@ using Words = std::vector<std::string>;
 
 class OutputNames : public Program {
 protected:
-    /// The command is refused with these words, and every file stays as it was.
+    /// Expects that the command is refused with these words and leaves every file unchanged.
     void untouched(const Words& arguments, const Words& words) const {
         const auto contents = [this] {
             std::map<std::string, std::string> all;
@@ -41,7 +41,7 @@ protected:
         fs::create_directory_symlink("in", folder() / "link");
     }
 
-    /// The same file by other names.
+    /// Other names of the same file.
     static Words names_of(const std::string& name) {
         return {name, "./" + name, "in/../" + name, "hard-" + name, "soft-" + name};
     }

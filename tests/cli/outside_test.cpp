@@ -1,4 +1,4 @@
-// Files that a state names outside its own folder, and what messages tell of other files.
+// Files that a state names outside its own folder, and how little messages reveal about other files.
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
@@ -18,7 +18,7 @@ protected:
     }
 };
 
-TEST_F(Outside, NeedsLeave) {
+TEST_F(Outside, NeedsPermission) {
     for (const char* state : {"own/mesh.json", "own/room.json"}) {
         refused({"state", state}, {state, "../other/", "--allow-outside"});
         refused({"matrices", state}, {"--allow-outside"});
@@ -29,7 +29,7 @@ TEST_F(Outside, NeedsLeave) {
     expect(0, {"state", "-"}, {.input = R"({"scene": "other/room.json"})"});
 }
 
-TEST_F(Outside, WhatIsTypedNeedsNone) {
+TEST_F(Outside, TypedFilesNeedNoPermission) {
     expect(0, {"state", "own/plain.json", "--mesh", "other/m.obj"});
     expect(0, {"state", "other/m.obj"}, {.folder = folder()});
     expect(0, {"state", "own/plain.json", "--set", "scene=other/room.json"});
@@ -38,7 +38,7 @@ TEST_F(Outside, WhatIsTypedNeedsNone) {
     refused({"state", "own/mesh.json", "--set", "scene.objects[0].color=#ff0000"}, {"--allow-outside"});
 }
 
-TEST_F(Outside, MessagesQuoteNoMoreThanAWord) {
+TEST_F(Outside, MessagesQuoteAtMostOneWord) {
     write("own/secret", "root:x:0:0:root:/root:/bin/bash and a long line of secrets\n");
     write("own/secret.obj", "v 0 0 root:x:0:0:root:/root:/bin/bash\n");
     write("own/a.json", R"({"scene": "./secret"})");
@@ -51,7 +51,7 @@ TEST_F(Outside, MessagesQuoteNoMoreThanAWord) {
     }
 }
 
-TEST_F(Outside, MessagesShowWhatTurnsText) {
+TEST_F(Outside, MessagesShowDirectionMarks) {
     const Ended ended = expect(2, {"state",
                                    "a\xe2\x80\xae"
                                    "b\x1b[31m.json"});
@@ -64,7 +64,7 @@ TEST_F(Outside, ScenesTooLargeForAMethodAreRefusedBeforeTheyAreSorted) {
         objects +=
             (i == 0 ? "" : ", ") + std::string(R"({"name": "t)") + std::to_string(i) + R"(", "shape": "teapot"})";
     write("own/teapots.json", R"({"scene": {"objects": [)" + objects + R"(]}, "visibility": {"method": "bsp"}})");
-    refused({"snapshot", "own/teapots.json", "-o", "a.png"}, {"polygons", "100,000", "leave objects out"});
+    refused({"snapshot", "own/teapots.json", "-o", "a.png"}, {"polygons", "100,000", "remove objects"});
     refused({"inspect", "own/teapots.json", "--pixel", "0,0"}, {"polygons", "100,000"});
     refused({"measure", "own/teapots.json", "--what", "visibility"}, {"polygons", "100,000"});
     refused({"snapshot", "own/teapots.json", "-o", "a.png", "--set", "visibility.method=painter"}, {"400,000"});

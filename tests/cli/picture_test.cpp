@@ -1,4 +1,4 @@
-// The commands that draw or compare: snapshot, inspect, compare, doctor, and what open says without a display.
+// The commands that draw or compare: snapshot, inspect, compare, doctor, and the message of open without a display.
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -16,12 +16,12 @@ namespace {
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-/// No EGL driver is found: what a machine without Mesa looks like.
+/// Hides every EGL driver, as on a machine without Mesa.
 const Surroundings without_gl{.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere.json"}}};
 
 class Snapshot : public Program {
 protected:
-    /// A small camera picture; more arguments behind.
+    /// Returns the arguments for a small camera picture, followed by `more`.
     Words small(const std::string& output, const Words& more = {}) const {
         Words words{"snapshot", "--view", "camera", "--size", "96x64", "-o", output};
         words.insert(words.end(), more.begin(), more.end());
@@ -30,7 +30,7 @@ protected:
 
     Surroundings with_broken_shaders() const;
 
-    /// Width and height as the file's own header has them.
+    /// Returns width and height from the file's header.
     std::pair<int, int> png_size(const std::string& name) const {
         const std::string bytes = read(name);
         EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
@@ -61,7 +61,7 @@ TEST_F(Snapshot, EveryViewHasItsSize) {
     EXPECT_EQ(png_size("default.png"), std::pair(1280, 720));
 }
 
-TEST_F(Snapshot, IsByteEqualAgain) {
+TEST_F(Snapshot, IsReproducible) {
     for (const char* view : {"camera", "window"}) {
         expect(0, {"snapshot", "--view", view, "--size", "400x300", "-o", "a.png"});
         expect(0, {"snapshot", "--view", view, "--size", "400x300", "-o", "b.png"});
@@ -72,7 +72,7 @@ TEST_F(Snapshot, IsByteEqualAgain) {
     EXPECT_EQ(read("a.png"), read("b.png"));
 }
 
-TEST_F(Snapshot, OfAPrintedStateIsTheSamePicture) {
+TEST_F(Snapshot, PrintedStateGivesTheSamePicture) {
     const Words settings{"--set", "camera.yaw=20.125", "--set", "shadow.color=\"#102030\""};
     Words words = small("direct.png", settings);
     expect(0, words);
@@ -92,7 +92,7 @@ TEST_F(Snapshot, CarriesItsState) {
     expect(0, {"snapshot", "a.png", "--size", "64x36", "--view", "camera", "-o", "b.png"});
     EXPECT_EQ(read("a.png"), read("b.png"));
     expect(0, {"compare", "a.png", "b.png", "-o", "difference.png"});
-    refused({"state", "difference.png"}, {"difference.png", "carries no state"});
+    refused({"state", "difference.png"}, {"difference.png", "contains no state"});
     write("broken.png", "no picture");
     refused({"state", "broken.png"}, {"broken.png", "not a PNG file"});
 }
@@ -145,7 +145,7 @@ TEST_F(Snapshot, ComparesWithAReference) {
     expect(0, small("b.png", {"--compare", "reference.png", "--set", "camera.yaw=20", "--share", "1"}));
 }
 
-TEST_F(Snapshot, AMissingReferenceIsExitSix) {
+TEST_F(Snapshot, AMissingReferenceExitsWithSix) {
     const Ended run = expect(6, small("a.png", {"--compare", "missing.png"}));
     EXPECT_NE(run.err.find("missing.png"), std::string::npos);
     EXPECT_TRUE(exists("a.png"));
@@ -153,7 +153,7 @@ TEST_F(Snapshot, AMissingReferenceIsExitSix) {
     refused(small("b.png", {"--compare", "broken.png"}), {"broken.png"});
 }
 
-TEST_F(Snapshot, ABlankPictureIsExitFiveWhenAsked) {
+TEST_F(Snapshot, ABlankPictureExitsWithFiveOnRequest) {
     const Words sky{"--set", "camera.pitch=90"};
     expect(0, small("sky.png", sky));
     Words asked = sky;
@@ -163,18 +163,18 @@ TEST_F(Snapshot, ABlankPictureIsExitFiveWhenAsked) {
     expect(0, small("a.png", {"--fail-if-blank"}));
 }
 
-TEST_F(Snapshot, WithoutAContextIsExitThree) {
+TEST_F(Snapshot, WithoutAContextExitsWithThree) {
     const Ended run = expect(3, small("a.png"), without_gl);
     EXPECT_NE(run.err.find("install"), std::string::npos) << run.told();
     EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(Snapshot, BadInputIsSaidBeforeGlIsTouched) {
+TEST_F(Snapshot, BadInputIsReportedBeforeTouchingGl) {
     expect(2, small("a.png", {"--set", "projection.near=0"}), without_gl);
     expect(2, small("missing/a.png"), without_gl);
 }
 
-/// Mesa writes down the shaders it is given, and takes others in their place: ones that do not compile.
+/// Mesa can dump its shaders and read replacements; these replacements do not compile.
 Surroundings Snapshot::with_broken_shaders() const {
     const std::string shaders = (folder() / "shaders").string();
     std::filesystem::create_directory(shaders);
@@ -186,7 +186,7 @@ Surroundings Snapshot::with_broken_shaders() const {
     return {.environment = {{"MESA_SHADER_READ_PATH", shaders}, {"MESA_SHADER_CACHE_DISABLE", "true"}}};
 }
 
-TEST_F(Snapshot, ADriverThatRefusesShadersIsExitFour) {
+TEST_F(Snapshot, RejectedShadersExitWithFour) {
     const Surroundings broken = with_broken_shaders();
     if (std::filesystem::is_empty(folder() / "shaders")) GTEST_SKIP() << "this driver does not let shaders be replaced";
     const Ended ended = run(small("a.png"), broken);
@@ -197,7 +197,7 @@ TEST_F(Snapshot, ADriverThatRefusesShadersIsExitFour) {
     EXPECT_EQ(run({"doctor"}, broken).status, 4);
 }
 
-TEST_F(Snapshot, OutOfTimeIsExitEight) {
+TEST_F(Snapshot, OutOfTimeExitsWithEight) {
     const Ended early = expect(8, small("a.png", {"--timeout", "0.001"}));
     EXPECT_NE(early.err.find("0.001 s"), std::string::npos) << early.told();
     expect(8, small("a.png", {"-", "--timeout", "0.3"}), {.input_stays_open = true});
@@ -226,7 +226,7 @@ TEST_F(Snapshot, AFullDiskIsNoticed) {
     EXPECT_EQ(files(), 0U) << "the picture without its report";
 }
 
-TEST_F(Snapshot, AnOldPictureStaysWhenTheNewOneFails) {
+TEST_F(Snapshot, AFailedPictureKeepsTheOldFile) {
     write("a.png", "precious");
     expect(5, small("a.png", {"--set", "camera.pitch=90", "--fail-if-blank"}));
     EXPECT_EQ(read("a.png"), "precious");
@@ -278,7 +278,7 @@ TEST_F(Compare, FilesThatCannotBeReadAreBadInput) {
     refused({"compare", "a.png", "a.png", "-o", "missing/difference.png"}, {"missing/difference.png"});
 }
 
-TEST_F(Inspect, HasTheContractsFields) {
+TEST_F(Inspect, HasTheDocumentedFields) {
     const Json report = expect(0, {"inspect", "--pixel", "640,360"}).json();
     EXPECT_EQ(report.at("pixel"), Json::parse("[640, 360]"));
     EXPECT_EQ(report.at("color").get<std::string>().size(), 7U);
@@ -297,7 +297,7 @@ TEST_F(Inspect, HasTheContractsFields) {
 }
 
 TEST_F(Inspect, ListsTheFragmentsInDrawingOrder) {
-    // The torus stands before the patch there and shows a front and a back face.
+    // The torus is in front of the patch there and shows a front and a back face.
     const auto report = nlohmann::ordered_json::parse(expect(0, {"inspect", "--pixel", "640,360"}).out);
     EXPECT_EQ(std::next(report.end(), -1).key(), "fragments");
     const auto& fragments = report.at("fragments");
@@ -317,7 +317,7 @@ TEST_F(Inspect, ListsTheFragmentsInDrawingOrder) {
     EXPECT_NEAR(last->at("eye_z").get<double>(), report.at("depth").at("eye_z").get<double>(), 1e-4);
 }
 
-TEST_F(Inspect, TellsTiesAndWhatIsCulled) {
+TEST_F(Inspect, ReportsTiesAndCulledSurfaces) {
     const std::string twice = R"(scene={"objects":[
         {"name":"first","shape":"quad","rotation":[0,90,0],"position":[0,0,-2]},
         {"name":"second","shape":"quad","rotation":[0,90,0],"position":[0,0,-2]},
@@ -333,7 +333,7 @@ TEST_F(Inspect, TellsTiesAndWhatIsCulled) {
     EXPECT_TRUE(fragments[2].at("culled") == true && fragments[2].at("facing") == "back");
 }
 
-TEST_F(Inspect, ListsWhatAMethodSorted) {
+TEST_F(Inspect, ListsTheSurfacesThatAMethodSorted) {
     const auto inspected = [this](const std::string& method) {
         return expect(0, {"inspect", "--pixel", "160,90", "--size", "320x180", "--set", "visibility.method=" + method})
             .json();
@@ -343,7 +343,7 @@ TEST_F(Inspect, ListsWhatAMethodSorted) {
         std::string last;
         for (const Json& fragment : report.at("fragments"))
             if (fragment.at("drawn") == true) last = fragment.at("object");
-        EXPECT_EQ(last, report.at("object")) << method;
+        EXPECT_EQ(last, report.at("object").get<std::string>()) << method;
     }
 }
 
@@ -395,7 +395,7 @@ TEST_F(Inspect, TakesSeveralPixelsInOneRun) {
     refused({"inspect", "-", "--pixels", "-"}, {"standard input"});
 }
 
-TEST_F(Inspect, SaysTheSameOfTheSurfaceWhateverTheColoursShow) {
+TEST_F(Inspect, ReportsTheSameSurfaceWhateverTheColorsShow) {
     const auto inspected = [this](const std::string& setting) {
         return expect(0, {"inspect", "--pixel", "160,90", "--size", "320x180", "--set", "visibility.method=painter",
                           "--set", setting})
@@ -410,7 +410,7 @@ TEST_F(Inspect, SaysTheSameOfTheSurfaceWhateverTheColoursShow) {
     }
 }
 
-TEST_F(Inspect, TheBackgroundIsNobody) {
+TEST_F(Inspect, TheBackgroundIsNoObject) {
     const Json report = expect(0, {"inspect", "--pixel", "0,0", "--size", "64x64", "--set", "camera.pitch=90"}).json();
     EXPECT_TRUE(report.at("fragments").empty());
     EXPECT_TRUE(report.at("object").is_null());
@@ -418,7 +418,7 @@ TEST_F(Inspect, TheBackgroundIsNobody) {
     EXPECT_EQ(report.at("depth").at("stored"), 16777215);
 }
 
-TEST_F(Inspect, WhereNoDepthWasWrittenItSaysNothingOfTheEye) {
+TEST_F(Inspect, ReportsNoEyeDepthWhereNoDepthWasWritten) {
     const auto at_centre = [this](const std::string& setting) {
         return expect(0, {"inspect", "--pixel", "32,32", "--size", "64x64", "--set", setting}).json();
     };
@@ -442,7 +442,7 @@ TEST_F(Inspect, ThePlaneIsAnObject) {
     EXPECT_NEAR(report.at("world")[1].get<double>(), 0.0, 1e-2);
 }
 
-TEST_F(Doctor, GoesStepByStep) {
+TEST_F(Doctor, ReportsStepByStep) {
     const std::string text = expect(0, {"doctor"}).out;
     for (const char* step : {"EGL library", "devices", "context", "OpenGL", "shaders", "assets", "display"})
         EXPECT_NE(text.find(step), std::string::npos) << step << "\n" << text;
@@ -454,7 +454,7 @@ TEST_F(Doctor, GoesStepByStep) {
     EXPECT_GT(json.at("depth").at("d24").at("offset_unit_codes").get<double>(), 0.0);
 }
 
-TEST_F(Doctor, NamesWhatAProgramThatWasKilledHasLeft) {
+TEST_F(Doctor, ListsFilesLeftByAKilledProgram) {
     EXPECT_EQ(expect(0, {"doctor"}).out.find("left behind"), std::string::npos);
     write(".viewing-sandbox-1.partial", "");
     const std::string text = expect(0, {"doctor"}).out;
@@ -470,7 +470,7 @@ TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {
     EXPECT_EQ(json.json().at("fine"), false);
 }
 
-/// What a step of `doctor --json` says.
+/// A step of `doctor --json`.
 Json step_of(const Ended& doctor, const std::string& name) {
     const Json report = doctor.json();
     for (const Json& step : report.at("steps"))
@@ -478,13 +478,13 @@ Json step_of(const Ended& doctor, const std::string& name) {
     return {};
 }
 
-TEST_F(Doctor, FailsWithoutAssetsAndSaysWhoseFaultThatIs) {
+TEST_F(Doctor, FailsWithoutAssetsAndSaysWhy) {
     std::filesystem::create_directories(folder() / "half" / "presets");
     write("half/presets/a.json", "{}");
     const std::map<std::string, std::string> said{
-        {"/nowhere", "the assets are in /nowhere, which is no folder"},
-        {folder().string(), "holds no presets, scenes, lessons, exercises"},
-        {(folder() / "half").string(), "half, which holds no scenes, lessons, exercises"}};
+        {"/nowhere", "the assets are in /nowhere, which is not a folder"},
+        {folder().string(), "contains no presets, scenes, lessons, exercises"},
+        {(folder() / "half").string(), "half, which contains no scenes, lessons, exercises"}};
     for (const auto& [place, sentence] : said) {
         const Surroundings elsewhere{.environment = {{"VIEWING_SANDBOX_ASSETS", place}}};
         const Ended doctor = run({"doctor", "--json"}, elsewhere);
@@ -496,19 +496,20 @@ TEST_F(Doctor, FailsWithoutAssetsAndSaysWhoseFaultThatIs) {
         EXPECT_NE(assets.at("found").get<std::string>().find("VIEWING_SANDBOX_ASSETS"), std::string::npos) << assets;
         EXPECT_NE(run({"doctor"}, elsewhere).out.find("presets and scenes are missing"), std::string::npos);
     }
-    // Beside a program that stands alone there is no folder, and nobody set a variable.
+    // A lone copy of the program has no assets folder beside it, and no variable is set.
     std::filesystem::copy_file(std::getenv("VIEWING_SANDBOX"), folder() / "alone");
     const std::string command = "env -u VIEWING_SANDBOX_ASSETS '" + (folder() / "alone").string() +
                                 "' doctor --json > '" + (folder() / "told").string() + "'";
     const int ended = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(ended), 2);
-    EXPECT_NE(read("told").find("there is no folder assets beside the program"), std::string::npos) << read("told");
+    EXPECT_NE(read("told").find("there is neither an assets folder beside the program"), std::string::npos)
+        << read("told");
     EXPECT_NE(expect(0, {"doctor", "--help"}).out.find("VIEWING_SANDBOX_ASSETS"), std::string::npos);
     refused({"state", "teapot"}, {"VIEWING_SANDBOX_ASSETS says that the assets are in /nowhere"},
             {.environment = {{"VIEWING_SANDBOX_ASSETS", "/nowhere"}}});
 }
 
-TEST_F(Doctor, SaysWhereADriverIsThereAndRefuses) {
+TEST_F(Doctor, ReportsADriverThatOffersNoSuitableContext) {
     const Surroundings old{.environment = {{"MESA_GL_VERSION_OVERRIDE", "2.1"}}};
     const Ended doctor = run({"doctor", "--json"}, old);
     if (doctor.status == 0) GTEST_SKIP() << "this driver does not pretend to be older";
@@ -520,8 +521,8 @@ TEST_F(Doctor, SaysWhereADriverIsThereAndRefuses) {
     expect(3, {"snapshot", "-o", "x.png"}, old);
 }
 
-TEST_F(Doctor, ReportsWhatPicturesAreDrawnWith) {
-    // What the tests set for speed would make them alike.
+TEST_F(Doctor, ReportsTheContextOfPictures) {
+    // Omit the settings that make tests fast, since they would make both contexts equal.
     const Surroundings bare{.without = {"LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF"}};
     const Json report =
         expect(0, {"snapshot", "--view", "camera", "--size", "32x32", "-o", "x.png", "--json", "-"}, bare).json();
@@ -534,13 +535,13 @@ TEST_F(Doctor, ReportsWhatPicturesAreDrawnWith) {
     EXPECT_TRUE(has(step_of(doctor, "context"), report.at("device"))) << doctor.out << report;
 }
 
-TEST_F(Open, AnEmptyDisplayLeavesNoBlankBehind) {
+TEST_F(Open, AnEmptyDisplayNameLeavesNoTrailingSpace) {
     const std::string error = expect(3, {"open"}, {.environment = {{"DISPLAY", ""}}}).err;
     EXPECT_NE(error.find("there is no display for a window ("), std::string::npos) << error;
     EXPECT_EQ(error.find(" )"), std::string::npos) << error;
 }
 
-TEST_F(Open, WithoutADisplayIsExitThreeAndSuggestsSnapshot) {
+TEST_F(Open, WithoutADisplayExitsWithThreeAndSuggestsSnapshot) {
     for (const Words& words : {Words{}, Words{"open"}, Words{"opening"}, Words{"--set", "projection.near=0.01"}}) {
         const Ended run = expect(3, words);
         EXPECT_NE(run.err.find("viewing-sandbox snapshot"), std::string::npos) << run.told();

@@ -1,4 +1,4 @@
-// Runs the real program as a person or a script would, and keeps what it said. VIEWING_SANDBOX holds its path.
+// Runs the real program as a person or a script would, and keeps its output. VIEWING_SANDBOX holds its path.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace cli_tests {
 
-/// Whether a text has this part.
+/// Returns whether the text contains this part.
 inline bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
@@ -29,13 +29,13 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 /// A mesh file.
 inline constexpr const char* tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// How a run ended: exit status (128 + signal when killed), standard output, standard error, its memory at most.
+/// How a run ended: exit status (128 + signal if killed), standard output, standard error, peak memory.
 struct Ended {
     int status = -1;
     std::string out, err;
     std::int64_t peak_bytes = 0;
 
-    /// What went wrong, for a failed expectation.
+    /// Describes the run, for a failed expectation.
     std::string told() const { return "exit " + std::to_string(status) + "\nout: " + out + "\nerr: " + err; }
     nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
@@ -43,18 +43,18 @@ struct Ended {
 struct Surroundings {
     std::string input = {};                               ///< standard input
     std::filesystem::path folder = {};                    ///< working directory; empty: the test's own
-    std::map<std::string, std::string> environment = {};  ///< set on top of the test's
-    std::vector<std::string> without = {};                ///< variables taken out
-    bool input_stays_open = false;                        ///< a pipe that nobody writes into
-    std::string output = {};                              ///< standard output goes into this file
+    std::map<std::string, std::string> environment = {};  ///< set in addition to the test's
+    std::vector<std::string> without = {};                ///< variables removed
+    bool input_stays_open = false;                        ///< standard input is a pipe without a writer
+    std::string output = {};                              ///< standard output goes to this file
     std::map<int, unsigned long> limits = {};             ///< of the process: RLIMIT_… and its value
     bool output_has_no_reader = false;                    ///< standard output is a pipe whose other end is closed
     int signal = 0;                                       ///< sent as soon as `signal_when` says so; 0: none
     std::function<bool()> signal_when = {};
 };
 
-/// Every test has a folder of its own that is gone afterwards, and is the program's working directory. There is no
-/// display unless a test says so.
+/// Every test has its own folder, which is the program's working directory and is deleted afterwards. There is no
+/// display unless a test provides one.
 class Program : public testing::Test {
 protected:
     Program();
@@ -66,11 +66,11 @@ protected:
     void write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
     bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-    std::size_t files() const;  ///< how many there are in the folder
+    std::size_t files() const;  ///< their number in the folder
 
-    /// One run that has to end with this status, and with one line on stderr unless it is 0.
+    /// Runs the program and expects this status, and one line on stderr unless the status is 0.
     Ended expect(int status, const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) const;
-    /// The same for bad input: the line has to say each of `words`, and no file may have appeared.
+    /// Expects bad input to be refused: the line must contain each of `words`, and no file may appear.
     void refused(const std::vector<std::string>& arguments, const std::vector<std::string>& words,
                  const Surroundings& surroundings = {}) const;
 

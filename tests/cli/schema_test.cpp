@@ -1,4 +1,5 @@
-// The JSON Schemas, judged by somebody else's validator: every preset and scene passes, what the program refuses fails.
+// The JSON Schemas, checked with an independent validator: every preset and scene passes, and files that the program
+// refuses fail.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +15,7 @@ using Words = std::vector<std::string>;
 
 class Schema : public Program {
 protected:
-    /// Which of the files are valid: "yes no yes".
+    /// Returns which of the files are valid, such as "yes no yes".
     std::string valid(const std::string& schema, const Words& names) const {
         write("valid.py", R"(
 import json, sys, jsonschema
@@ -62,10 +63,10 @@ TEST_F(Schema, KnowsSuites) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
     write("suite.schema", expect(0, {"params", "--format", "suite-schema"}).out);
     const std::filesystem::path tests = std::getenv("TEST_SOURCE_DIR");
-    std::ifstream readme(tests.parent_path() / "README.md");
-    const std::string page{std::istreambuf_iterator<char>(readme), {}};
+    std::ifstream manual(tests.parent_path() / "assets/manual/suites.md");
+    const std::string page{std::istreambuf_iterator<char>(manual), {}};
     const std::size_t begin = page.find("{\n  \"suite\": 1");
-    ASSERT_NE(begin, std::string::npos) << "README has an example";
+    ASSERT_NE(begin, std::string::npos) << "the manual has an example";
     write("example.json", page.substr(begin, page.find("```", begin) - begin));
     EXPECT_EQ(valid("suite.schema", {(tests / "golden/suite.json").string(), "example.json"}), "yes yes\n");
 
@@ -88,7 +89,7 @@ TEST_F(Schema, KnowsSuites) {
     EXPECT_EQ(valid("suite.schema", names), repeated("no", names.size()));
 }
 
-TEST_F(Schema, WhatTheProgramWritesIsValid) {
+TEST_F(Schema, TheProgramsOutputIsValid) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
     write_schemas();
     Words files;
@@ -102,7 +103,7 @@ TEST_F(Schema, WhatTheProgramWritesIsValid) {
     EXPECT_EQ(valid("state.schema", files), repeated("yes", files.size()));
 }
 
-TEST_F(Schema, WhatTheProgramRefusesIsNot) {
+TEST_F(Schema, FilesThatTheProgramRefusesAreInvalid) {
     if (!has_validator()) GTEST_SKIP() << no_validator;
     write_schemas();
     const Words broken{R"({"version": 2})",
@@ -142,12 +143,12 @@ TEST_F(Schema, WhatTheProgramRefusesIsNot) {
     EXPECT_EQ(valid("state.schema", files), repeated("no", files.size()));
 }
 
-TEST_F(Schema, StatesAndScenesMayNameOne) {
+TEST_F(Schema, StatesAndScenesMayNameTheirSchema) {
     write("mine.json", R"({"$schema": "./state.schema.json", "scene": "room.json"})");
     write("room.json", R"({"$schema": "./scene.schema.json", "objects": [{"name": "a", "shape": "box"}]})");
     EXPECT_EQ(expect(0, {"state", "mine.json"}).json()["$schema"], "./state.schema.json");
     write("bad.json", R"({"$schema": 1})");
-    refused({"state", "bad.json"}, {"bad.json: $schema", "a text"});
+    refused({"state", "bad.json"}, {"bad.json: $schema", "a string"});
 }
 
 }  // namespace

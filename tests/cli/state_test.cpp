@@ -1,5 +1,4 @@
-// What a person can give as STATE and --set, and the commands that print it without GL: state, params, presets,
-// matrices.
+// Values of STATE and --set, and the commands that print them without GL: state, params, presets, matrices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +14,7 @@ using Json = nlohmann::json;
 class State : public Program {};
 class Matrices : public Program {};
 
-TEST_F(State, LeftOutIsTheStateOfAnEmptyObject) {
+TEST_F(State, AnOmittedStateEqualsAnEmptyObject) {
     const std::string state = expect(0, {"state"}).out;
     EXPECT_EQ(expect(0, {"state", "-"}, {.input = "{}"}).out, state);
     const Json json = Json::parse(state);
@@ -37,13 +36,13 @@ TEST_F(State, SettingsComeInOrderAfterTheFile) {
     EXPECT_EQ(json["depth"]["func"], "always");
 }
 
-TEST_F(State, SettingsMayStandBeforeTheState) {
+TEST_F(State, SettingsMayPrecedeTheState) {
     write("mine.json", R"({"projection": {"near": 0.25}})");
     EXPECT_EQ(expect(0, {"state", "--set", "camera.yaw=-12.5", "mine.json"}).out,
               expect(0, {"state", "mine.json", "--set", "camera.yaw=-12.5"}).out);
 }
 
-TEST_F(State, WhatItPrintsReadsBackExactly) {
+TEST_F(State, ItsOutputReadsBackExactly) {
     const std::string state = expect(0, {"state", "--set", "camera.position=[0.1,0.2,0.30000000000000004]", "--set",
                                          "light.position=[2,5,1,0]"})
                                   .out;
@@ -77,7 +76,7 @@ TEST_F(State, EveryCommandRefusesTheSameBadState) {
     refused({"measure", "--what", "fighting", "--set", bad}, {"projection.near"});
 }
 
-TEST_F(State, AMeshOfOnesOwnTakesTheSceneSPlace) {
+TEST_F(State, ACustomMeshReplacesTheScene) {
     write("mine.obj", tetrahedron);
     const Json by_state = expect(0, {"state", "mine.obj"}).json();
     EXPECT_EQ(by_state, expect(0, {"state", "--mesh", "mine.obj"}).json());
@@ -116,7 +115,7 @@ TEST_F(State, SettingsAreRelativeToTheWorkingDirectoryAndStatesToTheirFile) {
     const Json given = scene_after({"--set", R"(scene={"objects":[{"name":"t","shape":"mesh","file":"sub/t.obj"}]})"});
     EXPECT_EQ(given["objects"][0]["file"], "sub/t.obj");
     EXPECT_EQ(scene_after({"sub/inline.json"})["objects"][0]["file"], "t.obj");
-    // Only one of the two objects comes from --set: both files are found.
+    // Only one of the two objects comes from --set; both files are found.
     const Json mixed =
         scene_after({"sub/inline.json", "--set", R"(scene.objects[1]={"name":"u","shape":"mesh","file":"sub/t.obj"})"});
     EXPECT_EQ(mixed["objects"][0]["file"], "sub/t.obj");
@@ -124,7 +123,7 @@ TEST_F(State, SettingsAreRelativeToTheWorkingDirectoryAndStatesToTheirFile) {
     refused({"state", "sub/named.json", "--set", "scene=./scene.json"}, {"--set scene: ./scene.json: no such file"});
 }
 
-TEST_F(State, WhatIsWrongWithASceneNamesItsSource) {
+TEST_F(State, SceneErrorsNameTheSource) {
     write("bad.obj", "f 1 2 3\n");
     write("s.json", R"({"scene": "torus"})");
     write("i.json", R"({"scene": {"objects": [{"name": "t", "shape": "mesh", "file": "bad.obj"}]}})");
@@ -136,13 +135,13 @@ TEST_F(State, WhatIsWrongWithASceneNamesItsSource) {
     EXPECT_EQ(error({"state", "bad.obj"}).find("STATE: " + (folder() / "bad.obj").string()), 0U);
 }
 
-TEST_F(State, ASceneFileIsNoStateAndSaysWhereItBelongs) {
+TEST_F(State, ASceneFileIsNotAStateAndSaysHowToUseIt) {
     write("scene.json", R"({"title": "A scene", "objects": []})");
     refused({"state", "scene.json"}, {"scene.json: objects", "this is a scene: use --set scene=scene.json"});
     refused({"state", "-"}, {"use --set scene=FILE.json"}, {.input = R"({"objects": []})"});
 }
 
-TEST_F(State, AMisspeltPresetIsMetWithItsNearest) {
+TEST_F(State, AMisspelledPresetSuggestsTheNearest) {
     const std::string error = expect(2, {"state", "teapto"}).err;
     EXPECT_NE(error.find("teapto: neither a file nor a preset (viewing-sandbox presets lists them); did you mean "
                          "teapot?"),
@@ -173,7 +172,7 @@ TEST_F(State, ParamsListEveryFieldOfAState) {
     EXPECT_NE(text.find("projection.near"), std::string::npos);
 }
 
-TEST_F(State, PresetsAreListedALineEach) {
+TEST_F(State, PresetsAreListedOnePerLine) {
     const std::string lines = expect(0, {"presets"}).out;
     EXPECT_EQ(lines.find("opening — "), 0U) << lines;
     EXPECT_NE(lines.find("\nteapot (scene) — "), std::string::npos) << lines;
@@ -208,7 +207,7 @@ void expect_point(const Json& rows, const std::vector<double>& from, const std::
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found[i] / found[3], to[i], 1e-6) << rows;
 }
 
-TEST_F(Matrices, HaveTheContractsFields) {
+TEST_F(Matrices, HaveTheDocumentedFields) {
     const Json json = expect(0, {"matrices"}).json();
     for (const char* name : {"world_from_view", "view_from_world", "clip_from_view", "clip_from_world",
                              "shadow_from_world", "mirror_from_world"}) {
@@ -241,7 +240,7 @@ TEST_F(Matrices, HaveTheAspectOfTheSize) {
     EXPECT_NEAR(wide[1][1].get<double>() / wide[0][0].get<double>(), 2.0, 1e-12);
 }
 
-TEST_F(Matrices, WorkedExamplesOfTheShadow) {
+TEST_F(Matrices, MatchWorkedShadowExamples) {
     expect_point(expect(0, {"matrices", "--set", "light.position=[12,20,0,0]"}).json()["shadow_from_world"],
                  {0, 10, 0, 1}, {-6, 0, 0});
     expect_point(expect(0, {"matrices", "--set", "light.position=[12,20,0,1]"}).json()["shadow_from_world"],
@@ -254,7 +253,7 @@ TEST_F(Matrices, WorkedExamplesOfTheShadow) {
 }
 
 // S p = (Π·L) p − (Π·p) L with Π = (0, 1, 0, 0), before the division by w.
-TEST_F(Matrices, TheFollowedPointIsToldBeforeAndAfterTheDivision) {
+TEST_F(Matrices, IncludeTheFollowedPointBeforeAndAfterTheDivision) {
     const Json followed =
         expect(0, {"matrices", "--set", "light.position=[2,5,1,1]", "--set", R"(follow={"object":"box","vertex":0})"})
             .json()
@@ -274,7 +273,7 @@ TEST_F(Matrices, AFlippedPlaneHasTheOtherSign) {
     EXPECT_NEAR(json["facts"]["plane_dot_light"].get<double>(), -5.2, 1e-12);
 }
 
-TEST_F(Matrices, OfEveryPlaneAndLight) {
+TEST_F(Matrices, CoverEveryPlaneAndLight) {
     const Json json = expect(0, {"matrices", "--set", "planes=[{\"equation\":[0,0,2,6]}]", "--set",
                                  "lights=[{\"position\":[1,4,2,1]}]"})
                           .json();
@@ -284,12 +283,12 @@ TEST_F(Matrices, OfEveryPlaneAndLight) {
     const Json& wall = json["planes"][1];  // z + 3 = 0
     expect_point(wall["mirror_from_world"], {1, 2, 3, 1}, {1, 2, -9, 1});
     ASSERT_EQ(wall["shadows"].size(), 2U);
-    // From (1, 4, 2) through (1, 3, 1) to z = −3: four units further.
+    // From (1, 4, 2) through (1, 3, 1) to z = −3: four units farther.
     expect_point(wall["shadows"][1]["shadow_from_world"], {1, 3, 1, 1}, {1, -1, -3});
     EXPECT_EQ(wall["shadows"][1]["shadow_sign"], 1);
 }
 
-TEST_F(Matrices, ALightInThePlaneIsAProblemAndNoError) {
+TEST_F(Matrices, ALightInThePlaneIsAProblemNotAnError) {
     const Json json = expect(0, {"matrices", "--set", "light.position=[3,0,1,1]"}).json();
     ASSERT_FALSE(json["problems"].empty());
     EXPECT_TRUE(json["problems"][0].is_string());
@@ -314,12 +313,12 @@ TEST_F(Matrices, NeedNoGl) {
     expect(0, {"matrices"}, {.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere.json"}}});
 }
 
-TEST_F(Matrices, HoldNoNegativeZero) {
+TEST_F(Matrices, ContainNoNegativeZero) {
     EXPECT_EQ(expect(0, {"matrices"}).out.find("-0.0,"), std::string::npos);
     EXPECT_EQ(expect(0, {"matrices"}).out.find("-0,"), std::string::npos);
 }
 
-TEST_F(State, ALinkIsAStateWhereverOneIs) {
+TEST_F(State, ALinkWorksWhereverAStateWorks) {
     std::string link = expect(0, {"state", "room", "--set", "shadow.opacity=0.125", "--link"}).out;
     ASSERT_TRUE(link.starts_with("viewing-sandbox.html#1")) << link;
     ASSERT_TRUE(link.ends_with("\n"));
@@ -355,7 +354,7 @@ TEST_F(State, ALinkMayComeThroughStandardInput) {
     EXPECT_NE(run({"state", "-"}, piped).err.find("no such preset"), std::string::npos);
 }
 
-TEST_F(State, ALessonsLinkIsItsStepWhereverAStateIs) {
+TEST_F(State, ALessonLinkOpensItsStepWhereverAStateWorks) {
     const std::string link = "https://a.b/c#lesson=depth-fighting&step=2";
     EXPECT_EQ(
         expect(0, {"state", "--lesson", "depth-fighting", "--step", "2", "--link", "--base", "https://a.b/c"}).out,
@@ -371,17 +370,18 @@ TEST_F(State, ALessonsLinkIsItsStepWhereverAStateIs) {
     }
     EXPECT_NE(expect(0, {"state", link}).out, expect(0, {"state", "#lesson=depth-fighting"}).out);
     EXPECT_EQ(expect(0, {"state", link, "--set", "shadow.opacity=0.125"}).json()["shadow"]["opacity"], 0.125);
-    refused({"snapshot", link, "--step", "3", "-o", "c.png"}, {"links to a lesson's step already"});
+    refused({"snapshot", link, "--step", "3", "-o", "c.png"}, {"already links to a lesson's step"});
     refused({"snapshot", link, "--set", "projection.near=1", "-o", "c.png"}, {"a step has its own state"});
     refused({"open", link, "--set", "projection.near=1"}, {"a lesson's step has its own state"});
     refused({"state", "#lesson=depth-fighting&step=99"}, {"link: step 99", "1 to"});
-    refused({"state", "room", "--lesson", "depth-fighting"}, {"--lesson", "no STATE"});
+    refused({"state", "room", "--lesson", "depth-fighting"},
+            {"--lesson", "STATE, --set, --mesh and --at are not allowed"});
     refused({"state", "--step", "2"}, {"--step needs --lesson"});
     write("own.json", expect(0, {"state"}).out);
     refused({"state", "--lesson", "own.json", "--link"}, {"own.json"});
 }
 
-TEST_F(State, NotesOnItsMeshComeOnceAndNotBesideARefusal) {
+TEST_F(State, NotesOnTheMeshAppearOnceAndNotWithARefusal) {
     const std::string corners = "v 0 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n", crossed = "f 1 2 3 4\n";
     write("crossed.obj", corners + crossed);
     const Ended sweep = run({"sweep", "crossed.obj", "--vary", "coplanar.gap=0.01:0.03:3", "-o", "frames", "--view",
@@ -399,11 +399,11 @@ TEST_F(State, NotesOnItsMeshComeOnceAndNotBesideARefusal) {
     EXPECT_EQ(refused.err.find("crosses itself"), std::string::npos) << refused.err;
 }
 
-TEST_F(State, ALinkSaysThatItCarriesNoFiles) {
+TEST_F(State, ALinkSaysThatItContainsNoFiles) {
     write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Ended ended = run({"state", "one.obj", "--link"});
     EXPECT_EQ(ended.status, 0) << ended.told();
-    EXPECT_NE(ended.err.find("does not carry"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("does not contain"), std::string::npos) << ended.err;
     std::string link = ended.out;
     link.pop_back();
     refused({"snapshot", link, "-o", "a.png"}, {"--allow-outside"});

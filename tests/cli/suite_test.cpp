@@ -1,4 +1,4 @@
-// suite run, accept and merge as an assistant's CI would use them.
+// suite run, accept and merge, as an assistant's CI would use them.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class SuiteCommand : public Program {
 protected:
-    /// Two pictures and the numbers of one; `settings` on top of all.
+    /// Two pictures and the numbers of one; `settings` apply to all.
     void write_suite(const std::string& settings = "{}", const std::string& more = "") const {
         write("suite.json", R"({"suite": 1, "title": "Two", "defaults": {"size": [160, 90], "samples": 0, "set": )" +
                                 settings + R"(},
@@ -64,13 +64,13 @@ TEST_F(SuiteCommand, WritesMissingReferencesOnceAndNeverChangesOne) {
     EXPECT_EQ(read("report/pictures/opening.expected.png"), before);
 }
 
-TEST_F(SuiteCommand, NewOnesAreNoFailureWhenThatIsSaid) {
+TEST_F(SuiteCommand, NewEntriesPassWithAcceptNew) {
     write_suite();
     expect(0, {"suite", "run", "suite.json", "--accept-new"});
     EXPECT_EQ(outcome("opening"), "new");
 }
 
-TEST_F(SuiteCommand, AcceptTakesWhatTheLastRunFound) {
+TEST_F(SuiteCommand, AcceptUsesTheResultsOfTheLastRun) {
     write_suite();
     run({"suite", "run", "suite.json"});
     refused({"suite", "accept", "suite.json", "opning"}, {"opning", "did you mean opening?"});
@@ -79,7 +79,7 @@ TEST_F(SuiteCommand, AcceptTakesWhatTheLastRunFound) {
     EXPECT_EQ(expect(0, {"suite", "accept", "suite.json", "opening"}).out, "1 reference accepted\n");
     EXPECT_EQ(read("references/opening.png"), read("report/pictures/opening.actual.png"));
     EXPECT_EQ(outcome("opening"), "passed");
-    EXPECT_EQ(outcome("derivation"), "different") << "nobody has looked at it";
+    EXPECT_EQ(outcome("derivation"), "different") << "it was not accepted";
     EXPECT_EQ(expect(0, {"suite", "accept", "suite.json"}).out, "1 reference accepted\n");
     expect(0, {"suite", "run", "suite.json"});
 }
@@ -112,7 +112,7 @@ TEST_F(SuiteCommand, AFolderOfStatesIsASuite) {
     EXPECT_TRUE(has(run({"suite", "run", "states"}).out, "2 passed, 1 failed"));
 }
 
-TEST_F(SuiteCommand, ProblemsMustOrMustNotBeTold) {
+TEST_F(SuiteCommand, RequiredAndForbiddenProblemsAreChecked) {
     write("suite.json", R"({"suite": 1, "entries": [
       {"name": "in the plane", "set": {"light.position": [1, 0, 0, 1]}, "problems": {"must": ["lies in the plane"]}},
       {"name": "nothing told", "problems": {"must": ["lies in the plane"]}},
@@ -124,7 +124,7 @@ TEST_F(SuiteCommand, ProblemsMustOrMustNotBeTold) {
     EXPECT_EQ(outcome("none at all"), "different");
 }
 
-TEST_F(SuiteCommand, ShardsHaveEveryEntryOnceAndMergeIntoTheSameReport) {
+TEST_F(SuiteCommand, ShardsCoverEveryEntryOnceAndMergeIntoTheSameReport) {
     write_suite("{}", R"(,
     {"name": "c", "state": "orthographic"}, {"name": "d", "state": "teapot"}, {"name": "e", "state": "room"})");
     run({"suite", "run", "suite.json"});
@@ -154,7 +154,7 @@ TEST_F(SuiteCommand, UnchangedEntriesAreNotDrawnAgain) {
     EXPECT_TRUE(has(again.out, "(2 unchanged, not drawn again)")) << again.out;
 
     write_suite(R"({"shadow.opacity": 0.6})");
-    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the states are others";
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the states have changed";
     EXPECT_EQ(result("opening")["kept"], false);
     write_suite();
     std::ofstream(folder() / "references/opening.png", std::ios::binary | std::ios::app) << "x";
@@ -162,18 +162,18 @@ TEST_F(SuiteCommand, UnchangedEntriesAreNotDrawnAgain) {
     run({"suite", "run", "suite.json", "--cache"});
     fs::copy_file(folder() / "references/derivation.png", folder() / "references/opening.png",
                   fs::copy_options::overwrite_existing);
-    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the reference is another";
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the reference has changed";
     EXPECT_EQ(outcome("opening"), "different");
 }
 
-TEST_F(SuiteCommand, SeveralProcessesFindTheSame) {
+TEST_F(SuiteCommand, SeveralProcessesGiveTheSameResult) {
     write_suite("{}", R"(, {"each": "scene", "name": "scene-{}"})");
     run({"suite", "run", "suite.json", "--jobs", "3"});
     expect(0, {"suite", "run", "suite.json"});
     expect(0, {"suite", "run", "suite.json", "--jobs", "3"});
 }
 
-TEST_F(SuiteCommand, OnlyOneEntryLeavesTheReportAsItWas) {
+TEST_F(SuiteCommand, RunningOneEntryLeavesTheReportUnchanged) {
     write_suite();
     run({"suite", "run", "suite.json"});
     expect(0, {"suite", "run", "suite.json"});
@@ -183,7 +183,7 @@ TEST_F(SuiteCommand, OnlyOneEntryLeavesTheReportAsItWas) {
     refused({"suite", "run", "suite.json", "--only", "opning"}, {"opning", "did you mean opening?"});
 }
 
-TEST_F(SuiteCommand, TellsGitHubAndStrayReferences) {
+TEST_F(SuiteCommand, ReportsToGitHubAndListsStrayReferences) {
     write_suite();
     run({"suite", "run", "suite.json"});
     write("references/gone.png", "");
@@ -194,7 +194,7 @@ TEST_F(SuiteCommand, TellsGitHubAndStrayReferences) {
     EXPECT_TRUE(has(ended.out, "1 reference belongs to no entry: gone.png")) << ended.out;
 }
 
-TEST_F(SuiteCommand, WhatDiffersWithinTheThresholdsPasses) {
+TEST_F(SuiteCommand, DifferencesWithinTheThresholdsPass) {
     write_suite(R"({"shadow.opacity": 0.5})");
     run({"suite", "run", "suite.json"});
     write("suite.json", R"({"suite": 1, "defaults": {"size": [160, 90], "samples": 0}, "entries": [
@@ -204,7 +204,7 @@ TEST_F(SuiteCommand, WhatDiffersWithinTheThresholdsPasses) {
     EXPECT_GT(result("opening")["details"]["compare"]["different"].get<int>(), 0);
 }
 
-TEST_F(SuiteCommand, WhatAMaskLeavesOutIsNotCompared) {
+TEST_F(SuiteCommand, MaskedPixelsAreNotCompared) {
     write_suite();
     run({"suite", "run", "suite.json"});
     const auto with_mask = [&](const std::string& masks) {
@@ -222,7 +222,7 @@ TEST_F(SuiteCommand, WhatAMaskLeavesOutIsNotCompared) {
     refused({"suite", "run", "suite.json"}, {"entries[0].masks[0]", "[x, y, width, height]"});
 }
 
-/// Before anything is drawn, and by `snapshot --compare` and `compare` alike.
+/// `suite run`, `snapshot --compare` and `compare` all check masks before they draw anything.
 TEST_F(SuiteCommand, MasksAreCheckedFirst) {
     expect(0, {"snapshot", "--view", "depth", "--size", "80x45", "-o", "small.png"});
     expect(0, {"snapshot", "--view", "camera", "--size", "160x90", "--samples", "0", "-o", "picture.png"});
@@ -257,11 +257,11 @@ TEST_F(SuiteCommand, AnEntryThatCannotFailIsRefused) {
     is_refused(R"("picture": false)", "tests nothing");
     is_refused(R"("picture": false, "matrices": false, "measure": [], "problems": {"none": false, "must": []})",
                "tests nothing");
-    is_refused(R"("worst": 255)", "passes whatever is drawn");
-    is_refused(R"("share": 1)", "passes whatever is drawn");
+    is_refused(R"("worst": 255)", "cannot fail");
+    is_refused(R"("share": 1)", "cannot fail");
     write("suite.json",
           R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "about": "x", "worst": 255}]})");
-    refused({"suite", "run", "suite.json"}, {"passes whatever is drawn"});
+    refused({"suite", "run", "suite.json"}, {"cannot fail"});
     for (const char* const tested : {R"("matrices": true)", R"("measure": "order")",
                                      R"("problems": {"must_not": ["x"]})", R"("problems": {"none": true})"}) {
         write("suite.json",
@@ -271,7 +271,7 @@ TEST_F(SuiteCommand, AnEntryThatCannotFailIsRefused) {
     }
 }
 
-/// The rule of `snapshot`, in its words.
+/// Sizes follow the rule of `snapshot`, and errors use its words.
 TEST_F(SuiteCommand, SizesAreThoseOfSnapshot) {
     for (const auto& [view, width, height] : {std::tuple("camera", 16384, 16384),
                                               {"camera", 4097, 4096},
@@ -298,7 +298,7 @@ TEST_F(SuiteCommand, SizesAreThoseOfSnapshot) {
     EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(SuiteCommand, AReportIsNotWrittenOverWhatIsNone) {
+TEST_F(SuiteCommand, AReportDoesNotOverwriteOtherFiles) {
     write_suite();
     fs::create_directories(folder() / "report/pictures");
     write("report/notes.txt", "kept");
@@ -330,7 +330,7 @@ TEST_F(SuiteCommand, OtherSamplesPassThePortableProfile) {
     EXPECT_EQ(with(4, "portable"), 0);
 }
 
-TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
+TEST_F(SuiteCommand, MistakesAreReportedInOneSentenceAndTouchNothing) {
     const auto is_refused = [&](const std::string& text, const std::vector<std::string>& words) {
         write("bad.json", text);
         refused({"suite", "run", "bad.json"}, words);
@@ -342,17 +342,17 @@ TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "veiw": "camera"}]})",
                {"entries[0].veiw", "did you mean", "view"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "view": "cam"}]})", {"entries[0].view", "camera"});
-    is_refused(R"({"suite": 1, "entries": [{"name": "a"}, {"name": "A"}]})", {"a", "A", "one file's name"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a"}, {"name": "A"}]})", {"a", "A", "the same file name"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "size": [0, 5]}]})", {"entries[0].size[0]"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "samples": 8}]})", {"samples", "0"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "state": {"projection": {"naer": 1}}}]})",
                {"entries[0].state", "projection.naer", "projection.near"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "state": "opening", "lesson": "depth-fighting"}]})",
                {"more than one"});
-    is_refused(R"({"suite": 1, "entries": [{"name": "a", "step": 2}]})", {"step", "belongs to a lesson"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "step": 2}]})", {"step", "needs \"lesson\""});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "measure": "fihgting"}]})", {"measure", "fighting"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "measure": ["order", {"what": "order"}]}]})",
-               {"entries[0].measure[1]", "second time"});
+               {"entries[0].measure[1]", "twice"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "b", "about": "x"}]})",
                {"loosened[0].name", "no entry"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "worst": 9}]})",
@@ -360,11 +360,11 @@ TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
     is_refused(R"({"suite": 1, "entries": [{"each": "preset", "name": "p"}]})", {"{}"});
     refused({"suite", "run", "nowhere"}, {"nowhere", "no such suite"});
     refused({"suite", "rnu", "bad.json"}, {"rnu", "run"});
-    refused({"suite", "run"}, {"missing"});
+    refused({"suite", "run"}, {"are required"});
     refused({"suite", "merge", "bad.json"}, {"bad.json"});
 }
 
-TEST_F(SuiteCommand, WhyAnEntryIsThereIsInTheReport) {
+TEST_F(SuiteCommand, DescriptionsOfEntriesAreInTheReport) {
     write("suite.json", R"({"suite": 1, "defaults": {"size": [64, 36], "samples": 0}, "entries": [
         {"name": "opening", "about": "what all begins with"}, {"name": "room", "state": "room"}],
         "loosened": [{"name": "opening", "about": "noise", "worst": 3}]})");
@@ -376,7 +376,7 @@ TEST_F(SuiteCommand, WhyAnEntryIsThereIsInTheReport) {
     EXPECT_EQ(result("opening").at("about"), "what all begins with; noise");
 }
 
-TEST_F(SuiteCommand, ASuiteThatIsSentMayNotReadEverything) {
+TEST_F(SuiteCommand, AForeignSuiteMayNotReadEverything) {
     fs::create_directories(folder() / "inner");
     write("outside.json", R"({"objects": [{"name": "b", "shape": "box"}]})");
     write("inner/state.json", R"({"scene": "../outside.json"})");
@@ -386,7 +386,7 @@ TEST_F(SuiteCommand, ASuiteThatIsSentMayNotReadEverything) {
     EXPECT_EQ(outcome("state", "inner/report"), "new");
 }
 
-TEST_F(SuiteCommand, WhatCannotBeWrittenIsSaid) {
+TEST_F(SuiteCommand, WriteErrorsAreReported) {
     write_suite();
     write("references", "a file where the folder should be");
     const Ended ended = run({"suite", "run", "suite.json"});
@@ -394,7 +394,7 @@ TEST_F(SuiteCommand, WhatCannotBeWrittenIsSaid) {
     EXPECT_TRUE(has(ended.err, "references")) << ended.err;
 }
 
-TEST_F(SuiteCommand, WithoutAContextItEndsAsEveryCommandDoes) {
+TEST_F(SuiteCommand, WithoutAContextEndsLikeEveryCommand) {
     write_suite();
     const Ended ended = run({"suite", "run", "suite.json", "--device", "99"});
     EXPECT_EQ(ended.status, 2) << ended.told();

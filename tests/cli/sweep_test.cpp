@@ -1,4 +1,4 @@
-// sweep: the same pictures as snapshot, and a table whose numbers are known.
+// sweep: the same pictures as snapshot, and a table with known numbers.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -20,7 +20,7 @@ protected:
     }
 };
 
-TEST_F(Sweep, DrawsWhatSnapshotDraws) {
+TEST_F(Sweep, DrawsTheSameAsSnapshot) {
     expect(0, small({"--vary", "light.position[0]=-2:2:5", "-o", "frames"}));
     const char* const values[] = {"-2", "-1", "0", "1", "2"};
     for (int i = 0; i < 5; ++i) {
@@ -40,7 +40,7 @@ TEST_F(Sweep, WritesATableOfExpressions) {
                                                          "2,2,2", "3,3,3", "4,4,4"}));
 }
 
-TEST_F(Sweep, GoesThroughKeyframesEasedAndBack) {
+TEST_F(Sweep, FollowsKeyframesEasedAndBack) {
     const auto column = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words{"sweep", "--csv", "-"};
         words.insert(words.end(), more.begin(), more.end());
@@ -75,13 +75,13 @@ TEST_F(Sweep, MakesASheet) {
     EXPECT_EQ(number_at(20), 8 + 2 * (36 + 20 + 16)) << "a row for each of the first";
 }
 
-TEST_F(Sweep, MakesFilmsWhereThereIsFfmpeg) {
+TEST_F(Sweep, MakesFilmsWithFfmpeg) {
     if (std::system("command -v ffmpeg ffprobe >/dev/null") != 0)
         GTEST_SKIP() << "no ffmpeg: Debian's package of that name has it";
     for (const std::string film : {"a.mp4", "a.gif", "a.webp"}) {
         expect(0, small({"--vary", "camera.yaw=0:30:7", "--fps", "10", "-o", film}));
         EXPECT_GT(read(film).size(), 500U) << film;
-        if (film == "a.webp") continue;  // ffmpeg 5 does not read what it writes there
+        if (film == "a.webp") continue;  // ffmpeg 5 cannot read its own output here
         const std::string probe =
             "ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width,height "
             "-of csv=p=0 '" +
@@ -125,7 +125,7 @@ TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
     EXPECT_EQ(files(), 2U) << "nothing unfinished is left";
 }
 
-/// A folder is replaced only where all in it is a sweep's own.
+/// A folder is replaced only if everything in it comes from a sweep.
 TEST_F(Sweep, AFolderWithSomethingElseIsLeftAlone) {
     std::filesystem::create_directory(folder() / "mine");
     const auto is_refused = [&](const std::string& name) {
@@ -144,7 +144,7 @@ TEST_F(Sweep, AFolderWithSomethingElseIsLeftAlone) {
     expect(0, small({"--vary", "camera.yaw=0:9:2", "-o", "mine"}));
 }
 
-TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
+TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {
     refused(small({"-o", "a.png"}), {"--vary"});
     refused(small({"--vary", "camera.yaw=0:1", "-o", "a.png"}), {"camera.yaw=0:1", "PATH=FROM:TO:COUNT"});
     refused(small({"--vary", "camera.yaw=0:1:x", "-o", "a.png"}), {"COUNT", "10000"});
@@ -155,16 +155,16 @@ TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--fps", "5"}), {"--fps", "film"});
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--value", "1"}), {"--value", "--csv"});
     refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", "nonsense"}),
-            {"--value nonsense", "no name"});
-    // No driver could start in so little memory: it is refused before.
+            {"--value nonsense", "unknown name"});
+    // Refused before drawing: no driver could start with so little memory.
     for (const char* const expression : {"(function() return 1 end)()", "(--'\n(function() return 1 end)() --'\n)"})
         refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", expression}),
-                {"--value", "function is no name here"},
+                {"--value", "function is not allowed"},
                 {.limits = {{RLIMIT_AS, viewing::is_sanitized ? RLIM_INFINITY : 120UL << 20U}}});
     refused(small({"--vary", "camera.yaw=0:1:2", "--vary", "camera.pitch=0:1:3", "--together", "-o", "a.png"}),
-            {"2 and 3", "alike"});
+            {"2 and 3", "equal"});
     refused({"sweep", "--size", "63x36", "--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}, {"even"});
-    // Counted before they are made: a hundred million would need gigabytes.
+    // Pictures are counted before they are listed: a hundred million would need gigabytes.
     refused(small({"--vary", "camera.yaw=0:1:10000", "--vary", "camera.pitch=0:1:10000", "-o", "a"}),
             {"100000000 pictures", "10000"}, {.limits = {{RLIMIT_CPU, 2}}});
     refused({"sweep", "--vary", "camera.yaw=0:1:200", "-o", "a.png"}, {"sheet", "16384"});
@@ -200,7 +200,7 @@ TEST_F(SweepOfAFlight, DrawsEachRecordedPictureAsSnapshotDrawsItsState) {
     EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at it is the start";
 }
 
-TEST_F(SweepOfAFlight, ShowsAtEachTimeWhatWasOnTheScreen) {
+TEST_F(SweepOfAFlight, ShowsTheScreenAtEachTime) {
     const std::string table = expect(0, {"sweep", "flight.json", "--fps", "4", "--csv", "-", "--value", "camera.yaw",
                                          "--value", "projection.near"})
                                   .out;
@@ -220,7 +220,7 @@ TEST_F(SweepOfAFlight, ShowsAtEachTimeWhatWasOnTheScreen) {
               (std::vector<std::string>{"t,shadow.opacity", "0,0.125", "0.25,0.125", "0.5,0.125", "0.5,0.125"}));
 }
 
-TEST_F(SweepOfAFlight, MistakesAreSaid) {
+TEST_F(SweepOfAFlight, MistakesAreReported) {
     refused(small({"flight.json", "--vary", "camera.yaw=0:1:2", "-o", "a.png"}), {"--vary", "flight", "--at"});
     refused(small({"flight.json", "--back", "-o", "a.png"}), {"--back"});
     refused(small({"flight.json"}), {"-o"});

@@ -1,4 +1,4 @@
-// The command line itself: help, version, what is misspelt, what is missing.
+// The command line itself: help, version, misspelled and missing arguments.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -34,7 +34,7 @@ TEST_F(Usage, EveryCommandHasHelpWithUsageExamplesAndExitStatus) {
     }
 }
 
-TEST_F(Usage, HelpComesBeforeWhateverElseIsWrong) {
+TEST_F(Usage, HelpTakesPrecedenceOverErrors) {
     expect(0, {"snapshot", "--nonsense", "--help"});
     expect(0, {"inspect", "-h"});
 }
@@ -52,28 +52,28 @@ TEST_F(Usage, VersionIsThreeNumbers) {
     EXPECT_EQ(std::sscanf(version.c_str(), "viewing-sandbox %d.%d.%d\n", &major, &minor, &patch), 3) << version;
 }
 
-TEST_F(Usage, AMisspeltCommandGetsTheNearest) {
+TEST_F(Usage, AMisspelledCommandSuggestsTheNearest) {
     refused({"snapshto", "-o", "x.png"}, {"snapshto", "did you mean the command snapshot?"});
     refused({"matrix"}, {"matrix"});
     refused({"doctr"}, {"did you mean the command doctor?"});
 }
 
-TEST_F(Usage, AMisspeltOptionGetsTheNearest) {
+TEST_F(Usage, AMisspelledOptionSuggestsTheNearest) {
     refused({"snapshot", "--siez", "10x10", "-o", "x.png"}, {"--siez", "no such option", "--size"});
     refused({"matrices", "--fromat=json"}, {"--fromat", "--format"});
     refused({"open", "--nonsense"}, {"--nonsense", "no such option", "open --help"});
     refused({"--sett", "projection.near=1"}, {"--sett", "--set"});
 }
 
-TEST_F(Usage, AMissingOrDoubledValueIsNamed) {
-    refused({"snapshot", "-o"}, {"--output", "missing"});
-    refused({"matrices", "--set"}, {"--set", "missing"});
+TEST_F(Usage, AMissingOrRepeatedValueIsNamed) {
+    refused({"snapshot", "-o"}, {"--output", "needs a value"});
+    refused({"matrices", "--set"}, {"--set", "needs a value"});
     refused({"snapshot", "-o", "a.png", "-o", "b.png"}, {"--output", "more than once"});
-    refused({"matrices", "a", "b"}, {"\"b\"", "one argument too many"});
+    refused({"matrices", "a", "b"}, {"\"b\"", "unexpected argument"});
 }
 
-TEST_F(Usage, WhatACommandNeedsIsNamed) {
-    refused({"snapshot"}, {"-o OUT.png is missing"});
+TEST_F(Usage, RequiredOptionsAreNamed) {
+    refused({"snapshot"}, {"-o OUT.png or --compare REF.png is required"});
     refused({"inspect"}, {"--pixel is missing"});
     refused({"measure"}, {"--what is missing"});
     refused({"compare", "a.png"}, {"two pictures"});
@@ -102,8 +102,8 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
-/// Results name what they came from, and are UTF-8: another name would be a false one.
-TEST_F(Usage, WhatIsNotUtf8IsRefusedByItsPlace) {
+/// Results name their inputs and are UTF-8: a name that is not UTF-8 could only appear wrongly.
+TEST_F(Usage, InvalidUtf8IsRefusedWithItsPosition) {
     write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     refused({"state", "caf\xe9.obj"}, {"argument 2: caf\\xe9.obj: not UTF-8"});
     refused({"exercises", "--student", "32\xff", "--format", "json"}, {"argument 3: 32\\xff: not UTF-8"});
@@ -119,7 +119,7 @@ TEST_F(Usage, AVeryLongNameLeavesRoomForTheReason) {
     EXPECT_TRUE(has(ended.err, "x.json: ")) << ended.told();
 }
 
-TEST_F(Usage, MeasureSaysWhatItTakes) {
+TEST_F(Usage, MeasureListsItsOptions) {
     refused({"measure"}, {"--what is missing", "visibility, growth, fighting"});
     refused({"measure", "--what", "fighting", "--max", "10"}, {"--max needs --what growth"});
     refused({"measure", "--what", "fighting", "--size", "0x9"}, {"--size"});

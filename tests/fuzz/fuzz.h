@@ -1,4 +1,4 @@
-// What the targets share: a condition that ends the fuzzer, and a file in memory for readers that take a name.
+// Shared by the fuzz targets: a condition that ends the fuzzer, and a file in memory for readers that take a name.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +16,7 @@ inline void check(bool holds) {
     if (!holds) std::abort();
 }
 
-/// One sentence for a person.
+/// Checks that a message is a single sentence.
 inline void check_message(const std::string& message) {
     check(!message.empty() && message.find('\n') == std::string::npos);
 }
@@ -25,7 +25,7 @@ inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// A regular file that no disk sees.
+/// A regular file in memory.
 class MemoryFile {
 public:
     explicit MemoryFile(std::string_view content) : file_(memfd_create("fuzz", 0)) {

@@ -1,5 +1,5 @@
-// libFuzzer: any lines as the arguments of a command that neither draws nor runs others. Whatever they are, it ends
-// with a status of the table that is no internal error. Nothing outside the working folder is written.
+// libFuzzer: any lines as the arguments of a command that neither draws nor runs others. It must end with a documented
+// status other than an internal error and write nothing outside the working folder.
 #include "cli/run.h"
 #include "fuzz.h"
 #include "ui/monkey/confined.h"
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     std::vector<std::string> arguments{commands[data[0] % std::size(commands)]};
     const std::string_view text = fuzz::as_text(data + 1, size - 1);
-    // It ends the process by itself, and standard input is the fuzzer's.
+    // `--timeout` would end the process, and standard input belongs to the fuzzer.
     if (text.find("--t") != text.npos || text.find('-') == text.size() - 1) return 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

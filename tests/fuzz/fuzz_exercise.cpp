@@ -1,5 +1,5 @@
-// libFuzzer: any text as an exercise. What is accepted has combinations or says why not, and its first variants are
-// steps or say why not, with nothing measured.
+// libFuzzer: any text as an exercise. An accepted exercise has combinations or reports why not, and each of its first
+// variants becomes a step or reports why not. Nothing is measured.
 #include "fuzz.h"
 #include "lesson/exercise.h"
 #include "state/file/json.h"

@@ -1,5 +1,5 @@
-// libFuzzer: any text as an expression of a lesson, which somebody else may have written: it ends soon, with a value
-// that can be written, or with one sentence.
+// libFuzzer: any text as an expression of a lesson from an untrusted author. It must end soon, with a value that can be
+// written, or with one sentence.
 #include "fuzz.h"
 #include "lesson/expression.h"
 

@@ -1,5 +1,5 @@
-// libFuzzer: any text as a flight. What is accepted is written and comes back exactly; each of its pictures is a state
-// that is written and comes back, or says why not; and it is the same whichever way one comes to it.
+// libFuzzer: any text as a flight. An accepted flight must round-trip exactly. Each of its pictures is a state that
+// round-trips or is reported, and does not depend on how playback reached it.
 #include "fuzz.h"
 #include "state/file/flight.h"
 #include "state/file/json.h"

@@ -1,5 +1,5 @@
-// libFuzzer: any text as answers that a student hands in. What is accepted is written, comes back and is written the
-// same (a setting keeps the way in which its number was written until then), and is merged with itself.
+// libFuzzer: any text as a student's hand-in. Accepted answers must read back after writing, be written the same again,
+// and merge with themselves. Only the first write may change the form of a setting's number.
 #include "fuzz.h"
 #include "lesson/hand_in.h"
 

@@ -1,4 +1,4 @@
-// libFuzzer: any text as a lesson. What is accepted has steps, and their states are written and come back exactly.
+// libFuzzer: any text as a lesson. An accepted lesson has steps, and their states must round-trip exactly.
 #include "fuzz.h"
 #include "lesson/lesson.h"
 #include "state/file/json.h"

@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a Wavefront OBJ file. A mesh that is accepted must be whole: finite, within its box, indices
-// that exist, normals of length 1.
+// libFuzzer: any bytes as a Wavefront OBJ file. An accepted mesh must be valid: finite, within its box, with existing
+// indices and normals of length 1.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

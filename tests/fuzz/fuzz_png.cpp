@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a PNG file. The checksums of its chunks are put right first: else libpng would refuse nearly
-// all of them at their first chunk. What is accepted is written and comes back exactly.
+// libFuzzer: any bytes as a PNG file. Chunk checksums are corrected first, because libpng would otherwise reject nearly
+// all inputs at their first chunk. An accepted picture must round-trip exactly.
 #include <zlib.h>
 
 #include "fuzz.h"
@@ -11,7 +11,7 @@ using namespace viewing;
 
 constexpr std::size_t signature_bytes = 8, head_bytes = 8, checksum_bytes = 4;
 
-/// With every chunk's checksum; the last one ends where the file does.
+/// Corrects every chunk's checksum; a chunk that is too long ends with the file.
 std::string with_checksums(std::string_view bytes) {
     std::string file(bytes);
     std::size_t at = signature_bytes;

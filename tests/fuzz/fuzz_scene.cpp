@@ -1,4 +1,4 @@
-// libFuzzer: any text as a scene file. What is accepted must be written and come back exactly.
+// libFuzzer: any text as a scene file. An accepted scene must round-trip exactly.
 #include <cstdlib>
 
 #include "state/file/json.h"

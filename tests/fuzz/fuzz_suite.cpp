@@ -1,4 +1,4 @@
-// libFuzzer: any text as a suite. What is accepted has entries whose files have names of their own.
+// libFuzzer: any text as a suite. An accepted suite has entries whose files have distinct names.
 #include <set>
 
 #include "fuzz.h"

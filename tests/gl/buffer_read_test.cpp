@@ -1,5 +1,5 @@
-// Blocks of pixels and whole buffers, read back: the same pixels as one by one, the same numbers where GL cannot read
-// depth and stencil as where it can, and counts that are those of the depths.
+// Blocks of pixels and whole buffers, read back: blocks equal single reads, values are the same with and without GL's
+// ability to read depth and stencil, and counts match the depths.
 #include "render/buffer_read.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ protected:
         return probe;
     }
 
-    /// All but reading depth and stencil.
+    /// A renderer without the ability to read depth and stencil.
     static Renderer without_reading() {
         gl::Capabilities capabilities = renderer().capabilities();
         EXPECT_TRUE(capabilities.read_depth_stencil);
@@ -40,7 +40,7 @@ protected:
     }
 };
 
-TEST_F(BufferRead, BlocksHoldThePixelsOneByOne) {
+TEST_F(BufferRead, BlocksEqualSingleReads) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const format : formats) {
         const PixelProbe probe = probe_of(params_with({setting("depth.format", format)}), scene);
@@ -56,7 +56,7 @@ TEST_F(BufferRead, BlocksHoldThePixelsOneByOne) {
     }
 }
 
-TEST_F(BufferRead, BlocksEndWithThePicture) {
+TEST_F(BufferRead, BlocksEndAtThePicturesEdge) {
     const Scene scene = scene_named("torus-and-boxes");
     const PixelProbe probe = probe_of(Params{}, scene);
     const auto block = [&](glm::ivec2 first, glm::ivec2 size) {
@@ -73,7 +73,7 @@ TEST_F(BufferRead, BlocksEndWithThePicture) {
     EXPECT_TRUE(PixelProbe().block({0, 0}, {4, 4}).cells.empty());
 }
 
-TEST_F(BufferRead, GivesTheSameWhereGlCannotReadDepthAndStencil) {
+TEST_F(BufferRead, IsTheSameWithoutReadingDepthAndStencil) {
     Renderer without = without_reading();
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const mapping : mappings)
@@ -105,7 +105,7 @@ TEST_F(BufferRead, GivesTheSameWhereGlCannotReadDepthAndStencil) {
 }
 
 TEST_F(BufferRead, StencilIsReadByItsBits) {
-    // Marks from 1 to 255 beside one another, read where GL reads stencil and where it is gathered bit by bit.
+    // Marks from 1 to 255 side by side, read by GL's own stencil reads and gathered bit by bit.
     Renderer without = without_reading();
     Scene scene = testing::scene_of({});
     for (int i = 0; i < 16; ++i) {
@@ -135,7 +135,7 @@ TEST_F(BufferRead, StencilIsReadByItsBits) {
     }
 }
 
-TEST_F(BufferRead, WorksWithNothingBeyondTheCommonSubset) {
+TEST_F(BufferRead, WorksWithOnlyTheCommonSubset) {
     Result<Renderer> plain = Renderer::make({});
     ASSERT_TRUE(plain) << plain.error();
     const Scene scene = scene_named("torus-and-boxes");
@@ -152,7 +152,7 @@ TEST_F(BufferRead, WorksWithNothingBeyondTheCommonSubset) {
     }
 }
 
-TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
+TEST_F(BufferRead, CountsMatchTheBlocks) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const scale : {"linear", "window"})
         for (const char* const mapping : mappings)
@@ -178,14 +178,14 @@ TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
                     ++expected[static_cast<std::size_t>(std::clamp(value * 128.0, 0.0, 127.0))];
                 }
                 EXPECT_EQ(counts.unwritten, unwritten);
-                int moved = 0;  // at the edge of a bin float32 may decide otherwise, with few bits for many pixels
+                int moved = 0;  // float32 may differ at a bin's edge, with few bits for many pixels
                 for (std::size_t bin = 0; bin < expected.size(); ++bin)
                     moved += std::max(expected[bin] - static_cast<int>(counts.counts[bin]), 0);
                 EXPECT_LE(moved, 20) << scale << " " << mapping << " " << format;
             }
 }
 
-TEST_F(BufferRead, OfAViewWithSamplesNothingIsCounted) {
+TEST_F(BufferRead, MultisampledViewsAreNotCounted) {
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"view.samples=4"});
     const FramePlan frame = plan(params, derive_for(params, scene, read_px));

@@ -1,6 +1,6 @@
-// The codes that really lie in the depth buffer, read back, against the formulas of depth: a square at known distances,
-// over near, far, format and mapping. Formulas are written out here, not taken from the program.
-// VIEWING_LONG_TESTS=N measures N times as many.
+// The codes in the depth buffer, read back, against the formulas of depth: a square at known distances, over near, far,
+// format and mapping. The formulas are written out here, not taken from the program. VIEWING_LONG_TESTS=N measures N
+// times as many.
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -20,7 +20,7 @@ constexpr glm::ivec2 codes_px(8, 8);
 
 using Exact = long double;
 
-/// Window depth of a distance z in front of the eye: facts, Depth.
+/// Window depth at a distance z in front of the eye (facts, Depth).
 Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     if (mapping == DepthMapping::logarithmic) return std::log(z / n) / std::log(f / n);
     if (orthographic) return mapping == DepthMapping::reversed ? (f - z) / (f - n) : (z - n) / (f - n);
@@ -28,7 +28,7 @@ Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z
     return f / (f - n) - f * n / ((f - n) * z);
 }
 
-/// How much depth changes when z does by a 2²⁴th of itself: float32 keeps eye depth no better.
+/// The change in window depth when z changes by a relative 2⁻²⁴, the precision of eye depth in float32.
 Exact change_with_a_place_of_z(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     const Exact place = std::exp2(Exact(-24));
     if (mapping == DepthMapping::logarithmic) return place / std::log(f / n);
@@ -54,14 +54,14 @@ Params at_origin() {
                                  "reflection.enabled=false", "plane.equation=[0,1,0,1000000]", "plane.extent=0.001"});
 }
 
-/// How far a code may be from the exact value (facts): ±1 at 16 bits, ±4 at 24, where float32 arithmetic adds to GL's
-/// rounding: as many times its error where that is coarser than a code, in a short logarithmic range. Fewer bits are
-/// made in the shader, which rounds to the nearest code.
+/// The permitted distance of a code from the exact value (facts): ±1 at 16 bits and ±4 at 24, since float32 arithmetic
+/// adds to GL's rounding. Where the arithmetic error exceeds one code, in a short logarithmic range, the test
+/// multiplies by that error. Fewer bits are made in the shader, which rounds to the nearest code.
 Exact allowed_codes(int bits) {
     return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
 }
 
-/// What is left of the 24 bits of a float where a depth lies.
+/// The unit in the last place of a float's 24 bits at this depth.
 Exact last_place(Exact depth) {
     return std::exp2(std::floor(std::log2(std::max(depth, std::exp2(Exact(-126))))) - 23);
 }
@@ -74,7 +74,7 @@ std::string describe(const Params& params, double z) {
            std::to_string(projection.near) + " far " + std::to_string(projection.far) + " z " + std::to_string(z);
 }
 
-/// A state to measure, and what its code should be.
+/// A state to measure, and its expected code.
 struct Sample {
     Params params;
     double distance = 1.0;
@@ -97,8 +97,8 @@ struct Sample {
 
     bool orthographic() const { return params.projection.type == ProjectionType::orthographic; }
 
-    /// What float32 arithmetic may do to this depth before it is stored: eye depth has 24 bits, and so has the sum that
-    /// turns −1 … 1 into 0 … 1 where that is done. Facts' footnote.
+    /// The error that float32 arithmetic may cause in this depth before it is stored: eye depth has 24 bits, and so has
+    /// the sum that maps −1 … 1 to 0 … 1 in the standard mapping. See the facts' footnote.
     Exact arithmetic() const {
         const DepthMapping mapping = params.depth.mapping;
         const Exact sum = mapping == DepthMapping::standard ? std::exp2(Exact(-24)) : 0.0L;
@@ -107,14 +107,14 @@ struct Sample {
     }
 };
 
-/// The worst of one kind of depth.
+/// The worst deviation for one kind of depth.
 struct Worst {
-    Exact off = 0.0;            ///< codes; last places of float32
-    Exact by_arithmetic = 0.0;  ///< where arithmetic is coarser than places: times its error
-    Exact places = 0.0;         ///< and as places
+    Exact off = 0.0;            ///< in codes, or last places of float32
+    Exact by_arithmetic = 0.0;  ///< as a multiple of the arithmetic error, where that exceeds a last place
+    Exact places = 0.0;         ///< the same in last places
 };
 
-TEST_F(DepthCodes, AreWhatTheFormulaSays) {
+TEST_F(DepthCodes, MatchTheFormula) {
     Random random(seed);
     const int count = testing::trials(60);
     std::map<std::string, Worst> worst;
@@ -156,8 +156,8 @@ TEST_F(DepthCodes, AreWhatTheFormulaSays) {
     }
 }
 
-TEST_F(DepthCodes, ReportTheDistanceBack) {
-    // What the status bar says: eye z from the code, within the width of a few codes as the formula has it.
+TEST_F(DepthCodes, ReproduceTheDistance) {
+    // The status bar computes eye z from the code: it is within the width of a few codes, as given by the formula.
     Random random(seed);
     for (int trial = 0; trial < 40; ++trial) {
         Params params = at_origin();
@@ -175,9 +175,8 @@ TEST_F(DepthCodes, ReportTheDistanceBack) {
     }
 }
 
-TEST_F(DepthCodes, HaveNoneButTheCodesOfTheirFormat) {
-    // A square seen at a slant crosses many codes; with b bits there are at most 2ᵇ of them, and neighbours differ
-    // by 1.
+TEST_F(DepthCodes, UseOnlyTheCodesOfTheirFormat) {
+    // A slanted square crosses many codes; with b bits there are at most 2ᵇ, and neighbors differ by 1.
     for (int bits = 4; bits <= 8; ++bits) {
         Params params = at_origin();
         params.depth.format = static_cast<DepthFormat>(bits - 4);
@@ -199,7 +198,7 @@ TEST_F(DepthCodes, HaveNoneButTheCodesOfTheirFormat) {
     }
 }
 
-TEST_F(DepthCodes, OfTheBackgroundIsTheClearedValue) {
+TEST_F(DepthCodes, EqualTheClearedValueOnTheBackground) {
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
         const Params params = testing::params_with({mapping, "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});
         const Scene empty = scene_of({});
@@ -214,7 +213,7 @@ TEST_F(DepthCodes, OfTheBackgroundIsTheClearedValue) {
     }
 }
 
-TEST_F(DepthCodes, ProbeNamesWhatIsThere) {
+TEST_F(DepthCodes, ProbeNamesTheSurface) {
     const Params params = testing::params_with({"view.samples=4", "cull.enabled=false"});
     const Scene scene = testing::scene_named("torus-and-boxes");
     constexpr glm::ivec2 larger(320, 180);

@@ -1,4 +1,4 @@
-// The picture of the depths: which grey or band a known depth becomes, on both scales and over a range.
+// The depth picture: the gray or band of a known depth, on both scales and over a range.
 #include <cmath>
 
 #include "frame/depth/depth_colors.h"
@@ -19,7 +19,7 @@ constexpr double near = 0.5, far = 40.0;
 
 class DepthPicture : public testing::GlTest {
 protected:
-    /// A square that fills the picture at a distance from the eye.
+    /// Returns the color of a square that fills the picture at a distance from the eye.
     static Rgb color_of(double distance, const std::vector<std::string>& more) {
         std::vector<std::string> settings = {
             "view.shows=depth",     "camera.position=[0,0,0]",  "camera.yaw=0",       "camera.pitch=0",
@@ -39,7 +39,7 @@ double depth_at(const std::string& mapping, double z) {
     return mapping == "reversed" ? 1.0 - standard : standard;
 }
 
-/// Of the square's depth between two others, on a scale.
+/// The position of the square's depth between two others on a scale, from 0 to 1.
 double share(const std::string& mapping, bool linear, double z, double first, double last) {
     if (linear) return (z - first) / (last - first);
     return (depth_at(mapping, z) - depth_at(mapping, first)) / (depth_at(mapping, last) - depth_at(mapping, first));
@@ -49,7 +49,7 @@ std::string range_text(double first, double last) {
     return "view.depth_range=[" + std::to_string(first) + "," + std::to_string(last) + "]";
 }
 
-TEST_F(DepthPicture, GreyRunsEvenlyOverTheRangeOnItsScale) {
+TEST_F(DepthPicture, GrayIsEvenOverTheRangeOnItsScale) {
     for (const std::string mapping : {"standard", "reversed", "logarithmic"})
         for (const bool linear : {true, false})
             for (const glm::dvec2 range : {glm::dvec2(near, far), glm::dvec2(4, 12), glm::dvec2(0.8, 1.2)})
@@ -76,11 +76,11 @@ TEST_F(DepthPicture, IsBlackAndWhiteAtAndBeyondTheRange) {
         }
 }
 
-TEST_F(DepthPicture, BandsFollowOneAnotherOverTheRange) {
+TEST_F(DepthPicture, BandsAreInOrderOverTheRange) {
     for (const std::string mapping : {"standard", "reversed", "logarithmic"})
         for (const bool linear : {true, false})
             for (std::size_t band = 0; band < depth_bands.size(); ++band) {
-                // The distance in the middle of a band, by bisection: its share grows with the distance.
+                // The distance at the middle of a band, by bisection: its share increases with distance.
                 const double middle = (static_cast<double>(band) + 0.5) / static_cast<double>(depth_bands.size());
                 double nearest = 2.0, farthest = 20.0;
                 for (int i = 0; i < 60; ++i) {
@@ -101,14 +101,14 @@ TEST_F(DepthPicture, BandsEndWithTheFirstAndTheLast) {
     EXPECT_EQ(band(30), Rgb(0xff, 0xf3, 0xcf));
 }
 
-TEST_F(DepthPicture, PixelsThatWereNeverWrittenStayTinted) {
+TEST_F(DepthPicture, PixelsNeverWrittenStayTinted) {
     for (const char* const colors : {"view.depth_colors=grey", "view.depth_colors=bands"}) {
         const Rgb beyond_far = color_of(100, {colors});
         EXPECT_GT(beyond_far.b, beyond_far.r + 20) << colors;
     }
 }
 
-TEST_F(DepthPicture, ARangeWithoutWidthIsAStep) {
+TEST_F(DepthPicture, AnEmptyRangeIsAStep) {
     Params params = params_with({"view.shows=depth"});
     const Scene scene = testing::box_scene();
     FramePlan frame = plan(params, derive_for(params, scene, depths_px));
@@ -131,7 +131,7 @@ double lightness(const Color& color) {
     return y > 216.0 / 24389.0 ? 116.0 * std::cbrt(y) - 16.0 : y * 24389.0 / 27.0;
 }
 
-TEST(DepthBands, AreInOrderWithoutColorAndNoneIsBluish) {
+TEST(DepthBands, HaveOrderedLightnessAndNoBluishColor) {
     for (std::size_t band = 0; band < depth_bands.size(); ++band) {
         EXPECT_LE(depth_bands[band].b, depth_bands[band].r) << band;
         if (band > 0) {

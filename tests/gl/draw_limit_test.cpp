@@ -1,5 +1,5 @@
-// A frame that stops at a draw call, against frames that have no more to draw; and depths that are not cleared because
-// the mask is off.
+// A frame that stops at a draw call equals a frame with nothing more to draw; depths that are not cleared because the
+// mask is off.
 #include "frame/draw_calls.h"
 #include "gl_test.h"
 #include "unit/geometry/random.h"
@@ -24,7 +24,7 @@ protected:
     }
 };
 
-TEST_F(DrawLimits, WithinTheObjectsGiveThePictureOfASmallerScene) {
+TEST_F(DrawLimits, WithinObjectsDrawASmallerScene) {
     const Scene scene = scene_named("torus-and-boxes");
     const FramePlan frame = plan_of({"shadow.enabled=false", "reflection.enabled=false", "view.samples=0"}, scene);
     Random random(seed);
@@ -42,7 +42,7 @@ TEST_F(DrawLimits, WithinTheObjectsGiveThePictureOfASmallerScene) {
     }
 }
 
-TEST_F(DrawLimits, BetweenPassesGiveThePictureOfFewerPasses) {
+TEST_F(DrawLimits, BetweenPassesDrawFewerPasses) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const method : {"depth_buffer", "none"})
         for (const char* const decals : {"offset", "stencil"}) {
@@ -60,7 +60,7 @@ TEST_F(DrawLimits, BetweenPassesGiveThePictureOfFewerPasses) {
         }
 }
 
-TEST_F(DrawLimits, BeyondTheLastCallLeaveNothingOut) {
+TEST_F(DrawLimits, PastTheLastCallDrawTheWholeFrame) {
     const Scene scene = scene_named("torus-and-boxes");
     const FramePlan frame = plan_of({}, scene);
     const Image whole = draw(frame, scene, limited_px);
@@ -69,14 +69,14 @@ TEST_F(DrawLimits, BeyondTheLastCallLeaveNothingOut) {
     for (const DrawLimit limit : {DrawLimit{}, DrawLimit{-1, 3}, DrawLimit{last, -1},
                                   DrawLimit{last, calls.back().triangles}, DrawLimit{last + 1, 0}})
         EXPECT_EQ(stopped_at(frame, limit, scene), whole) << limit.call << ", " << limit.triangles;
-    EXPECT_NE(stopped_at(frame, {last - 1, -1}, scene), whole) << "the last object is seen";
+    EXPECT_NE(stopped_at(frame, {last - 1, -1}, scene), whole) << "the last object is visible";
 
     FramePlan empty = frame;
     empty.passes.clear();
     EXPECT_EQ(stopped_at(frame, {0, 0}, scene), draw(empty, scene, limited_px));
 }
 
-TEST_F(DrawLimits, ClearingWithTheMaskOffKeepsDepthsAsNotClearingDoes) {
+TEST_F(DrawLimits, ClearingWithTheMaskOffEqualsNotClearing) {
     const Scene near_scene = testing::box_scene(), far_scene = scene_named("torus-and-boxes");
     const auto second_frame = [&](const std::vector<std::string>& settings) {
         View view;
@@ -89,7 +89,7 @@ TEST_F(DrawLimits, ClearingWithTheMaskOffKeepsDepthsAsNotClearingDoes) {
                     kept = second_frame({mapping, "depth.clear=false"});
         EXPECT_EQ(masked, kept) << mapping;
         EXPECT_GT(testing::pixels_beyond(masked, cleared, 20), 100) << mapping;
-        // The first frame of all starts from one frame of itself.
+        // The first frame has no predecessor: it starts from its own depths.
         EXPECT_EQ(draw(params_with({mapping, "depth.write_while_clearing=false"}), far_scene, limited_px),
                   draw(params_with({mapping, "depth.clear=false"}), far_scene, limited_px));
     }

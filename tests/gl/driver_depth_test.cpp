@@ -1,5 +1,5 @@
-// What is measured of the driver's depth by drawing is what can be read back: the codes that a clear stores, and by how
-// many of them a square is moved.
+// The properties of the driver's depth, measured by drawing, agree with values read back: the codes that a clear
+// stores, and the number of codes by which an offset moves a square.
 #include <bit>
 #include <cmath>
 #include <set>
@@ -22,7 +22,7 @@ protected:
         return *stored;
     }
 
-    /// How many of 64 window depths that are cleared to from `first` on are kept apart.
+    /// Returns the number of distinct codes among 64 clear depths, starting at `first`.
     static std::size_t kept_apart(gl::DepthKind kind, double first, double step) {
         const gl::Target target({{1, 1}, 0, kind});
         std::set<float> stored;
@@ -58,12 +58,13 @@ protected:
     }
 };
 
-TEST_F(DriverDepthTest, StoresAsManyCodesAsCanBeReadBack) {
+TEST_F(DriverDepthTest, StoresAsManyCodesAsAreReadBack) {
     for (const gl::DepthKind kind : {gl::DepthKind::d16, gl::DepthKind::d24_s8, gl::DepthKind::d32f_s8}) {
         SCOPED_TRACE(static_cast<int>(kind));
         const StoredDepth stored = measured(kind);
         const int bits = std::min(stored.precision.bits, 24);
-        // 64 steps of a code reach 64 codes, of a half of one 32 or 33; a float's are half as wide below 1/2.
+        // 64 steps of one code reach 64 codes; 64 steps of half a code reach 32 or 33. Below 1/2, a float's codes are
+        // half as wide.
         EXPECT_NEAR(static_cast<double>(kept_apart(kind, 0.75, std::exp2(-bits))), 64.0, 1.0);
         if (bits < 24) {
             EXPECT_LE(kept_apart(kind, 0.75, std::exp2(-bits - 1)), 34U);
@@ -72,7 +73,7 @@ TEST_F(DriverDepthTest, StoresAsManyCodesAsCanBeReadBack) {
     }
 }
 
-TEST_F(DriverDepthTest, AUnitMovesASquareByAsManyCodes) {
+TEST_F(DriverDepthTest, AnOffsetUnitMovesASquareByTheMeasuredCodes) {
     for (const auto& [format, kind] :
          {std::pair{DepthFormat::d16, gl::DepthKind::d16}, std::pair{DepthFormat::d24, gl::DepthKind::d24_s8},
           std::pair{DepthFormat::d32f, gl::DepthKind::d32f_s8}}) {
@@ -84,7 +85,7 @@ TEST_F(DriverDepthTest, AUnitMovesASquareByAsManyCodes) {
     }
 }
 
-/// It can be asked for between two pictures: nothing of GL's state is left changed.
+/// Measuring may happen between two pictures, so it must not change GL's state.
 TEST_F(DriverDepthTest, LeavesNoTrace) {
     const PixelReport before = square(DepthFormat::d24, 1.0);
     const StoredDepth first = measured(gl::DepthKind::d24_s8), second = measured(gl::DepthKind::d24_s8);

@@ -1,5 +1,5 @@
-// A field that is said to have no effect has none: whatever it is set to, the frame's plan is the same, or the picture
-// is, byte for byte.
+// A field reported as having no effect has none: whatever its value, the frame's plan or the picture stays the same,
+// byte for byte.
 #include "frame/effect.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ protected:
         const Scene scene = scene_for(params);
         return draw(plan_of(params, scene), scene, effect_px);
     }
-    /// Whether it shows anywhere in the camera's picture.
+    /// Whether the change is visible in the camera's picture.
     static bool has_effect(const Params& before, const Params& after) {
         const Scene scene = scene_for(before), scene_after = scene_for(after);
         const FramePlan a = plan_of(before, scene), b = plan_of(after, scene_after);
@@ -48,8 +48,8 @@ protected:
     }
 };
 
-/// Other values of a field: each one of an enumeration, both of a switch, three numbers; none for what has a widget of
-/// its own.
+/// Other values of a field: each value of an enumeration, both of a switch, three numbers; none for fields with their
+/// own widget.
 std::vector<Params> with_other_values(const Params& params, const Field& field) {
     std::vector<Params> others;
     const auto other = [&](const auto& change) {
@@ -84,7 +84,7 @@ struct Case {
     std::vector<std::string> settings;
 };
 
-TEST_F(Effect, WhatIsSaidToHaveNoneHasNone) {
+TEST_F(Effect, FieldsReportedWithoutEffectHaveNone) {
     const Case cases[] = {{"opening", {}},
                           {"opening", {"projection.type=orthographic", "depth.test=false"}},
                           {"opening", {"shadow.enabled=false", "reflection.enabled=false"}},
@@ -121,14 +121,14 @@ TEST_F(Effect, WhatIsSaidToHaveNoneHasNone) {
                 if (other == frame) continue;
                 EXPECT_EQ(draw(other, other_scene, effect_px), picture)
                     << preset << " with " << (settings.empty() ? "" : settings.front()) << ": " << field.path
-                    << " has an effect, but it is said: " << why;
+                    << " has an effect, but is reported: " << why;
             }
         }
     }
     EXPECT_GT(asked, 500);
 }
 
-TEST_F(Effect, WhatHasOneIsNotSaidToHaveNone) {
+TEST_F(Effect, FieldsWithAnEffectAreNotReported) {
     const Params opening = state_of("opening", {}).params;
     const Scene scene = scene_for(opening);
     for (const char* path : {"projection.fovy", "depth.test", "depth.mapping", "cull.enabled", "shadow.opacity",
@@ -141,7 +141,7 @@ TEST_F(Effect, WhatHasOneIsNotSaidToHaveNone) {
     }
 }
 
-TEST_F(Effect, TheWayIsShownBySettingWhatItSays) {
+TEST_F(Effect, FollowingTheAdviceMakesTheFieldEffective) {
     const Params orbits = testing::params_with({"camera.navigation=orbit"});
     EXPECT_EQ(why_without_effect(orbits, nullptr, "slips.pole_flip"), "");
     EXPECT_NE(why_without_effect(orbits, nullptr, "slips.walk_slows"), "");

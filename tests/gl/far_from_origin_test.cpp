@@ -1,5 +1,5 @@
-// The same scene far from the world's origin is the same picture: light does not speckle where float32 has no places
-// left for world positions.
+// A scene far from the world's origin gives the same picture: light must not speckle where float32 lacks precision for
+// world positions.
 #include "gl_test.h"
 
 namespace viewing {
@@ -14,7 +14,7 @@ struct Place {
     Scene scene;
 };
 
-/// The opening state, all of it moved by so much.
+/// The opening state moved by `offset`.
 Place moved_by(const glm::dvec3& offset) {
     Place made{testing::params_with({"view.samples=0"}), testing::scene_named("torus-and-boxes")};
     made.params.camera.position += offset;
@@ -33,7 +33,7 @@ TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
     const Place here = moved_by(glm::dvec3(0.0));
     const Image expected = draw(here.params, here.scene, far_away_px);
     for (const double far_away : {1e5, 9e5}) {
-        // Along the plane and across it; the patch is centred on the plane's point nearest to the origin.
+        // Along the plane and across it; the patch is centered on the plane's point nearest to the origin.
         const Place there = moved_by({0.0, far_away, 0.0});
         const Image picture = draw(there.params, there.scene, far_away_px);
         EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";

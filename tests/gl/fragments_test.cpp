@@ -1,5 +1,5 @@
-// The computed fragments of a pixel against what GL has left there: the last one drawn is the one that is read back.
-// VIEWING_LONG_TESTS=N looks at N times as many states.
+// The computed fragments of a pixel against GL's buffers: the last drawn fragment equals the values read back.
+// VIEWING_LONG_TESTS=N checks N times as many states.
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -23,8 +23,8 @@ using testing::trials;
 
 constexpr glm::ivec2 fragments_px(160, 90);
 
-/// How far GL's depth may be from the exact one before it is stored: four codes of 24 bits, 12 places of a float
-/// near 1.
+/// The permitted distance of GL's depth from the exact one before it is stored: four codes of 24 bits, 12 places of a
+/// float near 1.
 double arithmetic(const DepthPrecision& precision) {
     return (precision.is_float ? 12.0 : 4.5) / 16777216.0;
 }
@@ -35,7 +35,7 @@ std::int64_t code_of(double depth, const DepthPrecision& precision) {
     return std::llround(kept * (std::exp2(precision.bits) - 1.0));
 }
 
-/// The codes that a depth may become.
+/// The range of codes to which a depth may round.
 struct Codes {
     std::int64_t least, greatest;
 };
@@ -45,7 +45,7 @@ bool in_known_order(const Codes& a, const Codes& b) {
     return is_one || a.greatest < b.least || b.greatest < a.least;
 }
 
-/// Whether float32 arithmetic cannot change any comparison among the fragments and with the cleared value.
+/// Whether float32 arithmetic cannot change any comparison among the fragments or with the cleared value.
 bool is_decided(const std::vector<Fragment>& fragments, double cleared, const DepthPrecision& precision) {
     const std::int64_t cleared_code = code_of(cleared, precision);
     std::vector<Codes> codes{{cleared_code, cleared_code}};
@@ -86,11 +86,11 @@ class Fragments : public testing::GlTest {
 protected:
     struct Seen {
         int compared = 0, codes_compared = 0, at_edges = 0, undecided = 0;
-        std::map<std::string, double> worst;  ///< codes between computed and read back
-        std::map<std::string, double> used;   ///< the same as a share of what is said
+        std::map<std::string, double> worst;  ///< difference between the computed and read-back depth, in codes
+        std::map<std::string, double> used;   ///< the same as a share of the stated bound
     };
 
-    /// Pixels of one state: object and code of the last drawn fragment against the ones read back.
+    /// Compares object and code of the last drawn fragment with those read back, at random pixels of one state.
     static void compare(const Params& params, const Scene& scene, Random& random, int pixels, Seen& seen) {
         const Derived derived = derive_for(params, scene, fragments_px);
         HiddenPictures pictures;
@@ -106,7 +106,7 @@ protected:
         for (int trial = 0; trial < pixels; ++trial) {
             const glm::ivec2 pixel(random.number(0, fragments_px.x), random.number(0, fragments_px.y));
             const std::vector<Fragment> fragments = finder.at(frame, pixel, fragments_px);
-            // GL rounds corners to 1/256 of a pixel: it may see other surfaces at an edge.
+            // GL rounds vertices to 1/256 of a pixel, so at an edge it may find other surfaces.
             const std::vector<std::vector<Fragment>> around = beside(finder, frame, pixel);
             if (std::ranges::any_of(around, [&](const auto& f) { return surfaces_of(f) != surfaces_of(fragments); })) {
                 ++seen.at_edges;
@@ -143,7 +143,7 @@ protected:
         }
     }
 
-    /// What is met 0.04 pixels beside the centre, on four sides.
+    /// Returns the fragments 0.04 pixels from the center, on each of four sides.
     static std::vector<std::vector<Fragment>> beside(const FragmentFinder& finder, const FramePlan& frame,
                                                      glm::ivec2 pixel) {
         const glm::ivec2 center = pixel * finer + finer / 2;
@@ -156,13 +156,13 @@ protected:
 
     static void tell(const Seen& seen) {
         for (const auto& [kind, value] : seen.worst) std::printf("%s: worst %g codes\n", kind.c_str(), value);
-        for (const auto& [kind, value] : seen.used) std::printf("%s: %g of what is said\n", kind.c_str(), value);
+        for (const auto& [kind, value] : seen.used) std::printf("%s: %g of the stated bound\n", kind.c_str(), value);
         std::printf("%d pixels compared, %d of them by code; %d at edges and %d undecided left out\n", seen.compared,
                     seen.codes_compared, seen.at_edges, seen.undecided);
     }
 };
 
-/// The opening scene with a decal that lies in the plane of the patch.
+/// The opening scene with a decal in the plane of the patch.
 Scene scene_with_decal() {
     Scene scene = scene_named("torus-and-boxes");
     SceneObject decal = object("decal", quad_mesh(), {1.2, 0.0, 1.6}, {1.3, 1.0, 0.9});
@@ -171,7 +171,7 @@ Scene scene_with_decal() {
     return scene;
 }
 
-TEST_F(Fragments, EndWithTheOneThatIsReadBack) {
+TEST_F(Fragments, EndWithTheOneReadBack) {
     const Scene scene = scene_with_decal();
     Random random(seed);
     Seen seen;
@@ -196,8 +196,9 @@ TEST_F(Fragments, EndWithTheOneThatIsReadBack) {
     EXPECT_LT(seen.at_edges, seen.compared / 4);
 }
 
-TEST_F(Fragments, StayWithinWhatIsSaidOfEveryFormatMappingAndLens) {
-    // Triangles of all sizes and slopes, slivers and nearly edge-on ones among them; all 18 combinations.
+TEST_F(Fragments, StayWithinTheBoundsOfEveryFormatMappingAndLens) {
+    // Triangles of all sizes and slopes, including slivers and nearly edge-on ones, in all 18 combinations of format,
+    // mapping and lens.
     Random random(seed + 7);
     Seen seen;
     for (const char* const format : {"d16", "d24", "d32f"})
@@ -270,7 +271,7 @@ TEST_F(Fragments, FollowEveryTest) {
     EXPECT_GT(seen.codes_compared, 100);
 }
 
-TEST_F(Fragments, OfASmallRasterAreThoseOfItsSquaresMiddle) {
+TEST_F(Fragments, InASmallRasterComeFromTheSquaresCenters) {
     const Scene scene = scene_named("few-triangles");
     Random random(seed + 9);
     Seen seen;
@@ -284,7 +285,7 @@ TEST_F(Fragments, OfASmallRasterAreThoseOfItsSquaresMiddle) {
     EXPECT_GT(seen.compared, 300);
 }
 
-TEST_F(Fragments, HaveTheDepthOfALogarithmPerVertex) {
+TEST_F(Fragments, HaveTheDepthOfAPerVertexLogarithm) {
     const Scene scene = scene_with_decal();
     Random random(seed + 3);
     Seen seen;
@@ -309,12 +310,12 @@ TEST_F(Fragments, HaveTheDepthOfALogarithmPerVertex) {
     EXPECT_GT(seen.codes_compared, 400);
 }
 
-TEST_F(Fragments, StopWithTheDrawCall) {
+TEST_F(Fragments, StopAtTheDrawCall) {
     const Scene scene = scene_with_decal();
     Random random(seed + 4);
     Seen seen;
     for (int trial = 0; trial < trials(40); ++trial) {
-        // Mirror mask, mirror image, patch, shadow and objects: with four objects, up to 14 calls.
+        // Mirror mask, mirror image, patch, shadow and objects: up to 14 calls with four objects.
         const std::vector<std::string> settings{
             "view.call=" + std::to_string(static_cast<int>(random.number(0, 16))),
             "view.triangle=" + std::to_string(static_cast<int>(random.number(-1, 14))),
@@ -332,7 +333,7 @@ TEST_F(Fragments, StopWithTheDrawCall) {
     EXPECT_GT(seen.compared, 600);
 }
 
-TEST_F(Fragments, AreInTheOrderOfTheMethod) {
+TEST_F(Fragments, FollowTheOrderOfTheMethod) {
     Random random(seed + 2);
     Seen seen;
     for (const char* const method : {"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"})

@@ -1,5 +1,5 @@
-// What all tests that draw share: a software context of EGL, a renderer in it, and the rule that any error GL reports
-// fails the test. Read ray_caster.h next: what the pictures are compared with.
+// Shared by all tests that draw: a software EGL context, a renderer in it, and the rule that any GL error fails the
+// test. Read ray_caster.h next, which computes the expected pictures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline int worst_channel(const Rgb& a, const Rgb& b) {
     return std::max({difference.r, difference.g, difference.b});
 }
 
-/// How many pixels differ by more than `worst` in some channel.
+/// The number of pixels that differ by more than `worst` in some channel.
 inline int pixels_beyond(const Image& a, const Image& b, int worst) {
     int count = 0;
     for (int y = 0; y < a.height; ++y)
@@ -38,19 +38,19 @@ inline int pixels_beyond(const Image& a, const Image& b, int worst) {
     return count;
 }
 
-/// The pixel, from the top left, that a point of the world is drawn to.
+/// Returns the pixel that shows a world point, counted from the top left.
 inline glm::ivec2 pixel_of(const glm::dvec3& point, const Derived& derived, glm::ivec2 size_px) {
     const glm::dvec4 clip = derived.clip_from_world * glm::dvec4(point, 1.0);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
     return glm::ivec2(glm::floor((ndc * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(size_px)));
 }
 
-/// "depth.format=d24", as params_with() takes it.
+/// Returns a setting such as "depth.format=d24", as params_with() takes it.
 inline std::string setting(const std::string& path, std::string_view value) {
     return path + "=" + std::string(value);
 }
 
-/// How often a test tries: VIEWING_LONG_TESTS=N tries N times as often.
+/// Returns the number of trials in a test; VIEWING_LONG_TESTS=N multiplies it by N.
 inline int trials(int usual) {
     const char* const longer = std::getenv("VIEWING_LONG_TESTS");
     return usual * std::max(longer ? std::atoi(longer) : 1, 1);
@@ -76,7 +76,7 @@ protected:
         for (; shared_->seen < errors.size(); ++shared_->seen) ADD_FAILURE() << "GL: " << errors[shared_->seen];
     }
 
-    /// For a test that provokes errors.
+    /// For tests that provoke errors.
     static void forget_errors() { shared_->seen = shared_->log.errors().size(); }
 
     static Renderer& renderer() { return *shared_->renderer; }
@@ -98,7 +98,7 @@ protected:
         View view;
         return draw(frame, scene, size_px, renderer(), view);
     }
-    /// The camera's picture of a state.
+    /// Draws the camera's picture of a state.
     static Image draw(const Params& params, const Scene& scene, glm::ivec2 size_px) {
         return draw(plan(params, derive_for(params, scene, size_px)), scene, size_px);
     }
@@ -114,7 +114,7 @@ private:
     inline static std::unique_ptr<Shared> shared_;
 };
 
-/// A scene of assets/scenes.
+/// Loads a scene from assets/scenes.
 inline Scene scene_named(const std::string& name) {
     const Result<Scene> scene = load_scene(name, "");
     EXPECT_TRUE(scene) << scene.error();

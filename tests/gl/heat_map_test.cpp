@@ -1,5 +1,5 @@
-// The heat map as GL draws it: the colour of a pixel against the ratio of gap and step worked out here, from the facts'
-// formula for the step and a ray through the pixel.
+// The heat map as GL draws it: compares the color of a pixel with the ratio of gap to step, computed here from the
+// facts' formula for the step and a ray through the pixel.
 #include <cmath>
 
 #include "gl/gl_test.h"
@@ -14,7 +14,8 @@ constexpr double heat_near = 0.5, heat_far = 200.0, fovy_deg = 40.0;
 
 class HeatMapPicture : public testing::GlTest {
 protected:
-    /// Quads that face the camera, which looks from the origin along −z, `gap` apart, and one alone beside them.
+    /// Quads that face the camera, `gap` apart, and a single one beside them. The camera looks from the origin along
+    /// −z.
     static Scene facing_pair(double distance, double gap) {
         const auto quad = [](const char* name, const glm::dvec3& at, double side) {
             SceneObject made = testing::object(name, quad_mesh(), at);
@@ -37,7 +38,7 @@ protected:
     }
 };
 
-/// Of the legend: what lies between two of its colours is mixed.
+/// The legend's color; between two legend colors it is interpolated.
 Rgb expected(double ratio) {
     const glm::dvec3 stops[] = {{0x8e, 0x1b, 0x12}, {0xc0, 0x36, 0x1e}, {0xe4, 0x57, 0x2e},
                                 {0xee, 0xa2, 0x4a}, {0xf3, 0xcb, 0x85}, {0xc3, 0xe0, 0xf0}};
@@ -49,8 +50,8 @@ Rgb expected(double ratio) {
 }
 
 TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
-    // Sixteen bits: the step is one code but for a hundredth. The sight line to a pixel makes a longer gap of none of
-    // these: seen from the front, the gap in eye distance is the gap along the normal.
+    // With 16 bits the step is one code, to within a hundredth. Seen from the front, the gap in eye distance equals the
+    // gap along the normal at every pixel; the slant of its view ray does not lengthen it.
     const Params params = params_for("d16");
     for (const double distance : {5.0, 20.0, 60.0}) {
         const double step = distance * distance * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);
@@ -64,9 +65,9 @@ TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
     }
 }
 
-TEST_F(HeatMapPicture, GoesByTheGapAlongTheRay) {
-    // Turned by 60° about the upright axis: in eye distance the gap is twice as wide at the picture's middle, and at a
-    // pixel beside it what the ray through it says.
+TEST_F(HeatMapPicture, UsesTheGapAlongTheRay) {
+    // Rotated by 60° about the vertical axis, the gap in eye distance is twice as wide at the picture's center; at
+    // other pixels the ray determines it.
     const double distance = 20.0, turn = glm::radians(60.0), gap = 0.012;
     Scene scene = facing_pair(distance, 0.0);
     const glm::dvec3 normal(std::sin(turn), 0.0, std::cos(turn));
@@ -80,7 +81,7 @@ TEST_F(HeatMapPicture, GoesByTheGapAlongTheRay) {
     for (const int x : {heat_px.x / 2 - 15, heat_px.x / 2, heat_px.x / 2 + 15}) {
         const double half = std::tan(glm::radians(fovy_deg / 2.0));
         const double across = (2.0 * (x + 0.5) - heat_px.x) / heat_px.y * half;
-        const glm::dvec3 sight(across, 0.0, -1.0);  // for each unit of eye distance
+        const glm::dvec3 sight(across, 0.0, -1.0);  // per unit of eye distance
         const double z = -normal.z * distance / glm::dot(normal, sight);
         const double step = z * z * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);
         const double ratio = gap / std::abs(glm::dot(normal, sight)) / step;
@@ -89,7 +90,7 @@ TEST_F(HeatMapPicture, GoesByTheGapAlongTheRay) {
     }
 }
 
-TEST_F(HeatMapPicture, LeavesWhatIsInNoPairGrey) {
+TEST_F(HeatMapPicture, LeavesUnpairedSurfacesGray) {
     const Image image = picture(params_for("d24"), facing_pair(10.0, 0.01));
     const Derived derived = derive_for(params_for("d24"), Scene{}, heat_px);
     const Rgb box = testing::rgb_at(image, testing::pixel_of({3.0, 0.0, -9.5}, derived, heat_px));
@@ -98,7 +99,7 @@ TEST_F(HeatMapPicture, LeavesWhatIsInNoPairGrey) {
     EXPECT_NE(box, testing::rgb_at(image, {2, 2})) << "not the background";
 }
 
-TEST_F(HeatMapPicture, IsTheSameWhateverTheMethod) {
+TEST_F(HeatMapPicture, IsTheSameForEveryMethod) {
     Params params = params_for("d24");
     params.reflection.enabled = params.shadow.enabled = false;
     const Scene scene = facing_pair(10.0, 0.002);
@@ -108,14 +109,14 @@ TEST_F(HeatMapPicture, IsTheSameWhateverTheMethod) {
     EXPECT_EQ(testing::pixels_beyond(picture(params, scene), plain, 0), 0);
 }
 
-TEST_F(HeatMapPicture, SurvivesAPlanThatWasDerivedForColors) {
+TEST_F(HeatMapPicture, WorksWithAPlanDerivedForColors) {
     Params params = params_for("d24");
     const Scene scene = facing_pair(10.0, 0.002);
     params.view.shows = Shows::color;
     const Derived derived = derive_for(params, scene, heat_px);
     params.view.shows = Shows::fighting;
     const Rgb seen = testing::rgb_at(draw(plan(params, derived), scene, heat_px), {heat_px.x / 2, heat_px.y / 2});
-    EXPECT_EQ(seen.r, seen.g) << "grey";
+    EXPECT_EQ(seen.r, seen.g) << "gray";
 }
 
 }  // namespace

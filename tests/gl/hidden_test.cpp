@@ -1,5 +1,5 @@
-// Hidden surfaces as GL draws them: its depth buffer and the orders that were found in software against ray casting, on
-// random scenes; and that shading, mirror image and overdraw do not depend on the method.
+// Hidden surfaces as GL draws them: its depth buffer and the orders found in software against ray casting, on random
+// scenes. Shading, mirror image and overdraw do not depend on the method.
 #include <algorithm>
 #include <iostream>
 
@@ -29,7 +29,7 @@ constexpr std::array exact_methods{VisibilityMethod::newell, VisibilityMethod::b
 
 class Hidden : public testing::GlTest {
 protected:
-    /// The frame as the window draws it, with everything that the method finds.
+    /// Draws the frame as the window does, with the complete result of the method.
     static FramePlan frame_of(const Params& params, const Scene& scene, glm::ivec2 size_px, Renderer& with) {
         const Derived derived = derive(params, scene, {size_px, with.capabilities().clip_control});
         const auto question = hidden_question(params, derived, size_px);
@@ -52,7 +52,7 @@ protected:
     }
 };
 
-/// Where a point before the near plane is on the screen, in pixels from the top left.
+/// Returns the screen position of a point in front of the near plane, in pixels from the top left.
 glm::dvec2 on_screen(const glm::dvec3& point_world, const HiddenRequest& request) {
     const glm::dvec4 clip = request.viewpoint.clip_from_world() * glm::dvec4(point_world, 1.0);
     return (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(request.size_px);
@@ -66,8 +66,8 @@ double distance_px(const glm::dvec2& point, const glm::dvec2& from, const glm::d
     return glm::length(point - from - share * along);
 }
 
-/// How far a pixel's centre lies from the nearest edge of what is drawn with one of these numbers; none: with any. The
-/// near plane cuts edges too.
+/// Returns the distance of a pixel's center from the nearest edge of the polygons `sources`, or of all polygons if that
+/// is empty. Polygons are first clipped at the near plane.
 double edge_distance_px(const HiddenResult& result, const std::vector<int>& sources, glm::ivec2 pixel) {
     const glm::dvec4 near_plane = result.request.viewpoint.near_plane_world();
     double nearest = std::numeric_limits<double>::infinity();
@@ -86,9 +86,9 @@ double edge_distance_px(const HiddenResult& result, const std::vector<int>& sour
     return nearest;
 }
 
-/// Where two pictures differ away from edges. GL rounds screen positions to 1/256 of a pixel, so where an edge passes
-/// nearer than `rounding_px` to a pixel's centre the pixel may be on either side of it: slivers that the reference
-/// shows nowhere within a pixel.
+/// Where two pictures differ away from edges. GL rounds screen positions to 1/256 of a pixel, so a pixel center closer
+/// than `rounding_px` to an edge may fall on either side of it. This yields slivers that the reference shows nowhere
+/// within a pixel.
 struct Disagreement {
     static constexpr double rounding_px = 1.0 / 64.0;
     int at_slivers = 0, unexplained = 0;
@@ -128,14 +128,15 @@ TEST_F(Hidden, GlAgreesWithRayCastingOnRandomScenes) {
             covered += static_cast<int>(std::ranges::count_if(reference.ids, [](int id) { return id >= 0; }));
         }
         std::cout << slivers << " pixels at slivers and " << unexplained << " others of " << covered << "\n";
-        // In 3000 scenes one pixel is left, where two depths are nearer than 24 bits can tell; in the first 300 none.
+        // In 3000 scenes one pixel remains whose two depths are closer than 24 bits can distinguish; in the first 300
+        // none.
         EXPECT_LE(unexplained, count / 1000);
-        EXPECT_LE(slivers, count / 8) << "28 in 300 scenes were measured";
+        EXPECT_LE(slivers, count / 8) << "28 were measured in 300 scenes";
         EXPECT_GT(covered, count * 500);
     }
 }
 
-/// Whether the colour jumps within a pixel: an outline, a face's edge, a shadow's.
+/// Whether the color jumps within a pixel: at an outline, a face's edge or a shadow's edge.
 bool is_outline(const Image& image, glm::ivec2 pixel) {
     for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, image.height - 1); ++y)
         for (int x = std::max(pixel.x - 1, 0); x <= std::min(pixel.x + 1, image.width - 1); ++x)
@@ -185,7 +186,7 @@ std::string in_words(const std::vector<std::string>& settings) {
     return words;
 }
 
-/// Pictures are those of GL's depth buffer but for single pixels on outlines, where GL rounds to 1/256 of a pixel.
+/// Pictures equal those of GL's depth buffer except for single pixels on outlines, where GL rounds to 1/256 of a pixel.
 class HiddenPicturesTest : public Hidden {
 protected:
     static void expect_those_of_the_depth_buffer(const std::string& scene_name, Renderer& with) {
@@ -198,10 +199,10 @@ protected:
                 SCOPED_TRACE(scene_name + " " + in_words(settings) + std::to_string(static_cast<int>(method)));
                 params.visibility.method = method;
                 const Compared found = compared(reference, picture(params, scene, picture_px, with));
-                // Pieces that GL rounds one by one may let a single pixel through where a corner meets an edge.
+                // GL rounds each piece by itself, so a single pixel may show through where a vertex meets an edge.
                 EXPECT_LE(found.in_faces, draws_pixels(params.visibility) ? 0 : 1);
                 EXPECT_LE(found.beyond, 6);
-                EXPECT_LT(found.outlines, picture_px.x * picture_px.y / 3) << "or nothing is tested";
+                EXPECT_LT(found.outlines, picture_px.x * picture_px.y / 3) << "otherwise nothing is tested";
             }
         }
     }
@@ -224,7 +225,7 @@ TEST_F(HiddenPicturesTest, DoNotDependOnTheMethodWithoutClipDistances) {
     expect_those_of_the_depth_buffer("torus-and-boxes", *plain);
 }
 
-TEST_F(HiddenPicturesTest, LackNothingButSmoothEdgesWithSamples) {
+TEST_F(HiddenPicturesTest, DifferOnlyInSmoothEdgesWithSamples) {
     const Scene scene = scene_named("torus-and-boxes");
     Params params = params_with({"view.samples=4"});
     const Image smooth = picture(params, scene, picture_px);
@@ -244,12 +245,12 @@ TEST_F(HiddenPicturesTest, LackNothingButSmoothEdgesWithSamples) {
             }
         EXPECT_LE(elsewhere, 1) << "a pixel found in software is one sample";
         if (method == VisibilityMethod::newell || method == VisibilityMethod::bsp) {
-            EXPECT_LE(compared(smooth, image).beyond, 8) << "GL draws these, so they are smooth too";
+            EXPECT_LE(compared(smooth, image).beyond, 8) << "GL draws these, so they are also smooth";
         }
     }
 }
 
-TEST_F(Hidden, ExactCurvesAreWhereTheirTrianglesAre) {
+TEST_F(Hidden, ExactCurvesMatchTheirTriangles) {
     constexpr glm::ivec2 size_px(320, 180);
     const Scene scene = scene_named("curved");
     Params params = params_with({"view.samples=0", "visibility.method=ray_cast"});
@@ -260,7 +261,7 @@ TEST_F(Hidden, ExactCurvesAreWhereTheirTrianglesAre) {
     EXPECT_LT(found.in_faces, size_px.x * size_px.y / 100);
 }
 
-TEST_F(Hidden, OverdrawIsCountedByGlAsInSoftware) {
+TEST_F(Hidden, GlCountsOverdrawAsSoftwareDoes) {
     const glm::ivec2 size_px(test_width, test_height);
     const auto counted_by_gl = [&](const Params& params, const Scene& scene) {
         View view;
@@ -276,7 +277,7 @@ TEST_F(Hidden, OverdrawIsCountedByGlAsInSoftware) {
         const Scene scene = random_scene(random);
         Params params = random_view(random);
         params.view.shows = Shows::overdraw;
-        const bool divided = run % 2 == 1;  // by the patch, whose plane then cuts what is counted
+        const bool divided = run % 2 == 1;  // by the patch, whose plane then cuts the counted polygons
         if (!divided) params.planes.front().equation = {0.0, 1.0, 0.0, 20.0};
         for (const VisibilityMethod method : software_methods) {
             params.visibility.method = method;
@@ -297,7 +298,7 @@ TEST_F(Hidden, OverdrawIsCountedByGlAsInSoftware) {
             } else if (!divided) {
                 EXPECT_EQ(unexplained, 0);
             } else {
-                EXPECT_LE(unexplained, size_px.x * size_px.y / 50) << "but for the line of the cut";
+                EXPECT_LE(unexplained, size_px.x * size_px.y / 50) << "except on the line of the cut";
             }
         }
     }
@@ -337,7 +338,7 @@ TEST_F(Hidden, ASmallRasterIsDrawnInSquares) {
         }
 }
 
-TEST_F(Hidden, InASmallRasterGlsOwnPolygonsAreComparedToo) {
+TEST_F(Hidden, ASmallRasterAlsoComparesGlsOwnPolygons) {
     constexpr glm::ivec2 view_px(160, 90);
     const Scene scene = scene_named("few-triangles");
     Params params = params_with({"view.samples=0", "visibility.method=newell", "visibility.raster=[15,15]",
@@ -357,7 +358,7 @@ TEST_F(Hidden, InASmallRasterGlsOwnPolygonsAreComparedToo) {
     EXPECT_GT(std::ranges::count_if(sorted.ids, [](int id) { return id >= 0; }), 60);
 }
 
-TEST_F(Hidden, TheDepthBuffersStepsAreReadBackToo) {
+TEST_F(Hidden, TheDepthBuffersStepsAreAlsoReadBack) {
     constexpr glm::ivec2 size_px(64, 48);
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"view.samples=0"});

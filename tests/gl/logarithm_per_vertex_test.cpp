@@ -1,5 +1,5 @@
-// The logarithm per vertex against the one per fragment: a large triangle bends as its corners' logarithms say when
-// they are interpolated over the screen, and small triangles hardly do. Formulas are written out here.
+// The per-vertex logarithm against the per-fragment one: a large triangle bends according to its vertices' logarithms,
+// interpolated in screen space; small triangles hardly bend. The formulas are written out here.
 #include <array>
 #include <cmath>
 
@@ -21,7 +21,7 @@ double logarithm(double distance) {
     return std::log(distance / log_near) / std::log(log_far / log_near);
 }
 
-/// Weights of the corners at a point of the screen.
+/// The weights of the vertices at a screen point.
 glm::dvec3 weights_at(const Corners& corners, const glm::dvec2& point) {
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
     const glm::dvec2 a(corners[0]), b(corners[1]), c(corners[2]);
@@ -32,7 +32,7 @@ glm::dvec3 weights_at(const Corners& corners, const glm::dvec2& point) {
 
 class LogarithmPerVertex : public testing::GlTest {
 protected:
-    /// Of the triangle, cut into `cuts`² of them, alone in the picture.
+    /// Draws the triangle alone in the picture, cut into `cuts`² triangles.
     static CellBlock block_of(const Corners& corners, int cuts, const std::string& format, bool orthographic,
                               bool per_vertex) {
         Mesh mesh;
@@ -73,7 +73,7 @@ protected:
     }
 };
 
-TEST_F(LogarithmPerVertex, BendsALargeTriangleByWhatInterpolationSays) {
+TEST_F(LogarithmPerVertex, BendsALargeTriangleAsInterpolationPredicts) {
     Random random(seed);
     for (const std::string format : {"d8", "d16", "d24", "d32f"})
         for (const bool orthographic : {false, true}) {
@@ -106,11 +106,11 @@ TEST_F(LogarithmPerVertex, BendsALargeTriangleByWhatInterpolationSays) {
                     ++compared;
                 }
             EXPECT_GT(compared, 1000);
-            EXPECT_GT(most_bent, 0.1) << "nothing to see";
+            EXPECT_GT(most_bent, 0.1) << "no bend is visible";
         }
 }
 
-TEST_F(LogarithmPerVertex, IsNearlyRightOnSmallTriangles) {
+TEST_F(LogarithmPerVertex, IsNearlyExactOnSmallTriangles) {
     for (const bool orthographic : {false, true}) {
         const Corners corners{glm::dvec3(-0.9, -0.9, 0.7), glm::dvec3(0.95, -0.8, 33), glm::dvec3(-0.1, 0.9, 5)};
         const CellBlock exact = block_of(corners, 1, "d24", orthographic, false);
@@ -128,7 +128,7 @@ TEST_F(LogarithmPerVertex, IsNearlyRightOnSmallTriangles) {
     }
 }
 
-TEST_F(LogarithmPerVertex, ChangesNothingWithOtherMappings) {
+TEST_F(LogarithmPerVertex, HasNoEffectWithOtherMappings) {
     const Scene scene = testing::scene_named("torus-and-boxes");
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"})
         EXPECT_EQ(draw(params_with({mapping, "depth.logarithm_per_vertex=true"}), scene, {160, 90}),

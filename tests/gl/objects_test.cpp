@@ -1,4 +1,4 @@
-// Owners of GL objects, targets, programs and contexts: freed when they should be, empty without a context.
+// Owners of GL objects, targets, programs and contexts: freed in time, empty without a context.
 #include <type_traits>
 
 #include "geometry/shapes.h"
@@ -39,7 +39,7 @@ TEST(GlObjectsWithoutContext, AreMoveOnlyAndEmpty) {
     meshes.drop_unused();
 }
 
-TEST(EglContextTest, RefusesADeviceThatIsNotThere) {
+TEST(EglContextTest, RejectsAMissingDevice) {
     for (const char* const wish : {"99", "-1", "llvmpipe", "1x"}) {
         const Result<gl::EglContext> context = gl::EglContext::make(wish);
         ASSERT_FALSE(context) << wish;
@@ -48,7 +48,7 @@ TEST(EglContextTest, RefusesADeviceThatIsNotThere) {
     }
 }
 
-TEST(EglContextTest, IsCoreProfileInSoftwareAndMovable) {
+TEST(EglContextTest, IsASoftwareCoreProfileAndMovable) {
     Result<gl::EglContext> made = gl::EglContext::make();
     ASSERT_TRUE(made) << made.error();
     EXPECT_NE(made->description().find("software"), std::string::npos);
@@ -71,13 +71,13 @@ TEST_F(GlObjects, AreFreedWithTheirOwner) {
         EXPECT_TRUE(glIsBuffer(name));
         gl::Buffer other = std::move(buffer);
         EXPECT_EQ(other.name(), name);
-        EXPECT_FALSE(buffer);  // NOLINT(bugprone-use-after-move): what is left behind is the point
+        EXPECT_FALSE(buffer);  // NOLINT(bugprone-use-after-move): the moved-from state is tested
         EXPECT_TRUE(glIsBuffer(name));
     }
     EXPECT_FALSE(glIsBuffer(name));
 }
 
-TEST_F(GlObjects, AssigningFreesWhatWasThere) {
+TEST_F(GlObjects, AssignmentFreesTheOldObject) {
     GLuint first_name = 0;
     gl::Texture kept = gl::make_texture();
     {
@@ -95,7 +95,7 @@ TEST_F(GlObjects, AssigningFreesWhatWasThere) {
     EXPECT_FALSE(glIsTexture(first_name));
 }
 
-TEST_F(GlObjects, ProgramsSayWhatTheCompilerSays) {
+TEST_F(GlObjects, ProgramsReportTheCompilersMessages) {
     const char* const good_vertex = "void main() { gl_Position = vec4(0.0); }";
     const char* const good_fragment = "out vec4 color; void main() { color = vec4(1.0); }";
     EXPECT_TRUE(gl::make_program(good_vertex, good_fragment));
@@ -108,12 +108,12 @@ TEST_F(GlObjects, ProgramsSayWhatTheCompilerSays) {
                          "in vec2 a; out vec4 color; void main() { color = a.xyxy; }");
     ASSERT_FALSE(unlinked);
     EXPECT_NE(unlinked.error().find("does not link"), std::string::npos) << unlinked.error();
-    forget_errors();  // the driver tells its log to the debug output too
+    forget_errors();  // the driver also sends its log to the debug output
     EXPECT_TRUE(gl::make_program("#ifndef WANTED\n#error missing\n#endif\nvoid main() { gl_Position = vec4(0.0); }",
                                  good_fragment, "#define WANTED\n"));
 }
 
-TEST_F(GlObjects, TargetsStartFarAwayAndUnmarked) {
+TEST_F(GlObjects, TargetsStartWithFarDepthAndClearStencil) {
     for (const int samples : {0, 4}) {
         for (const gl::DepthKind kind : {gl::DepthKind::d24_s8, gl::DepthKind::d32f_s8, gl::DepthKind::d16}) {
             SCOPED_TRACE(std::to_string(samples) + " samples, kind " + std::to_string(static_cast<int>(kind)));

@@ -1,4 +1,4 @@
-// A frame that stops after a pass against a frame that has no more passes: colours, depths and stencil values.
+// A frame that stops after a pass equals a frame without the later passes: colors, depths and stencil values.
 #include "gl_test.h"
 #include "render/buffer_read.h"
 #include "unit/geometry/random.h"
@@ -10,7 +10,7 @@ using testing::scene_named;
 
 constexpr glm::ivec2 passes_px(96, 64);
 
-/// What a frame leaves behind.
+/// The buffers after a frame.
 struct Left {
     Image shown;
     std::vector<Color> colors;
@@ -25,7 +25,7 @@ protected:
         EXPECT_TRUE(reader) << reader.error();
         View view;
         Left left{.shown = draw(frame, scene, passes_px, renderer(), view), .colors = {}, .stored = {}};
-        if (frame.samples > 0) return left;  // cannot be read otherwise
+        if (frame.samples > 0) return left;  // multisampled buffers cannot be read
         left.colors = reader->colors(view, {{0, 0}, passes_px});
         left.stored = reader->stored(view, frame.depth_format, {{0, 0}, passes_px});
         return left;
@@ -39,7 +39,7 @@ protected:
     }
 };
 
-/// Shadows, mirrors and depth in all their ways, seen from somewhere near.
+/// Shadows, mirrors and depth in all their modes, seen from nearby.
 Params random_state(Random& random) {
     const auto one_of = [&random](int count) { return static_cast<int>(random.number(0, count)); };
     const auto chance = [&random] { return random.number(0, 1) < 0.5; };
@@ -66,7 +66,7 @@ Params random_state(Random& random) {
     return params;
 }
 
-TEST_F(PassLimit, LeavesWhatAFrameWithoutTheLaterPassesLeaves) {
+TEST_F(PassLimit, EqualsAFrameWithoutTheLaterPasses) {
     Random random(seed);
     const Scene scene = scene_named("torus-and-boxes");
     int stops = 0, changes = 0;
@@ -86,10 +86,10 @@ TEST_F(PassLimit, LeavesWhatAFrameWithoutTheLaterPassesLeaves) {
         }
     }
     EXPECT_GT(stops, 60);
-    EXPECT_GT(changes, stops / 2) << "most passes do something";
+    EXPECT_GT(changes, stops / 2) << "most passes have an effect";
 }
 
-TEST_F(PassLimit, AtTheLastPassOrBeyondLeavesNothingOut) {
+TEST_F(PassLimit, DrawsTheWholeFrameAtOrPastTheLastPass) {
     Random random(seed + 1);
     const Scene scene = scene_named("decals");
     for (int trial = 0; trial < 4; ++trial) {
@@ -101,7 +101,7 @@ TEST_F(PassLimit, AtTheLastPassOrBeyondLeavesNothingOut) {
     }
 }
 
-TEST_F(PassLimit, IsTheStatesAndStopsWithADrawCallWhateverComesFirst) {
+TEST_F(PassLimit, ComesFromTheStateAndYieldsToAnEarlierDrawCall) {
     const Scene scene = scene_named("torus-and-boxes");
     Params params;
     params.view.samples = 0;

@@ -1,4 +1,4 @@
-// A pass's state arrives in GL as it was said: each comparison, operation, face and clip plane, asked back from GL.
+// A pass's state reaches GL unchanged: each comparison, operation, face and clip plane is queried back from GL.
 #include "render/pass_state.h"
 
 #include "gl_test.h"
@@ -35,8 +35,8 @@ TEST_F(PassState, HasEveryComparison) {
     }
 }
 
-TEST_F(PassState, HasEveryStencilOperationWhereBothTestsPassAlone) {
-    // What GL answers of the reference is what the framebuffer has bits for.
+TEST_F(PassState, HasEveryStencilOperationOnlyWhenBothTestsPass) {
+    // GL reports only as many bits of the reference as the framebuffer's stencil has.
     const gl::Target target({{1, 1}, 0, gl::DepthKind::d24_s8});
     glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
     const std::pair<StencilOp, GLenum> all[] = {{StencilOp::keep, GL_KEEP},      {StencilOp::replace, GL_REPLACE},
@@ -56,7 +56,7 @@ TEST_F(PassState, HasEveryStencilOperationWhereBothTestsPassAlone) {
     }
 }
 
-TEST_F(PassState, HasFacesAndWhatIsWritten) {
+TEST_F(PassState, HasFacesAndWriteMasks) {
     const std::pair<CullFace, GLenum> faces[] = {
         {CullFace::front, GL_FRONT}, {CullFace::back, GL_BACK}, {CullFace::front_and_back, GL_FRONT_AND_BACK}};
     for (const auto& [face, expected] : faces)

@@ -1,5 +1,5 @@
-// Degenerate planes, lights and eyes: a defined picture, finite numbers, no GL error, and a sentence that says what is
-// the matter. planes_switches_test.cpp has the states that are broken on purpose.
+// Degenerate planes, lights and eyes: a defined picture, finite numbers, no GL error, and a sentence that names the
+// problem. planes_switches_test.cpp has the states that are broken on purpose.
 #include <cmath>
 
 #include "geometry/shapes.h"
@@ -18,7 +18,7 @@ constexpr glm::ivec2 edges_px(128, 72);
 struct Extreme {
     const char* name;
     std::vector<std::string> state;
-    bool is_told = true;  ///< by a sentence
+    bool is_told = true;  ///< a sentence reports it
 };
 
 const char* const four_lights = R"(lights=[{"position":[-3,5,3,1]},{"position":[1,4,5,0]},{"position":[1,2,1,0.4]}])";
@@ -73,7 +73,7 @@ bool is_finite(const Pass& pass) {
 
 class Extremes : public testing::GlTest {};
 
-TEST_F(Extremes, AreFiniteAndTold) {
+TEST_F(Extremes, AreFiniteAndReported) {
     const Scene scene = scene_named("torus-and-boxes");
     Result<BufferReader> reader = BufferReader::make(renderer().capabilities());
     ASSERT_TRUE(reader) << reader.error();
@@ -116,7 +116,7 @@ TEST_F(Extremes, AreNeverMoreThan64Images) {
     }
 }
 
-TEST_F(Extremes, OfReflectanceShowNothingOrOnlyTheMirror) {
+TEST_F(Extremes, InReflectanceShowNothingOrOnlyTheMirror) {
     const Scene scene = scene_named("torus-and-boxes");
     const auto picture = [&](const char* setting, const char* other) {
         return draw(params_with({"view.samples=0", "shadow.enabled=false", setting, other}), scene, edges_px);
@@ -129,7 +129,7 @@ TEST_F(Extremes, OfReflectanceShowNothingOrOnlyTheMirror) {
               0);
 }
 
-TEST_F(Extremes, OfALightShowNoShadow) {
+TEST_F(Extremes, InTheLightShowNoShadow) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const light :
          {"light.position=[2,0,1,1]", "light.position=[2,0,1,0]", "light.position=[2,-3,1,1]"}) {
@@ -138,8 +138,8 @@ TEST_F(Extremes, OfALightShowNoShadow) {
     }
 }
 
-/// A square of side 1 under the light throws a shadow of side 5 / gap: over the whole patch, however small the gap.
-TEST_F(Extremes, OfALightCloseToItsCasterDarkenTheWholePatch) {
+/// A square of side 1 under the light casts a shadow of side 5 / gap: over the whole patch, however small the gap.
+TEST_F(Extremes, WithALightCloseToItsCasterDarkenTheWholePatch) {
     const auto picture = [&](double gap) {
         const Scene scene =
             testing::scene_of({testing::object("square", quad_mesh(), {0.0, 5.0 - gap, 0.0}, glm::dvec3(0.5))});

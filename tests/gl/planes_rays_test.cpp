@@ -1,5 +1,5 @@
-// Rooms with several planes, lights and mirrors in mirrors against the oracle of ray_caster.h: which object or patch
-// is seen through how many mirrors, which lights are missing on it, and what the stencil holds in the end.
+// Compares rooms with several planes, lights and mirrors in mirrors with the oracle of ray_caster.h: the object or
+// patch at each pixel and the number of mirrors in between, the lights missing on it, and the final stencil values.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 
@@ -15,15 +15,15 @@ using testing::Sight;
 
 constexpr glm::ivec2 rays_px(96, 54);
 
-/// What a pixel shows as one number: a solid from 0 on, the background, or a patch with the set of missing lights.
+/// The content of a pixel as one number: a solid (0 and up), the background, or a patch with its set of missing lights.
 constexpr int shows_background = -1, undefined = -2, first_patch = 100;
 
 int class_of_patch(int patch, unsigned missing) {
     return first_patch + 16 * patch + static_cast<int>(missing);
 }
 
-/// Patches and shadows get flat colours that tell them apart: full blue, which no solid has; green for the lights, red
-/// for the patch.
+/// Patches and shadows get distinct flat colors: full blue, which no solid has; green encodes the lights, red the
+/// patch.
 glm::dvec3 color_of_patch(std::size_t patch, int missing) {
     return {(60.0 * static_cast<double>(patch) + 20.0) / 255.0, (16.0 * missing + 7.0) / 255.0, 1.0};
 }
@@ -47,8 +47,8 @@ int class_of(const Rgb& color, const Rgb& background) {
     return color.r == color.g && color.g > color.b ? 2 : undefined;
 }
 
-/// Missing light is seen on patches that are no mirrors; painted shadow covers mirrors, too, and of several lights the
-/// last one is seen.
+/// Missing light is visible only on patches that are not mirrors. A painted shadow also covers mirrors; if several
+/// lights are missing, the shadow of the last one is visible.
 int class_of(const Sight& sight, ShadowStyle style) {
     const auto last_light = [](unsigned missing) {
         unsigned last = 0;
@@ -66,7 +66,7 @@ int class_of(const Sight& sight, ShadowStyle style) {
 
 struct Tally {
     int compared = 0, thin = 0, pinholes = 0, shadow = 0, stencils = 0, stencil_shadow = 0;
-    int mirrored[5] = {};  ///< by how many mirrors
+    int mirrored[5] = {};  ///< by number of mirrors
 
     void add(const Tally& other) {
         compared += other.compared;
@@ -99,7 +99,8 @@ std::string text_of(const std::vector<Difference>& differences) {
            std::to_string(first.found) + " in place of " + std::to_string(first.expected);
 }
 
-/// Whether anything else is seen within a pixel of the centre of (x, y): finer than the rays through pixel centres.
+/// Returns whether the oracle finds a different class within a pixel of the center of (x, y), sampled more finely than
+/// one ray per pixel.
 template <typename ClassAt>
 bool is_beside_edge(const ClassAt& class_at, int x, int y) {
     constexpr int steps = 12;
@@ -111,7 +112,7 @@ bool is_beside_edge(const ClassAt& class_at, int x, int y) {
     return false;
 }
 
-/// Calls check(x, y, class) where the nine pixels around are one class.
+/// Calls check(x, y, class) for each pixel whose 3 × 3 block has one class.
 template <typename ClassAt, typename Check>
 void for_each_inner_pixel(const ClassAt& class_at, const Check& check) {
     std::vector<int> classes;
@@ -144,11 +145,11 @@ protected:
     }
 
     Tally tally_;
-    std::vector<Difference> differences_;  ///< of the room that was compared last
-    int pinholes_ = 0;                     ///< alike
+    std::vector<Difference> differences_;  ///< of the room compared last
+    int pinholes_ = 0;                     ///< likewise
 
 private:
-    /// Draws the room so that its colours can be read.
+    /// Draws the room so that its colors can be decoded.
     void read(const Room& room, glm::ivec2 picture_px) {
         FramePlan frame = plan(room.params, derive_for(room.params, room.scene, picture_px));
         background_ = {frame.background.r, frame.background.g, frame.background.b};
@@ -176,7 +177,8 @@ private:
         });
     }
 
-    /// Of the patch that is seen first, be it behind an object or not. Paint counts lights only where it is asked to.
+    /// Compares the stencil of the nearest patch, even behind an object. Painted shadows count lights in the stencil
+    /// only with stencil_once.
     void compare_stencil(const Room& room, const RayCaster& caster) {
         const ShadowParams& shadow = room.params.shadow;
         const bool counts = shadow.stencil_once || shadow.style == ShadowStyle::missing_light;
@@ -200,8 +202,8 @@ private:
             differences_.push_back(here);
     }
 
-    /// A rasteriser may miss a point where it clips the two triangles of a square: without area, it is almost gone in
-    /// a picture five times as large. What is wrong there is wrong on all 25 pixels.
+    /// A rasterizer may miss a point where it clips the two triangles of a square. Such a pinhole has no area and
+    /// almost vanishes in a picture five times as large, while a real error covers all 25 pixels.
     void forget_pinholes(const Room& room) {
         constexpr int larger = 5, few = 2;
         read(room, larger * rays_px);
@@ -223,7 +225,7 @@ private:
 
 constexpr unsigned first_cast_room = 61000;
 
-TEST_F(PlanesRays, AgreeWithEveryRoom) {
+TEST_F(PlanesRays, AgreeInEveryRoom) {
     const unsigned count = testing::rooms(208);
     for (unsigned number = first_cast_room; number < first_cast_room + count; ++number) {
         SCOPED_TRACE("room " + std::to_string(number));
@@ -232,7 +234,7 @@ TEST_F(PlanesRays, AgreeWithEveryRoom) {
         EXPECT_LE(pinholes_, 1);
     }
     tally_.print();
-    // There was something to compare.
+    // The comparison must not have been empty.
     const auto each = static_cast<int>(count);
     EXPECT_GT(tally_.compared, 3000 * each);
     EXPECT_GT(tally_.stencil_shadow, 100 * each);
@@ -243,7 +245,7 @@ TEST_F(PlanesRays, AgreeWithEveryRoom) {
     EXPECT_LE(tally_.pinholes, 4 + tally_.compared / 200'000);
 }
 
-TEST_F(PlanesRays, DisagreeWithEveryBrokenTechnique) {
+TEST_F(PlanesRays, RejectEveryBrokenTechnique) {
     for (const char* const broken :
          {"shadow.sign=none", "shadow.clip_casters=false", "shadow.own_stencil=false", "reflection.clip=none",
           "reflection.shadows=false", "reflection.mask_writes_depth=true", "reflection.after_objects=true",

@@ -20,12 +20,12 @@ struct Room {
     Scene scene;
 };
 
-/// How many rooms a test draws.
+/// The number of rooms that a test draws.
 inline unsigned rooms(int usual) {
     return static_cast<unsigned>(trials(usual));
 }
 
-/// Draws one room; the number decides what is in it, the seed where.
+/// Makes one room; the number decides its contents, the seed their placement.
 class RoomMaker {
 public:
     explicit RoomMaker(unsigned number) : number_(number), random_(number) {}
@@ -46,7 +46,7 @@ private:
         return *(choices.begin() + static_cast<std::ptrdiff_t>(random_.number(0, static_cast<double>(choices.size()))));
     }
 
-    /// Red, green and yellow ones, without any blue.
+    /// In red, green and yellow, without any blue.
     void add_solids() {
         const Color colors[] = {{255, 0, 0}, {0, 255, 0}, {255, 255, 0}};
         std::vector<SceneObject> objects;
@@ -60,7 +60,7 @@ private:
             solid.scale = solid.is_sphere ? glm::dvec3(size)
                                           : glm::dvec3(size, random_.number(0.25, 0.7), random_.number(0.25, 0.7));
             room_.oracle.solids.push_back(solid);
-            // Fine enough that the sphere's facets stay far inside a pixel.
+            // Fine enough to keep the sphere's facets well within a pixel.
             SceneObject placed =
                 object(std::to_string(i), solid.is_sphere ? sphere_mesh(64, 32) : box_mesh(), solid.position);
             placed.world_from_model = world_from_model(solid.position, angles, solid.scale);
@@ -70,13 +70,13 @@ private:
         room_.scene = scene_of(std::move(objects));
     }
 
-    /// A floor, the ceiling that faces it and two walls, all of them tilted, and the room turned.
+    /// A floor, a ceiling facing it, and two walls, all tilted, in a rotated room.
     void add_planes() {
         const glm::dvec3 inwards[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
         const Angles turn = random_.angles();
         const glm::dmat3 turned = rotation_of(turn.yaw_deg, turn.pitch_deg, turn.roll_deg);
         const double tilt = number_ % 5 == 0 ? 0.0 : random_.number(0.0, 0.5);
-        const bool in_a_row = chance(0.5);  // or without the ceiling first
+        const bool in_a_row = chance(0.5);  // otherwise with the ceiling first
         for (unsigned i = 0; i < 1 + number_ % 4; ++i) {
             const glm::dvec3 normal = turned * glm::normalize(inwards[in_a_row ? i : (i + 2) % 4] + random_.vec3(tilt));
             room_.oracle.planes.push_back({.equation = {normal, random_.number(0.8, 2.4)},
@@ -102,7 +102,7 @@ private:
         });
     }
 
-    /// Mostly inside the room, sometimes anywhere around it.
+    /// Places the camera mostly inside the room, sometimes anywhere around it.
     void place_camera() {
         OracleCamera& camera = room_.camera;
         camera.orthographic = number_ % 5 == 3;
@@ -125,7 +125,7 @@ private:
         camera.height = random_.number(3, 7);
     }
 
-    /// From a point, from a direction, or between: w is what the position was multiplied by.
+    /// Adds point lights (w = 1), directions (w = 0) and lights in between.
     void add_lights() {
         for (unsigned i = 0; i < 1 + number_ / 4 % 4; ++i) {
             glm::dvec4 light(0.0);

@@ -1,5 +1,5 @@
-// Every preset that breaks shadow or mirror changes the picture where its artefact can be seen and says so, and every
-// switch is drawn without a GL error on a busy state. The reasons are told by frame/planes/shadow_problems.cpp and
+// Every preset that breaks shadow or mirror changes the picture where its artifact is visible, and reports it; every
+// switch draws without a GL error on a busy state. The reasons come from frame/planes/shadow_problems.cpp and
 // frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate states.
 #include "gl_test.h"
 #include "state/presets.h"
@@ -15,18 +15,18 @@ using testing::scene_of;
 
 constexpr glm::ivec2 switches_px(160, 90);
 
-/// A preset as it is and as what mends it leaves it.
+/// A broken preset and the same preset after its own fix.
 struct Artefact {
     std::string name;
     Params broken, mended;
     Scene scene;
 };
 
-/// The same artefact in another way.
+/// The same artifact with another cause.
 struct Variant {
     const char* preset;
     std::vector<std::string> settings;
-    const char* mended_by = "";  ///< where it is not what mends the preset
+    const char* mended_by = "";  ///< if it differs from the preset's own fix
 };
 
 const Variant variants[] = {
@@ -63,7 +63,7 @@ std::vector<Artefact> artefacts() {
     return all;
 }
 
-/// Opposite of what the switch is by default, or another of its values.
+/// The opposite of the switch's default, or another of its values.
 constexpr const char* switches[] = {"shadow.enabled=false",
                                     "shadow.stencil_once=false",
                                     "shadow.clip_to_receiver=false",
@@ -108,7 +108,7 @@ TEST_F(Switches, ChangeThePictureThatTheyBreak) {
     }
 }
 
-TEST_F(Switches, AreToldWhereTheyBreakThePicture) {
+TEST_F(Switches, AreReportedWhenTheyBreakThePicture) {
     for (const Artefact& artefact : artefacts()) {
         const std::vector<Problem> without = problems_of(artefact.mended, artefact.scene, switches_px);
         const std::vector<Problem> with = problems_of(artefact.broken, artefact.scene, switches_px);
@@ -118,7 +118,7 @@ TEST_F(Switches, AreToldWhereTheyBreakThePicture) {
     }
 }
 
-TEST_F(Switches, OfABusyStateAreDrawnWithoutAnError) {
+TEST_F(Switches, DrawABusyStateWithoutErrors) {
     const Scene scene = scene_of({object("one", box_mesh(), {-1.0, 0.5, 0.5}), object("two", box_mesh(), {1, 1, -1})});
     for (const char* const buffers : {"view.samples=0", "depth.format=d16"}) {
         for (const char* const changed : switches) {

@@ -1,6 +1,6 @@
-// What the pictures of several planes, lights and mirrors must not depend on: sign and length of an equation, culling
-// of closed objects, scene or camera mirrored, the way of clipping, the bits of depth. planes_rays_test.cpp says
-// what they show; planes_switches_test.cpp breaks them.
+// Invariants of pictures with several planes, lights and mirrors: sign and length of an equation, culling of closed
+// objects, mirroring scene or camera, the clipping method, the depth format. planes_rays_test.cpp checks the content;
+// planes_switches_test.cpp breaks it.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 
@@ -19,8 +19,8 @@ using testing::worst_channel;
 constexpr glm::ivec2 planes_px(96, 54);
 constexpr unsigned first_room = 62000;
 
-/// A room as a person sees it: half transparent mirrors and shadows. One depth format and at most two lights, because
-/// a software renderer takes long to compile for more.
+/// A realistic room with semitransparent mirrors and shadows. One depth format and at most two lights, because a
+/// software renderer takes long to compile shaders for more.
 Room lived_in(unsigned number) {
     Room room = testing::room(number);
     Random random(number);
@@ -34,8 +34,8 @@ Room lived_in(unsigned number) {
     return room;
 }
 
-/// Pixels that differ by more than `worst` levels where `b` shows next to no change on the pixel and its eight
-/// neighbours: edges may move by a pixel.
+/// Counts the pixels that differ by more than `worst` levels although `b` hardly varies over the pixel and its eight
+/// neighbors, since edges may move by a pixel.
 int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
     constexpr int flat = 6;
     int count = 0;
@@ -53,7 +53,7 @@ int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
 
 class Planes : public testing::GlTest {
 protected:
-    /// Draws rooms twice, as they are and changed, and expects the same off edges.
+    /// Draws rooms unchanged and changed, and expects the same picture away from edges.
     template <typename Change>
     static void expect_same_off_edges(const Change& change) {
         int mirrored = 0;
@@ -64,7 +64,7 @@ protected:
             change(changed);
             without.reflection.enabled = false;
             const Image a = draw(room.params, room.scene, planes_px), b = draw(changed, room.scene, planes_px);
-            // The pinholes that a rasteriser leaves where it clips.
+            // A rasterizer may leave pinholes where it clips.
             EXPECT_LE(pixels_beyond_edges(a, b, 2) + pixels_beyond_edges(b, a, 2), 2);
             mirrored += pixels_beyond(a, draw(without, room.scene, planes_px), 8) > 150;
         }
@@ -76,7 +76,7 @@ TEST_F(Planes, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         const Room room = lived_in(number);
         const Image picture = draw(room.params, room.scene, planes_px);
-        constexpr double all_factors[][2] = {{-1.0, -1.0}, {2.0, 2.0}, {1.0, -2.0}};  // of every second plane
+        constexpr double all_factors[][2] = {{-1.0, -1.0}, {2.0, 2.0}, {1.0, -2.0}};  // for every second plane
         for (const auto& factors : all_factors) {
             Params same = room.params;
             for (std::size_t i = 0; i < same.planes.size(); ++i) same.planes[i].equation *= factors[i % 2];
@@ -85,7 +85,7 @@ TEST_F(Planes, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     }
 }
 
-TEST_F(Planes, CullingBackFacesOfClosedObjectsDoesNotShow) {
+TEST_F(Planes, CullingBackFacesOfClosedObjectsIsInvisible) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
         room.params.cull.enabled = false;
@@ -93,27 +93,27 @@ TEST_F(Planes, CullingBackFacesOfClosedObjectsDoesNotShow) {
         room.params.cull.enabled = true;
         const Image culled = draw(room.params, room.scene, planes_px);
         EXPECT_EQ(pixels_beyond_edges(culled, all, 0), 0) << "room " << number;
-        // On an outline front and back meet: where their depths are the same, the one drawn first is seen.
+        // Front and back meet on an outline; at equal depth the first one drawn is visible.
         EXPECT_LE(pixels_beyond(culled, all, 0), 4) << "room " << number;
     }
 }
 
-TEST_F(Planes, MirroringTheCameraShowsWhatMirroringTheSceneShows) {
+TEST_F(Planes, MirroringTheCameraEqualsMirroringTheScene) {
     expect_same_off_edges([](Params& params) {
         const bool was_scene = params.reflection.mirrored == MirroredThing::scene;
         params.reflection.mirrored = was_scene ? MirroredThing::camera : MirroredThing::scene;
     });
 }
 
-TEST_F(Planes, ObliqueNearPlaneShowsWhatClipDistanceShows) {
+TEST_F(Planes, AnObliqueNearPlaneEqualsAClipDistance) {
     expect_same_off_edges([](Params& params) {
         const bool was_oblique = params.reflection.clip == MirrorClip::oblique;
         params.reflection.clip = was_oblique ? MirrorClip::clip_distance : MirrorClip::oblique;
     });
 }
 
-TEST_F(Planes, FurtherPlanesAndLightsMayStandInAnyOrder) {
-    // What is painted is not: the last light covers the others, and all of them the image in the mirror.
+TEST_F(Planes, TheOrderOfPlanesAndLightsDoesNotMatter) {
+    // Painted shadows are excluded: the last light covers the others, and all of them cover the image in the mirror.
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
         if (room.params.planes.size() < 3) continue;
@@ -126,14 +126,14 @@ TEST_F(Planes, FurtherPlanesAndLightsMayStandInAnyOrder) {
     }
 }
 
-/// Bodies without dents that touch neither each other nor a plane, on three planes that do not meet.
+/// Convex solids that touch neither each other nor a plane, on three planes that do not meet.
 Scene floating() {
     return scene_of({object("box", box_mesh(), {-1.3, 1.1, -0.2}, {0.6, 0.5, 0.7}),
                      object("ball", sphere_mesh(), {1.2, 1.0, 0.6}, glm::dvec3(0.7)),
                      object("high box", box_mesh(), {0.1, 2.6, -1.0}, {0.5, 0.3, 0.4})});
 }
 
-TEST_F(Planes, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
+TEST_F(Planes, MasksOfSixteenBitDepthEqualTheStencil) {
     const Scene scene = floating();
     Random random(seed);
     int shadows = 0;
@@ -167,7 +167,7 @@ TEST_F(Planes, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
     EXPECT_GT(shadows, 12);
 }
 
-TEST_F(Planes, GlossIsMissingOnlyWhereTheLightIsReallyMissing) {
+TEST_F(Planes, GlossIsMissingOnlyWhereTheLightIsBlocked) {
     const Scene scene = testing::scene_named("torus-and-boxes");
     for (const bool is_painted : {true, false}) {
         Params params = params_with({"view.samples=0", "reflection.enabled=false", "light.position=[-2,6,-7,1]"});

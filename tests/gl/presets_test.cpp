@@ -1,4 +1,4 @@
-// The presets that show an artefact show it plainly: much of it, and in the open.
+// The presets that show an artifact show it clearly: much of it, and unobstructed.
 #include "state/presets.h"
 #include "gl/gl_test.h"
 
@@ -21,7 +21,7 @@ protected:
     }
 };
 
-/// How often orange and blue meet, from left to right and from top to bottom.
+/// The number of transitions between orange and blue, from left to right and from top to bottom.
 int meetings(const Image& image) {
     const auto blueness = [&image](int x, int y) {
         const auto rgb = testing::rgb_at(image, {x, y});
@@ -40,7 +40,7 @@ int meetings(const Image& image) {
 
 TEST_F(Presets, DepthFightingIsFullOfStripes) {
     const int clean = meetings(picture(preset("coplanar")));
-    EXPECT_GT(clean, 500) << "six quads stand before six others";
+    EXPECT_GT(clean, 500) << "six quads are in front of six others";
     EXPECT_GT(meetings(picture(preset("depth-fighting"))), 3 * clean);
 }
 
@@ -63,7 +63,7 @@ TEST_F(Presets, ShadowDoubleBlendHasSeveralLevels) {
     const Image twice = picture(params);
     params.shadow.stencil_once = true;
     const Image once = picture(params);
-    int two_layers = 0, more_layers = 0;  // each lets 0.7 through: 0.7 and less of what one layer leaves
+    int two_layers = 0, more_layers = 0;  // compared with one layer; each extra layer transmits 0.7
     for (int y = 0; y < preset_px.y; ++y) {
         for (int x = 0; x < preset_px.x; ++x) {
             const double ratio = static_cast<double>(testing::rgb_at(twice, {x, y})[2]) /

@@ -1,7 +1,7 @@
-// An oracle that shares nothing with the code under test: what each pixel shows, found by rays alone. A pixel is an
-// object, or a patch where those lights are missing to which the segment meets a caster, or a mirror that shows what
-// the reflected ray meets, and so on from mirror to mirror. Spheres and boxes are met by formula; no mesh, no matrix of
-// the program, no buffer is involved. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
+// An oracle that shares nothing with the code under test: it finds the content of each pixel by rays alone. A pixel is
+// an object, a patch without the lights whose shadow rays hit a caster, or a mirror that shows what the reflected ray
+// hits, and so on from mirror to mirror. Spheres and boxes are intersected by formula, without meshes, matrices of the
+// program, or buffers. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace viewing::testing {
 
-/// About y, then about the turned x, then about the turned z.
+/// Rotates about y, then about the rotated x, then about the rotated z.
 inline glm::dmat3 rotation_of(double yaw_deg, double pitch_deg, double roll_deg) {
     const glm::dmat4 one(1.0);
     return glm::dmat3(glm::rotate(one, glm::radians(yaw_deg), {0, 1, 0}) *
@@ -20,14 +20,14 @@ inline glm::dmat3 rotation_of(double yaw_deg, double pitch_deg, double roll_deg)
                       glm::rotate(one, glm::radians(roll_deg), {0, 0, 1}));
 }
 
-/// A sphere or a box of half-size 1, then scaled, turned and moved.
+/// A sphere or a box of half-size 1, then scaled, rotated and translated.
 struct Solid {
     bool is_sphere = true;
     glm::dvec3 position{0.0};
     glm::dmat3 rotation{1.0};
-    glm::dvec3 scale{1.0};  ///< a sphere's three are equal
+    glm::dvec3 scale{1.0};  ///< all equal for a sphere
 
-    /// Where the line origin + t · direction meets the surface first with t in (from, to).
+    /// The smallest t in (from, to) at which the line origin + t · direction hits the surface.
     std::optional<double> first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double from,
                                     double to) const {
         const glm::dvec3 o = glm::transpose(rotation) * (origin - position) / scale;
@@ -67,7 +67,7 @@ struct OracleScene {
     std::vector<OraclePlane> planes;
     std::vector<glm::dvec4> lights;  ///< w from 0, a direction, to 1
     bool casts = true;
-    int bounces = 1;  ///< a mirror met after so many others is a plain patch
+    int bounces = 1;  ///< after this many mirrors, another one is a plain patch
 };
 
 struct OracleCamera {
@@ -77,15 +77,15 @@ struct OracleCamera {
     double fovy_deg = 40, height = 6, near = 0.1, far = 100;
 };
 
-/// What a line of sight meets: a solid, or a patch on which some lights are missing.
+/// The first hit of a view ray: a solid, or a patch with some lights missing.
 struct Met {
     int solid = -1, patch = -1;
-    unsigned missing = 0;  ///< bit i: a caster is between light i and the side that is seen
+    unsigned missing = 0;  ///< bit i: a caster is between light i and the visible side
     bool operator==(const Met&) const = default;
 };
 
-/// All that it meets one after another: mirrors, and at the end what is seen in the last of them. After as many
-/// mirrors as there are members, it is the background that is seen.
+/// All hits in order: mirrors, and finally the surface visible in the last one. If all are mirrors, the background is
+/// visible.
 struct Sight {
     std::vector<Met> met;
     std::size_t mirrors = 0;  ///< the first members of `met`
@@ -101,13 +101,13 @@ public:
         for (OraclePlane& plane : scene_.planes) plane.equation /= glm::length(glm::dvec3(plane.equation));
     }
 
-    /// The point (x, y) of a picture of width × height pixels, from its top left: pixel centres are at ½.
+    /// Traces the point (x, y) of a picture of width × height pixels, from its top left; pixel centers are at ½.
     Sight at(double x, double y, int width, int height) const {
         const Ray ray = line_of_sight(x, y, width, height);
         return seen(ray.origin, ray.direction);
     }
 
-    /// The patch that would be seen if there were no solids: its index, and the lights missing there.
+    /// The patch that would be visible without solids: its index, and the lights missing there.
     Met patch_at(double x, double y, int width, int height) const {
         const Ray ray = line_of_sight(x, y, width, height);
         double t = camera_.far;
@@ -119,7 +119,7 @@ private:
         glm::dvec3 origin, direction;
     };
 
-    /// Parameters of the ray are distances along the line of sight in both projections.
+    /// Returns the view ray. Ray parameters are distances along the view direction in both projections.
     Ray line_of_sight(double x, double y, int width, int height) const {
         const double across = (x / width * 2.0 - 1.0) * width / height;
         const double up = 1.0 - y / height * 2.0;
@@ -128,7 +128,7 @@ private:
         return {camera_.position, -axes_[2] + aside * std::tan(glm::radians(camera_.fovy_deg) * 0.5)};
     }
 
-    /// The solid met first, and where; −1 for none.
+    /// Finds the solid that is hit first, and where; −1 for none.
     int nearest_solid(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to) const {
         int found = -1;
         for (std::size_t i = 0; i < scene_.solids.size(); ++i) {
@@ -159,7 +159,7 @@ private:
         return nearest_solid(point, to_light, 0.0, to) >= 0;
     }
 
-    /// The lights that casters keep from a point of a patch, on the side that the line of sight comes from.
+    /// Returns the lights that casters block at a point of a patch, on the side that the view ray hits.
     unsigned missing_at(const OraclePlane& plane, const glm::dvec3& point, const glm::dvec3& direction) const {
         if (!scene_.casts || !plane.receives) return 0;
         const double seen_side = glm::dot(glm::dvec3(plane.equation), direction) < 0.0 ? 1.0 : -1.0;
@@ -170,7 +170,7 @@ private:
         return missing;
     }
 
-    /// The patch met first, but for the one that the ray starts from, and where.
+    /// Finds the patch that is hit first, except the one at which the ray starts, and where.
     Met nearest_patch(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to, int start) const {
         Met found;
         for (std::size_t i = 0; i < scene_.planes.size(); ++i) {

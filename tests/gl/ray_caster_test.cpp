@@ -1,5 +1,5 @@
-// Whole pictures against the oracle of ray_caster.h: random planes, lights, cameras and solids; point by point the
-// right object, patch, shadow or mirror image. Pixels beside an edge of the oracle's picture are left out.
+// Whole pictures against the oracle of ray_caster.h: random planes, lights, cameras and solids, checked point by point
+// for the right object, patch, shadow or mirror image. Pixels beside an edge of the oracle's picture are skipped.
 // VIEWING_LONG_TESTS=N draws N times as many.
 #include "ray_caster.h"
 
@@ -26,7 +26,7 @@ using testing::Solid;
 
 constexpr glm::ivec2 cast_px(160, 120);
 
-/// What a pixel shows: 0, 1, 2 … a solid; or one of these.
+/// The content of a pixel: 0, 1, 2 … for a solid, or one of these.
 constexpr int shows_nothing = -1, shows_patch = -2, shows_shadow = -3, shows_unknown = -9;
 
 /// A random situation, and the same as parameters and meshes.
@@ -54,7 +54,7 @@ void add_solids(Situation& made, Random& random) {
         solid.scale =
             solid.is_sphere ? glm::dvec3(size) : glm::dvec3(size, random.number(0.3, 0.8), random.number(0.3, 0.8));
         made.oracle.solids.push_back(solid);
-        // Fine enough that the sphere's facets stay far inside a pixel.
+        // Fine enough to keep the sphere's facets well within a pixel.
         SceneObject placed =
             object(std::to_string(i), solid.is_sphere ? sphere_mesh(128, 64) : box_mesh(), solid.position);
         placed.world_from_model = world_from_model(solid.position, angles, solid.scale);
@@ -76,7 +76,7 @@ void add_light(Situation& made, Random& random) {
         made.light() = {random.vec3(5.0), random.number(0, 1) < 0.7 ? 1.0 : 0.0};
         const double side = glm::dot(plane, made.light());
         const double eye_side = glm::dot(plane, glm::dvec4(made.camera.position, 1.0));
-        if (side * eye_side < 0.0 && random.number(0, 1) < 0.9)  // mostly where shadows are seen
+        if (side * eye_side < 0.0 && random.number(0, 1) < 0.9)  // mostly on the side where shadows are visible
             made.light() -= 2.0 * side * glm::dvec4(glm::dvec3(plane), 0.0);
     } while (std::abs(glm::dot(plane, made.light())) < 0.3 ||
              (made.light().w > 0.0 && !is_clear_of_solids(made, glm::dvec3(made.light()), 0.1)));
@@ -130,7 +130,7 @@ Situation situation(unsigned number) {
     return made;
 }
 
-/// What the colour of a pixel says is there: objects are pure red, green and blue, the patch grey, the shadow magenta.
+/// Decodes a pixel's color: objects are pure red, green and blue, the patch gray, the shadow magenta.
 int class_seen(const Rgb& color, const Rgb& background) {
     if (color == background) return shows_nothing;
     if (color == Rgb(255, 0, 255)) return shows_shadow;
@@ -142,7 +142,7 @@ int class_seen(const Rgb& color, const Rgb& background) {
     return shows_unknown;
 }
 
-/// Shadow is painted on mirrors, too.
+/// Shadow is also painted on mirrors.
 int class_seen(const Sight& sight) {
     for (const testing::Met& met : sight.met)
         if (met.missing != 0) return shows_shadow;
@@ -164,7 +164,7 @@ struct CastTally {
     std::string first_wrong;
 };
 
-/// Compares where the nine pixels around are one class in the oracle.
+/// Compares the pixels whose 3 × 3 block has one class in the oracle.
 CastTally compare(const Image& image, const std::vector<int>& expected, const Rgb& background) {
     const auto expected_at = [&](int x, int y) { return expected[static_cast<std::size_t>(y * cast_px.x + x)]; };
     CastTally tally;
@@ -207,7 +207,7 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
     for (unsigned number = first_seed; number < first_seed + count; ++number) {
         const Situation made = situation(number);
         const CastTally tally = tally_of(made);
-        // A rasteriser may leave a pinhole where it clips a triangle: 4 lone pixels in 43 million were seen, and 2 in
+        // A rasterizer may leave a pinhole where it clips a triangle: 4 single pixels were seen in 43 million, and 2 in
         // 2 million with the other compiler, whose scenes differ in their last bits.
         EXPECT_LE(tally.wrong, 1) << "seed " << number << ": " << tally.first_wrong;
         sum.wrong += tally.wrong;
@@ -223,7 +223,7 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
         }
     }
     EXPECT_LE(sum.wrong, 3 + sum.compared / 5'000'000);
-    // There was something to compare.
+    // The comparison must not have been empty.
     const auto each = static_cast<int>(count);
     std::printf("%d pixels, %d wrong: %d shadow, %d patch, %d mirror image\n", sum.compared, sum.wrong, sum.shadow,
                 sum.patch, mirrored);
@@ -232,8 +232,8 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
     EXPECT_GT(mirrored, 150 * each);
 }
 
-TEST_F(RayCasterTest, WouldNoticeAWrongMatrix) {
-    // The oracle against pictures with something else in place of S and R: it has to object.
+TEST_F(RayCasterTest, DetectsWrongMatrices) {
+    // Given pictures with other matrices instead of S and R, the oracle must object.
     Situation made = situation(52002);
     ASSERT_TRUE(made.oracle.casts);
     ASSERT_EQ(tally_of(made).wrong, 0);

@@ -1,5 +1,5 @@
-// The fragments of a pixel where surfaces fight: reconciled with what is read back, the last one drawn is the one that
-// is seen, and rounding is blamed only where the list had another winner.
+// The fragments of a pixel where surfaces fight, reconciled with the values read back: the last drawn fragment is the
+// visible one, and rounding is blamed only where the computed list had another winner.
 #include "frame/depth/reconcile.h"
 
 #include <bit>
@@ -19,10 +19,10 @@ constexpr int pixels = 1000;
 class Reconcile : public testing::GlTest {
 protected:
     struct Seen {
-        int surfaces = 0;      ///< pixels that show one
-        int other_winner = 0;  ///< of these, where the computed list has another one
-        int blamed = 0;        ///< of these, where rounding is said to decide some fragment
-        double worst = 0.0;    ///< codes between computed and read back, of the same winner
+        int surfaces = 0;      ///< pixels that show a surface
+        int other_winner = 0;  ///< of these, where the computed list has another winner
+        int blamed = 0;        ///< of these, where rounding is reported to decide some fragment
+        double worst = 0.0;    ///< difference between the computed and read-back depth in codes, for the same winner
     };
 
     static int last_drawn(const std::vector<Fragment>& fragments) {
@@ -32,8 +32,8 @@ protected:
         return last;
     }
 
-    /// Calls visit(report, fragments, clears_depth) for so many pixels of the state's picture, as they are read back
-    /// and as they are computed.
+    /// Calls visit(report, fragments, clears_depth) for this many pixels of the state's picture, with the values read
+    /// back and computed.
     template <typename Visit>
     static void for_pixels_of(const Params& params, const Scene& scene, const Visit& visit) {
         const Derived derived = derive_for(params, scene, reconciled_px);
@@ -80,7 +80,7 @@ protected:
     }
 };
 
-TEST_F(Reconcile, WhatIsSeenIsWhatIsReadBack) {
+TEST_F(Reconcile, TheVisibleFragmentIsTheOneReadBack) {
     for (const DepthFormat format : {DepthFormat::d24, DepthFormat::d32f}) {
         const Seen seen = compare("depth-fighting", format);
         EXPECT_GT(seen.surfaces, 200);
@@ -89,12 +89,12 @@ TEST_F(Reconcile, WhatIsSeenIsWhatIsReadBack) {
     }
 }
 
-TEST_F(Reconcile, WithoutClipControlToo) {
+TEST_F(Reconcile, TheSameHoldsWithoutClipControl) {
     const Seen seen = compare("fighting-reversed-clip-range", DepthFormat::d32f);
     EXPECT_GT(seen.surfaces, 200);
 }
 
-TEST_F(Reconcile, ComparesWithWhatTheFrameBeforeHasLeft) {
+TEST_F(Reconcile, ComparesWithThePreviousFramesDepth) {
     for (const CompareFunc func : {CompareFunc::less, CompareFunc::lequal}) {
         Params params = probed(load_state("depth-not-cleared")->params);
         params.depth.func = func;
@@ -104,7 +104,7 @@ TEST_F(Reconcile, ComparesWithWhatTheFrameBeforeHasLeft) {
             reconcile(fragments, report, clears);
             for (const Fragment& fragment : fragments) {
                 ++compared;
-                // The same picture twice: what stands there at first is what is read back at last.
+                // Both frames draw the same picture: the first leaves the code that is read back after the second.
                 EXPECT_EQ(fragment.compared_with, report.stored) << fragment.object;
                 blamed += fragment.decided_by_rounding ? 1 : 0;
             }
@@ -114,7 +114,7 @@ TEST_F(Reconcile, ComparesWithWhatTheFrameBeforeHasLeft) {
     }
 }
 
-TEST_F(Reconcile, NothingIsBlamedOnRoundingWhereNothingFights) {
+TEST_F(Reconcile, RoundingIsNotBlamedWithoutFighting) {
     const Seen seen = compare("fighting-near-raised", DepthFormat::d24);
     EXPECT_GT(seen.surfaces, 200);
     EXPECT_EQ(seen.other_winner, 0);

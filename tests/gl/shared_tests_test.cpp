@@ -1,5 +1,5 @@
-// Stencil tests that were made alike let through what they let through before: with every value that can be in the
-// stencil, which is found by trying, and in every preset's passes.
+// Unified stencil tests pass the same fragments as the original ones: for every value that the stencil can hold, found
+// by enumeration, and in the passes of every preset.
 #include "render/shared_tests.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ int left_by(const StencilState& state, int value, int reference) {
     return (value & ~state.write_bits) | (after & state.write_bits);
 }
 
-/// How many tests were changed. A pass may touch a pixel not at all, once or often.
+/// Returns the number of changed tests. A pass may touch a pixel never, once or repeatedly.
 int expect_the_same_fragments(std::span<const Pass> passes) {
     const std::vector<StencilState> tests = shared_stencil_tests(passes);
     EXPECT_EQ(tests.size(), passes.size());
@@ -54,7 +54,7 @@ int expect_the_same_fragments(std::span<const Pass> passes) {
         for (const int value : values)
             EXPECT_EQ(lets_through(tests[i], value), lets_through(planned, value)) << passes[i].name << ", " << value;
         if (!planned.test || planned.on_pass == StencilOp::keep) {
-            // Where nothing was left, nothing may be now.
+            // A pass that wrote no stencil must still write none.
             EXPECT_TRUE(tests[i] == planned || tests[i].on_pass == StencilOp::keep) << passes[i].name;
             continue;
         }
@@ -80,16 +80,16 @@ std::vector<Pass> passes_of(const std::string& preset) {
     return plan(params, derive(params, scene, {{640, 360}})).passes;
 }
 
-TEST(SharedTests, InEveryPresetTheSameFragmentsPass) {
+TEST(SharedTests, PassTheSameFragmentsInEveryPreset) {
     int changed = 0;
     for (const NamedFile& preset : presets()) {
         SCOPED_TRACE(preset.name);
         changed += expect_the_same_fragments(passes_of(preset.name)) > 0;
     }
-    EXPECT_GE(changed, 3);  // or it is no use
+    EXPECT_GE(changed, 3);  // otherwise sharing is useless
 }
 
-TEST(SharedTests, WithPassesOfEverySortTheSameFragmentsPass) {
+TEST(SharedTests, PassTheSameFragmentsForPassesOfEveryKind) {
     SCOPED_TRACE("seed 31");
     Random random(31);
     const auto one_of = [&](int count) { return static_cast<int>(random.number(0.0, count)) % count; };
@@ -123,7 +123,7 @@ TEST(SharedTests, WithPassesOfEverySortTheSameFragmentsPass) {
 }
 
 /// A software renderer then needs one shader for both.
-TEST(SharedTests, TheMirrorImageAndTheObjectsDifferInTheReferenceAlone) {
+TEST(SharedTests, MirrorImageAndObjectsDifferOnlyInTheReference) {
     const std::vector<Pass> passes = passes_of("opening");
     std::vector<StencilState> of_objects;
     const std::vector<StencilState> tests = shared_stencil_tests(passes);

@@ -1,4 +1,4 @@
-// What is not drawn because it is out of sight: a box is only where no point of it could be seen, by trying points.
+// Visibility culling by boxes: a box is out of sight only if no sampled point of it could be visible.
 #include "render/sight.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// What GL keeps: inside both pairs of sides and in front of every clip plane.
+/// What GL keeps: points between both pairs of sides and in front of every clip plane.
 bool is_kept(const glm::dvec3& point_model, const Pass& pass, const glm::dmat4& world_from_model) {
     const glm::dvec4 scene = world_from_model * glm::dvec4(point_model, 1.0);
     for (const ClipPlane& plane : pass.clip_planes)
@@ -19,7 +19,7 @@ bool is_kept(const glm::dvec3& point_model, const Pass& pass, const glm::dmat4& 
     return std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-TEST(Sight, NothingThatCouldBeSeenIsLeftOut) {
+TEST(Sight, NothingVisibleIsCulled) {
     SCOPED_TRACE("seed 7");
     Random random(7);
     int left_out = 0, unseen = 0;
@@ -42,22 +42,22 @@ TEST(Sight, NothingThatCouldBeSeenIsLeftOut) {
         left_out += is_left_out;
         unseen += !is_seen;
     }
-    // It may keep what nobody sees, but not most of it.
+    // Culling may keep invisible boxes, but not most of them.
     EXPECT_GT(unseen, 1000);
     EXPECT_GT(left_out, unseen * 6 / 10);
 }
 
-TEST(Sight, WhatTouchesTheEdgeAndWhatIsEmptyAreDrawn) {
-    Pass pass;  // clip space is the world
+TEST(Sight, BoxesAtTheEdgeAndEmptyBoxesAreDrawn) {
+    Pass pass;  // clip space equals world space
     EXPECT_FALSE(is_out_of_sight({{1.0, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
     EXPECT_TRUE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
     EXPECT_FALSE(is_out_of_sight({}, pass, glm::dmat4(1.0)));
-    pass.forces_sign = true;  // vertices are turned around
+    pass.forces_sign = true;  // vertices may be negated
     EXPECT_FALSE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
 }
 
-/// Told from the vertices where there are few; a box that reaches beyond its mesh is not asked alone.
-TEST(Sight, APlaneCutsSomethingOffWhereAVertexLiesBehindIt) {
+/// Vertices decide when there are few, because a box extends beyond its mesh.
+TEST(Sight, APlaneCutsAnObjectIfAVertexIsBehindIt) {
     SCOPED_TRACE("seed 8");
     Random random(8);
     int whole = 0, only_by_vertices = 0;
@@ -65,7 +65,7 @@ TEST(Sight, APlaneCutsSomethingOffWhereAVertexLiesBehindIt) {
         std::vector<glm::vec3> positions;
         Bounds box;
         for (int k = 0; k < 40; ++k) {
-            positions.emplace_back(random.direction());  // a ball's, whose box has empty corners
+            positions.emplace_back(random.direction());  // on a ball, whose box has empty corners
             box.add(glm::dvec3(positions.back()));
         }
         Pass pass;
@@ -77,7 +77,7 @@ TEST(Sight, APlaneCutsSomethingOffWhereAVertexLiesBehindIt) {
         for (const ClipPlane& plane : pass.clip_planes)
             for (const glm::vec3& position : positions)
                 least = std::min(least, glm::dot(plane, world_from_model * glm::dvec4(position, 1.0)));
-        if (std::abs(least) < 1e-9) continue;  // a matter of rounding
+        if (std::abs(least) < 1e-9) continue;  // too close to call after rounding
         const bool is_whole = is_kept_whole(box, positions, pass, world_from_model);
         EXPECT_EQ(is_whole, least > 0.0) << "at " << i;
         whole += is_whole;
@@ -90,7 +90,7 @@ TEST(Sight, APlaneCutsSomethingOffWhereAVertexLiesBehindIt) {
     EXPECT_GT(only_by_vertices, 50);
 }
 
-TEST(Sight, WhatStandsOnAClipPlaneIsKeptWhole) {
+TEST(Sight, ObjectsOnAClipPlaneAreKeptWhole) {
     Pass pass;
     pass.clip_planes.emplace_back(glm::dvec4(0.0, 1.0, 0.0, 0.0));
     const Mesh box = box_mesh();

@@ -1,5 +1,5 @@
-// Depth of 16 bits is really allocated, and GL has no stencil beside it: what stands in for the stencil gives the
-// same pictures, values and identities as the real one beside 24 bits. VIEWING_LONG_TESTS=N compares N times as many.
+// 16-bit depth is really allocated, without a stencil. The substitute for the stencil gives the same pictures, values
+// and identities as a real stencil with 24-bit depth. VIEWING_LONG_TESTS=N compares N times as many.
 #include <cstdlib>
 
 #include "frame/hidden/hidden_views.h"
@@ -27,8 +27,8 @@ GLint bits_of_depth(const View& view) {
     return bits;
 }
 
-/// Bodies without dents that do not touch each other or the plane: 16 bits tell apart what 24 do. The label lies in
-/// its board: there the stencil decides, not depth. The mirror shows neither's front.
+/// Convex solids that touch neither each other nor the plane, so 16 bits distinguish what 24 do. The label is in its
+/// board's plane: there the stencil decides, not depth. The mirror shows neither of their fronts.
 Scene floating_with_decal() {
     SceneObject label = object("label", quad_mesh(), {1.0, 0.4, -1.7}, {0.35, 1.0, 0.45});
     label.description.decal = true;
@@ -48,8 +48,8 @@ protected:
         return *(choices.begin() + static_cast<std::ptrdiff_t>(random.number(0, static_cast<double>(choices.size()))));
     }
 
-    /// Any use of the stencil. What lies in the plane must not fight with it: where nothing lifts the shadow, no depth
-    /// is tested.
+    /// Returns random settings that use the stencil. Coplanar surfaces must not fight: without an offset for the
+    /// shadow, the depth test is off.
     std::vector<std::string> any_use_of_stencil() {
         const std::string offset = one_of({"none", "polygon_offset", "lift", "no_depth_test"});
         const std::string bools[] = {"shadow.enabled",     "shadow.stencil_once", "shadow.clip_to_receiver",
@@ -123,7 +123,7 @@ TEST_F(SixteenBits, AreReallyAllocated) {
     }
 }
 
-TEST_F(SixteenBits, GiveUpSamplesOnlyForTheStencil) {
+TEST_F(SixteenBits, DisableSamplesOnlyForTheStencil) {
     const Scene scene = floating_with_decal();
     const auto samples = [&](const std::vector<std::string>& settings) {
         Params params = params_with(settings);
@@ -138,12 +138,12 @@ TEST_F(SixteenBits, GiveUpSamplesOnlyForTheStencil) {
     EXPECT_EQ(samples({"depth.format=d24", "reflection.enabled=true"}), 4);
 }
 
-TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
+TEST_F(SixteenBits, WithMasksEqualTheStencil) {
     const Scene scene = floating_with_decal();
-    Result<Renderer> limited = Renderer::make({});  // clips by discarding
+    Result<Renderer> limited = Renderer::make({});  // clips by discarding fragments
     ASSERT_TRUE(limited) << limited.error();
     int with_marks = 0, with_label = 0;
-    View view_16, view_24, limited_view;  // kept: one frame must not depend on the one before
+    View view_16, view_24, limited_view;  // kept, to show that frames do not depend on earlier ones
     for (int trial = 0; trial < trials(30); ++trial) {
         std::string what = "seed " + std::to_string(seed) + " trial " + std::to_string(trial);
         const Params params = any_params(what);
@@ -171,10 +171,10 @@ TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
         EXPECT_TRUE(renderer().read(view_16) == identities);
     }
     EXPECT_GT(with_marks, trials(30) / 4) << "shadows have to mark pixels";
-    EXPECT_GT(with_label, trials(30) / 4) << "and the label has to be seen";
+    EXPECT_GT(with_label, trials(30) / 4) << "and the label has to be visible";
 }
 
-TEST_F(SixteenBits, MaskIsWhatThePixelReportCallsStencil) {
+TEST_F(SixteenBits, ReportTheMaskAsStencil) {
     const Scene scene = floating_with_decal();
     int marked = 0;
     for (int trial = 0; trial < trials(8); ++trial) {

@@ -1,5 +1,5 @@
-// What a frame leaves behind and what it depends on: GL's default state after every kind of frame, the same bytes from
-// the same state, and no dependence on capabilities that a driver may lack.
+// Side effects and dependencies of a frame: GL's default state after every kind of frame, the same bytes from the same
+// state, and no dependence on capabilities that a driver may lack.
 #include <algorithm>
 
 #include "gl_test.h"
@@ -33,7 +33,7 @@ void expect_default_state(bool has_clip_control) {
         EXPECT_FALSE(glIsEnabled(capability)) << "capability " << capability;
     EXPECT_STATE(GL_DEPTH_FUNC, GL_LESS);
     EXPECT_STATE(GL_DEPTH_WRITEMASK, GL_TRUE);
-    EXPECT_STATE(GL_DEPTH_CLEAR_VALUE, 2147483647);  // 1, as integers have it
+    EXPECT_STATE(GL_DEPTH_CLEAR_VALUE, 2147483647);  // 1 as a maximum integer
     EXPECT_STATE(GL_STENCIL_CLEAR_VALUE, 0);
     EXPECT_STATE(GL_CULL_FACE_MODE, GL_BACK);
     EXPECT_STATE(GL_FRONT_FACE, GL_CCW);
@@ -84,7 +84,7 @@ void expect_default_state(bool has_clip_control) {
 
 TEST_F(FrameState, IsGlsDefaultAfterEveryKindOfFrame) {
     Scene scene = scene_named("torus-and-boxes");
-    scene.objects.back().description.decal = true;  // what is drawn last has an offset of its own
+    scene.objects.back().description.decal = true;  // the last object drawn has its own offset
     const std::vector<std::string> kinds[] = {
         {},
         {"depth.offset.factor=-2", "depth.offset.units=-3"},
@@ -113,7 +113,7 @@ TEST_F(FrameState, IsGlsDefaultAfterEveryKindOfFrame) {
     }
 }
 
-TEST_F(FrameState, DoesNotDependOnWhatWasDrawnBefore) {
+TEST_F(FrameState, DoesNotDependOnEarlierFrames) {
     const Scene scene = scene_named("torus-and-boxes");
     const Image expected = draw(Params{}, scene, state_px);
     constexpr unsigned first_seed = 9300;
@@ -140,7 +140,7 @@ TEST_F(FrameState, GivesTheSameBytesFromANewRenderer) {
     }
 }
 
-TEST_F(FrameState, ViewsTakeEverySizeTheyAreAskedFor) {
+TEST_F(FrameState, ViewsAcceptEverySize) {
     const Scene scene = scene_named("torus-and-boxes");
     View view;
     for (const glm::ivec2 size : {glm::ivec2(64, 48), glm::ivec2(1, 1), glm::ivec2(33, 77), glm::ivec2(64, 48)}) {
@@ -172,7 +172,7 @@ TEST_F(FrameState, FallbacksGiveNearlyTheSamePicture) {
         const Derived without = derive(params, scene, {state_px, plain->capabilities().clip_control});
         EXPECT_FALSE(without.clip_zero_to_one);
         const Image fallback = draw(plan(params, without), scene, state_px, *plain, view);
-        // Cut per fragment in place of per sample, and depth rounded otherwise: edges may differ.
+        // Clipping per fragment instead of per sample and other depth rounding may change edges.
         EXPECT_LE(pixels_beyond(draw(params, scene, state_px), fallback, 3), 120) << what;
         Params unclipped = params;
         unclipped.reflection.clip = MirrorClip::none;
@@ -226,8 +226,8 @@ TEST_F(FrameState, IsDefinedForEveryDegenerateState) {
     }
 }
 
-TEST_F(FrameState, SingularMirrorByHandStaysLit) {
-    // Flattened onto y = −1, seen in the mirror: normals follow though the matrix has no inverse.
+TEST_F(FrameState, ASingularMirrorMatrixStaysLit) {
+    // Flattened onto y = −1 and seen in the mirror: normals follow although the matrix has no inverse.
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"overrides.mirror_from_world=[[1,0,0,0],[0,0,0,-1],[0,0,1,0],[0,0,0,1]]",
                                        "reflection.clip=none", "reflection.reflectance=1", "shadow.enabled=false",

@@ -1,5 +1,5 @@
-// The passes as they look: what each switch of shadow, mirror, depth test and culling does to the picture, on scenes
-// small enough that the colour of a pixel is known beforehand. ray_caster_test.cpp compares whole pictures.
+// The visual effect of the passes: each switch of shadow, mirror, depth test and culling, on scenes small enough to
+// predict the color of a pixel. ray_caster_test.cpp compares whole pictures.
 #include <cmath>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -33,7 +33,7 @@ protected:
     }
 };
 
-/// From above at an angle, without samples, reflection or anything else that is not asked for.
+/// From above at an angle, without samples, reflection or other extras.
 std::vector<std::string> plain(std::vector<std::string> more) {
     std::vector<std::string> all = {"view.samples=0", "reflection.enabled=false", "camera.position=[0,6,8]",
                                     "camera.yaw=0",   "camera.pitch=-36.87",      "light.position=[4,8,0,1]"};
@@ -41,16 +41,16 @@ std::vector<std::string> plain(std::vector<std::string> more) {
     return all;
 }
 
-/// The box spans ±1 and stands on the ground; its shadow reaches from x = −1 to −7/3 at z = 0, 8 − 2 over 8 lower.
+/// The box spans ±1 and rests on the ground; its shadow extends from x = −1 to shadow_end().
 const glm::dvec3 in_shadow(-1.6, 0.0, 0.3);
 const glm::dvec3 in_light(2.6, 0.0, 0.3);
 
 glm::dvec3 shadow_end() {
-    // From (4, 8) through the box's far top edge (−1, 2) down to the ground.
+    // From (4, 8) past the box's far top edge (−1, 2) down to the ground.
     return {4.0 + (-1.0 - 4.0) * 8.0 / (8.0 - 2.0), 0.0, 0.0};
 }
 
-TEST_F(Technique, LightsAtOnePlaceAreAsBrightAsOne) {
+TEST_F(Technique, CoincidentLightsAreAsBrightAsOne) {
     Params params = params_with(plain({"shadow.enabled=false"}));
     const Image one = draw(params, box_scene(), technique_px);
     while (params.lights.size() < most_lights) {
@@ -60,7 +60,7 @@ TEST_F(Technique, LightsAtOnePlaceAreAsBrightAsOne) {
     }
 }
 
-TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithout) {
+TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithoutIt) {
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), in_shadow);
     const Rgb once = color_at(plain({}), box_scene(), in_shadow);
     const Rgb twice = color_at(plain({"shadow.stencil_once=false"}), box_scene(), in_shadow);
@@ -73,7 +73,7 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithout) {
               color_at(plain({}), box_scene(), in_light));
 }
 
-/// Which of caster_colors a shaded one is: they are told apart by their shares of red, green and blue.
+/// Returns the kind of caster_colors to which a shaded color belongs, found by its shares of red, green and blue.
 std::size_t caster_kind(const Rgb& shaded) {
     const auto shares = [](const glm::dvec3& color) { return color / (color.r + color.g + color.b); };
     std::size_t nearest = 0;
@@ -87,9 +87,9 @@ std::size_t caster_kind(const Rgb& shaded) {
     return nearest;
 }
 
-TEST_F(Technique, CastersAreColouredByWhereTheyAreAsToPlaneAndLight) {
+TEST_F(Technique, CastersAreColoredByTheirSideOfPlaneAndLight) {
     constexpr std::size_t casts = 0, behind_plane = 1, beyond_light = 2;
-    // A pillar from y = -2 to 4, its front at z = 0.5, and a ground that is not at the origin.
+    // A pillar from y = -2 to 4 with its front at z = 0.5, and a ground that is not at the origin.
     const Scene scene = scene_of({object("pillar", box_mesh(), {0, 1, 0}, {0.5, 3, 0.5})});
     const auto kind_at = [&](const std::string& light, double y) {
         return caster_kind(
@@ -103,13 +103,13 @@ TEST_F(Technique, CastersAreColouredByWhereTheyAreAsToPlaneAndLight) {
     EXPECT_EQ(kind_at(lamp, 1.0), casts);
     EXPECT_EQ(kind_at(lamp, 3.0), beyond_light);
     EXPECT_EQ(kind_at(sun, -1.0), behind_plane);
-    EXPECT_EQ(kind_at(sun, 3.0), casts) << "nothing is beyond a parallel light";
-    EXPECT_EQ(kind_at(below, -0.25), casts) << "the other side is the light's";
+    EXPECT_EQ(kind_at(sun, 3.0), casts) << "nothing is beyond a directional light";
+    EXPECT_EQ(kind_at(below, -0.25), casts) << "the other side is the one with the light";
     EXPECT_EQ(kind_at(below, -1.5), beyond_light);
     EXPECT_EQ(kind_at(below, 1.5), behind_plane);
 }
 
-TEST_F(Technique, ShadowEndsWhereTheFormulaSays) {
+TEST_F(Technique, ShadowEndsWhereTheFormulaPredicts) {
     EXPECT_NEAR(shadow_end().x, -8.0 / 3.0, 1e-12);
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), {-2.5, 0, 0.3});
     EXPECT_LT(color_at(plain({}), box_scene(), {-2.5, 0, 0.3}).g, lit.g - 20);
@@ -142,7 +142,7 @@ TEST_F(Technique, ShadowStaysOnItsReceiverOnlyWhileClipped) {
     }
 }
 
-TEST_F(Technique, FalseShadowOfWhatLiesBehindTheReceiver) {
+TEST_F(Technique, ObjectsBehindTheReceiverCastFalseShadows) {
     const Scene below = scene_of({object("below", box_mesh(), {0, -3, 0})});
     // Seen from the light, (0, −2, 0) is behind the point where its ray pierces the ground: (4, 8) + t (−4, −10).
     const glm::dvec3 pierced(4.0 - 4.0 * 0.8, 0.0, 0.0);
@@ -151,7 +151,7 @@ TEST_F(Technique, FalseShadowOfWhatLiesBehindTheReceiver) {
     EXPECT_LT(color_at(plain({"shadow.clip_casters=false"}), below, pierced).g, lit.g - 20);
 }
 
-TEST_F(Technique, NothingBeyondTheLightCasts) {
+TEST_F(Technique, NothingBeyondTheLightCastsAShadow) {
     const Scene above = scene_of({object("above", box_mesh(), {0, 12, 0})});
     const Image without = draw(params_with(plain({"shadow.enabled=false"})), above, technique_px);
     EXPECT_EQ(draw(params_with(plain({})), above, technique_px), without);
@@ -164,8 +164,8 @@ TEST_F(Technique, NothingBeyondTheLightCasts) {
         100);
 }
 
-/// What is forced is each vertex's own sign: beyond the light it is turned around, before the light it stays.
-TEST_F(Technique, ForcedSignThrowsAnAntiShadowThroughTheLight) {
+/// Each vertex's own sign is forced: beyond the light the vertex is negated, in front of it unchanged.
+TEST_F(Technique, ForcedSignCastsAnAntiShadowThroughTheLight) {
     const std::vector<std::string> forced = plain({"shadow.sign=forced", "shadow.clip_at_light=false"});
     const Scene above = scene_of({object("above", box_mesh(), {5, 12, 0})});
     // From (5, 12) through the light at (4, 8) down to the ground, twice as far below the light.
@@ -176,7 +176,7 @@ TEST_F(Technique, ForcedSignThrowsAnAntiShadowThroughTheLight) {
     EXPECT_EQ(color_at(forced, box_scene(), in_shadow), color_at(plain({}), box_scene(), in_shadow));
 }
 
-TEST_F(Technique, EveryOffsetThatMendsFightingGivesTheSameShadow) {
+TEST_F(Technique, EveryOffsetThatFixesFightingGivesTheSameShadow) {
     const Params offset = params_with(plain({}));
     const Image expected = draw(offset, box_scene(), technique_px);
     for (const char* const way : {"shadow.offset=no_depth_test", "shadow.offset=lift"}) {
@@ -187,10 +187,10 @@ TEST_F(Technique, EveryOffsetThatMendsFightingGivesTheSameShadow) {
             EXPECT_LE(pixels_beyond(expected, other, 3), 20) << way << " " << mapping;
         }
     }
-    // Without any, depths are equal but for rounding, and "less" leaves shadow out.
+    // Without an offset, depths are equal up to rounding, and "less" leaves out parts of the shadow.
     EXPECT_GT(pixels_beyond(expected, draw(params_with(plain({"shadow.offset=none"})), box_scene(), technique_px), 3),
               100);
-    // In every format the offset is enough: none but the edge differs.
+    // The offset suffices in every format: only the edge differs.
     for (const char* const format : {"depth.format=d16", "depth.format=d32f", "depth.format=d12"})
         for (const char* const mapping :
              {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"})
@@ -202,7 +202,7 @@ TEST_F(Technique, EveryOffsetThatMendsFightingGivesTheSameShadow) {
 TEST_F(Technique, MissingLightLeavesTheAmbientPart) {
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), in_shadow);
     const Rgb missing = color_at(plain({"shadow.style=missing_light"}), box_scene(), in_shadow);
-    // The same patch with the light on its other side has nothing but ambient light.
+    // With the light on its other side, the same patch has only ambient light.
     const Rgb ambient = color_at(plain({"light.position=[4,-8,0,1]"}), box_scene(), in_shadow);
     EXPECT_LE(worst_channel(missing, ambient), 1);
     EXPECT_LT(missing.g, lit.g - 20);
@@ -213,7 +213,7 @@ TEST_F(Technique, MissingLightLeavesTheAmbientPart) {
     EXPECT_LT(through_mirror.g, lit.g - 10);
 }
 
-TEST_F(Technique, CullingDoesNotChangeWhichShadowsFall) {
+TEST_F(Technique, CullingDoesNotChangeTheShadows) {
     for (const char* const face : {"cull.face=front", "cull.face=back", "cull.face=front_and_back"}) {
         for (const char* const winding : {"cull.front_face=ccw", "cull.front_face=cw"}) {
             EXPECT_EQ(color_at(plain({"cull.enabled=true", face, winding}), box_scene(), in_shadow),
@@ -222,7 +222,7 @@ TEST_F(Technique, CullingDoesNotChangeWhichShadowsFall) {
     }
 }
 
-TEST_F(Technique, CullingBackFacesOfClosedObjectsDoesNotShow) {
+TEST_F(Technique, CullingBackFacesOfClosedObjectsIsInvisible) {
     Random random(seed);
     for (const char* const name : {"torus-and-boxes", "curved"}) {
         const Scene scene = scene_named(name);
@@ -238,7 +238,7 @@ TEST_F(Technique, CullingBackFacesOfClosedObjectsDoesNotShow) {
             Params culled = params;
             culled.cull.enabled = true;
             const Image all = draw(params, scene, technique_px);
-            // On an outline both faces may cover a pixel at depths that round alike.
+            // On an outline both faces may cover a pixel at depths that round to the same code.
             EXPECT_LE(pixels_beyond(all, draw(culled, scene, technique_px), 0), 4);
             culled.cull.face = CullFace::front;
             EXPECT_GT(pixels_beyond(all, draw(culled, scene, technique_px), 3), 200);
@@ -277,7 +277,7 @@ TEST_F(Technique, PlaneTimesAnyFactorGivesTheSamePicture) {
     EXPECT_GE(pictures_with_shadow, 8);
 }
 
-/// A square that faces the camera at the origin.
+/// A square facing the camera at the origin.
 SceneObject facing_quad(const std::string& name, double distance, const Color& color) {
     SceneObject made = object(name, quad_mesh(), {0, 0, -distance});
     made.description.color = color;
@@ -285,7 +285,7 @@ SceneObject facing_quad(const std::string& name, double distance, const Color& c
     return made;
 }
 
-/// At the origin, with the plane out of sight.
+/// The camera at the origin, with the plane out of sight.
 std::vector<std::string> from_origin(std::vector<std::string> more) {
     std::vector<std::string> all = {"view.samples=0",
                                     "reflection.enabled=false",
@@ -339,7 +339,7 @@ TEST_F(Technique, EveryDepthFunctionInBothOrders) {
     }
 }
 
-TEST_F(Technique, DepthThatIsNotClearedHidesWhatComesLater) {
+TEST_F(Technique, UnclearedDepthHidesLaterObjects) {
     const Scene near_only = scene_of({facing_quad("near", 3, {255, 0, 0})});
     const Scene far_only = scene_of({facing_quad("far", 6, {0, 0, 255})});
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
@@ -349,7 +349,7 @@ TEST_F(Technique, DepthThatIsNotClearedHidesWhatComesLater) {
                 params_with(from_origin({mapping, clears ? "depth.clear=true" : "depth.clear=false"}));
             const FramePlan frame = plan(params, derive_for(params, near_only, technique_px));
             View view;
-            // A view's first frame has only itself: nothing undefined shows.
+            // A view's first frame has no predecessor: nothing undefined appears.
             draw(frame, near_only, technique_px, renderer(), view);
             const Seen later = seen(draw(frame, far_only, technique_px, renderer(), view));
             EXPECT_EQ(later, clears ? Seen::far_quad : Seen::background);
@@ -361,7 +361,7 @@ TEST_F(Technique, DepthThatIsNotClearedHidesWhatComesLater) {
     }
 }
 
-TEST_F(Technique, DecalsAreOffsetAndNothingElse) {
+TEST_F(Technique, OnlyDecalsAreOffset) {
     SceneObject decal = facing_quad("decal", 3, {255, 0, 0});
     const SceneObject wall = facing_quad("wall", 3, {0, 0, 255});
     for (const char* const mapping :
@@ -377,7 +377,7 @@ TEST_F(Technique, DecalsAreOffsetAndNothingElse) {
     }
 }
 
-TEST_F(Technique, FacingTellsFrontFromBack) {
+TEST_F(Technique, FacingDistinguishesFrontFromBack) {
     const Scene ball = scene_of({object("ball", sphere_mesh(), {0, 0, -5})});
     const auto center = [&](const std::vector<std::string>& more) {
         std::vector<std::string> settings = {"view.shows=facing"};
@@ -446,12 +446,13 @@ TEST_F(Technique, DepthViewIsBlackNearAndWhiteFar) {
     }
 }
 
-TEST_F(Technique, MirroredLightShinesOnTheMirroredSide) {
-    // The mirror image of the box's top is lit from below when the light is mirrored, and from above, unlit, when not.
+TEST_F(Technique, MirroredLightIlluminatesTheMirroredSide) {
+    // The mirror image of the box's top is lit from below when the light is mirrored; otherwise light comes from above
+    // and leaves it unlit.
     const std::vector<std::string> mirror = {"reflection.enabled=true", "reflection.reflectance=1",
                                              "shadow.enabled=false", "light.position=[0,8,0.5,1]"};
     const Scene floating = scene_of({object("box", box_mesh(), {0, 2.5, 0})});
-    // The image of the lower side, y = 1.5, is seen at y = −1.5: away from the light in both worlds.
+    // The image of the underside, y = 1.5, appears at y = −1.5: away from the light in both worlds.
     const auto color = [&](const char* light, double y_world) {
         std::vector<std::string> settings = mirror;
         settings.emplace_back(light);
@@ -460,10 +461,10 @@ TEST_F(Technique, MirroredLightShinesOnTheMirroredSide) {
     const Rgb mirrored = color("reflection.reflect_light=true", 1.5),
               not_mirrored = color("reflection.reflect_light=false", 1.5);
     EXPECT_GT(not_mirrored.b,
-              mirrored.b + 40);  // the light itself stands above: the side that faces up is lit, wrongly
+              mirrored.b + 40);  // the light itself is above, so the upward side is lit, wrongly
 }
 
-TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
+TEST_F(Technique, MirrorImageEqualsTheMirroredCamerasView) {
     // R · scene with flipped winding, against the scene from the mirrored camera flipped left to right.
     Random random(seed);
     const Scene scene = scene_named("torus-and-boxes");
@@ -484,7 +485,7 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         image.passes[0].stencil = {};
         image.passes[0].clip_planes.clear();
 
-        // C′ = R C with x turned round is a rigid pose again.
+        // C′ = R C with x negated is a rigid pose again.
         const glm::dmat4 mirrored_camera = derived.planes[0].mirrored_world_from_world * derived.world_from_view *
                                            glm::scale(glm::dmat4(1.0), {-1, 1, 1});
         const Angles mirrored_angles = angles_from_rotation(glm::dmat3(mirrored_camera));
@@ -505,7 +506,7 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         const Image mirrored = draw(image, scene, technique_px);
         const Image background(draw(params, scene_of({}), technique_px));
         EXPECT_GT(pixels_beyond(mirrored, background, 10), 300);
-        EXPECT_LE(pixels_beyond(mirrored, flipped, 2), 60);  // edges: rasterisation is not symmetric
+        EXPECT_LE(pixels_beyond(mirrored, flipped, 2), 60);  // edges: rasterization is not symmetric
     }
 }
 
@@ -542,9 +543,9 @@ TEST_F(Technique, MirrorStaysInsideItsPatchOnlyWithTheStencil) {
     EXPECT_GT(color_at(plain(open), floating, image_beside_patch).b, 0x60);
 }
 
-TEST_F(Technique, OrthographicFacesAreLitByTheDirectionOfSight) {
-    // A side that leans 10° from facing +x towards the camera, off the axis: its lit outside is what parallel lines of
-    // sight meet, on whichever side of it the camera stands.
+TEST_F(Technique, OrthographicFacesAreLitByTheViewDirection) {
+    // A side that leans 10° from +x toward the camera, off the axis: parallel view rays meet its lit outside, whichever
+    // side of it the camera is on.
     SceneObject leaning = object("leaning", quad_mesh(), {0, 0, 0});
     leaning.world_from_model = glm::translate(glm::dmat4(1.0), {3, 0, -5}) *
                                glm::rotate(glm::dmat4(1.0), glm::radians(-10.0), {0, 1, 0}) *

@@ -1,4 +1,5 @@
-// A goal that is measured in pictures, watched by the window: judged beside it, and as grade judges it. No references.
+// The window judges a goal measured in pictures in the background, with the same result as `grade`. No reference
+// pictures.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// A window that leads through E14, in which decals are mended and pixels counted.
+/// A window in E14, where decals are to be fixed and pixels are counted.
 class AnswerJudgeTest : public testing::GlTest {
 protected:
     void SetUp() override {
@@ -36,7 +37,7 @@ protected:
         GlTest::TearDown();
     }
 
-    /// False: it has not come to be in a minute.
+    /// Returns false if the condition does not hold within a minute.
     template <typename Done>
     bool frames_until(const Done& done) {
         const auto begun = std::chrono::steady_clock::now();
@@ -58,11 +59,11 @@ protected:
     double frame_s_ = 1.0 / 60.0;
 };
 
-TEST_F(AnswerJudgeTest, ChecksBesideTheWindowAndAsGradeDoes) {
+TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     EXPECT_FALSE(run().verdict()) << "nothing was changed";
     set_units(-40.0);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
-    EXPECT_FALSE(run().verdict()) << "that it is being checked is shown before";
+    EXPECT_FALSE(run().verdict()) << "the check in progress is shown first";
     EXPECT_GE(studio_->redraw_in_s(), 0.0);
     ASSERT_TRUE(frames_until([&] { return !is_checking(); }));
     ASSERT_TRUE(run().verdict()) << studio_->workbench.lesson_trouble;
@@ -78,7 +79,7 @@ TEST_F(AnswerJudgeTest, ChecksBesideTheWindowAndAsGradeDoes) {
     EXPECT_FALSE(is_checking());
 }
 
-TEST_F(AnswerJudgeTest, ForgetsWhatIsNoLongerAsked) {
+TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     set_units(-0.75);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
     set_units(-40.0);  // before the right one is judged
@@ -94,12 +95,12 @@ TEST_F(AnswerJudgeTest, ForgetsWhatIsNoLongerAsked) {
     EXPECT_FALSE(is_checking());
     EXPECT_FALSE(run().is_revealed());
     studio_->workbench.guide.resume(studio_->session);
-    ASSERT_EQ(studio_->session.params.depth.offset.units, -0.75) << "as it was left";
-    EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "what was given up is asked anew";
+    ASSERT_EQ(studio_->session.params.depth.offset.units, -0.75) << "unchanged since it was left";
+    EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change soon after one that was written waits to be written, and nothing else may happen meanwhile.
-TEST_F(AnswerJudgeTest, TheWindowDoesNotSleepOverWhatIsToBeKept) {
+/// A change soon after a save is saved later, and possibly nothing else is due until then.
+TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
     ExerciseDesk& exercises = studio_->workbench.exercises;
@@ -120,8 +121,8 @@ TEST_F(AnswerJudgeTest, TheWindowDoesNotSleepOverWhatIsToBeKept) {
     std::filesystem::remove_all(folder);
 }
 
-/// A picture waits for nothing: its strip has the verdict in its first frames.
-TEST_F(AnswerJudgeTest, APictureHasTheVerdictAtOnce) {
+/// A picture does not wait: its strip has the verdict in its first frames.
+TEST_F(AnswerJudgeTest, APictureHasTheVerdictImmediately) {
     set_units(-40.0);
     studio_->frame({.size_px = {1280, 720}, .input = {}});
     EXPECT_FALSE(is_checking());

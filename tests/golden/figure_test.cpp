@@ -1,4 +1,4 @@
-// Views by themselves, as pixels and as shapes and text.
+// Single views as pixels and as vector drawings.
 #include <cmath>
 
 #include "app/figure.h"
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-/// All that is written, line by line.
+/// All text of the drawing, line by line.
 std::string text_in(const Drawing& drawing) {
     std::string text;
     for (const Mark& mark : drawing.marks)
@@ -34,13 +34,13 @@ std::string text_in(const Drawing& drawing) {
     return text;
 }
 
-/// The first text of which a part lies outside what is shown of it, or of the page; "" for none.
+/// The first text that is partly outside its clip rectangle or the page; "" for none.
 std::string cut_line(const Drawing& drawing) {
     for (const Mark& mark : drawing.marks) {
         const Line* const line = std::get_if<Line>(&mark.what);
         if (!line || line->characters.empty()) continue;
         const DrawingBox clip{glm::max(mark.clip.min, glm::vec2(0.0F)), glm::min(mark.clip.max, drawing.size_px)};
-        // From the height of capitals to the baseline, from the first origin to the middle of the last character.
+        // From cap height to the baseline, from the first origin to the middle of the last character.
         const float em = line->em_px, top = line->baseline_px - 0.65F * em;
         const float right = line->lefts_px.back() + 0.25F * em;
         const bool is_whole = line->lefts_px.front() >= clip.min.x - 1.0F && right <= clip.max.x + 1.0F &&
@@ -57,7 +57,7 @@ struct Case {
     PictureView view;
     const char* preset;
     std::vector<std::string> settings;
-    const char* says;  ///< a text in it
+    const char* says;  ///< one of its texts
 };
 
 const std::vector<Case>& cases() {
@@ -77,7 +77,7 @@ const std::vector<Case>& cases() {
         {PictureView::fighting, "depth-fighting", {}, ""},
         {PictureView::passes, "", {}, "gl"},
         {PictureView::moving_world, "", {}, "the camera stays"},
-        {PictureView::from_light, "", {}, "what the light sees"},
+        {PictureView::from_light, "", {}, "the light's view"},
         {PictureView::mirror_ways, "", {}, "mirrored camera"},
         {PictureView::lecture_code, "", {}, "ShadowMatrix"},
         {PictureView::display_code, "", {}, "void display()"},
@@ -88,7 +88,7 @@ const std::vector<Case>& cases() {
 
 class FigureSlowTest : public FigureTest {};
 
-TEST_F(FigureSlowTest, EachViewIsDrawnByItselfWithNothingCutOff) {
+TEST_F(FigureSlowTest, EachViewIsDrawnWithNothingCutOff) {
     for (const Case& one : cases())
         for (const auto& [size_px, theme] : {std::pair(glm::ivec2(1280, 720), "ui.theme=dark"),
                                              std::pair(glm::ivec2(900, 1200), "ui.theme=projector")}) {
@@ -106,7 +106,7 @@ TEST_F(FigureSlowTest, EachViewIsDrawnByItselfWithNothingCutOff) {
         }
 }
 
-TEST_F(FigureTest, AViewRepeats) {
+TEST_F(FigureTest, AViewIsReproducible) {
     for (const PictureView view : {PictureView::matrices, PictureView::precision, PictureView::derivation}) {
         const PictureRequest request{view, usual_px, std::nullopt};
         const Result<Image> image = image_of(state_with({}), request), again = image_of(state_with({}), request);
@@ -115,22 +115,22 @@ TEST_F(FigureTest, AViewRepeats) {
     }
 }
 
-TEST_F(FigureTest, WhatHasNothingToShowOrNoRoomIsSaid) {
+TEST_F(FigureTest, EmptyOrTooSmallViewsAreReported) {
     const auto trouble = [](const Result<Image>& image) { return image ? std::string("drawn") : image.error(); };
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::tree, usual_px, std::nullopt})),
-              "the view tree has nothing to show: Only the BSP tree has a tree to show.");
+              "the view tree has nothing to show: Only the BSP tree method has a tree to show.");
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::pixel, usual_px, std::nullopt})),
-              "the view pixel is of a pixel of the camera's picture, and none is pinned: view.pixel=[X,Y]");
-    // What is said of the size is true.
+              "the view pixel needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]");
+    // The size in the message is correct.
     const std::string small = trouble(image_of(state_with({}), {PictureView::passes, {700, 320}, std::nullopt}));
-    const std::string before = "drawn; 700x";
+    const std::string before = "it fits in 700x";
     const std::size_t at = small.find(before);
     ASSERT_NE(at, std::string::npos) << small;
     const int height = std::stoi(small.substr(at + before.size()));
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::passes, {700, height}, std::nullopt})), "drawn") << small;
 }
 
-/// A picture over a plain colour.
+/// Composites a picture over a plain color.
 Image over(const Image& image, Color ground) {
     Image whole = image;
     const std::uint8_t under[] = {ground.r, ground.g, ground.b};
@@ -150,7 +150,7 @@ int worst_difference(const Image& a, const Image& b) {
     return worst;
 }
 
-TEST_F(FigureTest, ATransparentPictureOverTheGroundIsThePicture) {
+TEST_F(FigureTest, ATransparentPictureOverTheBackgroundIsThePicture) {
     const LoadedState state = state_with({"ui.theme=light"});
     const Color ground = ground_of(Theme::light).background;
     for (const int samples : {0, 4}) {
@@ -162,7 +162,7 @@ TEST_F(FigureTest, ATransparentPictureOverTheGroundIsThePicture) {
         EXPECT_EQ(cut->rgba[3], 0) << "the upper left corner is background";
         const std::size_t middle = 4 * (480 * 125 + 315);  // on the box
         EXPECT_EQ(cut->rgba[middle + 3], 255);
-        // Colours are kept in 8 bits: what is nearly transparent loses some.
+        // Colors are stored in 8 bits, so nearly transparent pixels lose some precision.
         EXPECT_LE(worst_difference(over(*cut, ground), *opaque), 3);
     }
 }
@@ -182,7 +182,7 @@ bool has_ground(const Drawing& drawing) {
     });
 }
 
-TEST_F(FigureSlowTest, ATransparentDrawingHasTheSameTextsAndNoGround) {
+TEST_F(FigureSlowTest, ATransparentDrawingHasTheSameTextsWithoutBackground) {
     for (const Case& one : cases()) {
         SCOPED_TRACE(picture_view_names[static_cast<std::size_t>(one.view)]);
         PictureRequest request{one.view, {1280, 720}, std::nullopt};
@@ -198,7 +198,7 @@ TEST_F(FigureSlowTest, ATransparentDrawingHasTheSameTextsAndNoGround) {
     }
 }
 
-TEST_F(FigureTest, LabelsAreAskedFor) {
+TEST_F(FigureTest, LabelsAreOptional) {
     const LoadedState state = state_with({R"(view.beside.shows=depth)"});
     PictureRequest request{PictureView::camera, {640, 360}, std::nullopt};
     const Result<Drawing> plain = drawing_of(state, request);
@@ -215,7 +215,7 @@ TEST_F(FigureTest, LabelsAreAskedFor) {
     EXPECT_EQ(insets(*labelled), 2) << "the camera's picture and the one beside it";
 }
 
-TEST_F(FigureTest, TypeIsAsHighInPrintWithAnyResolution) {
+TEST_F(FigureTest, PrintedTypeHasTheSameHeightAtAnyResolution) {
     const LoadedState state = state_with({});
     const auto largest_pt = [&](double dpi) {
         PictureRequest request{PictureView::matrices, glm::ivec2(glm::dvec2(1200, 700) * dpi / 96.0), std::nullopt};
@@ -233,7 +233,7 @@ TEST_F(FigureTest, TypeIsAsHighInPrintWithAnyResolution) {
     EXPECT_NEAR(largest_pt(288.0), at_96, 0.05 * at_96);
 }
 
-TEST_F(FigureTest, AHaloIsNoFurtherText) {
+TEST_F(FigureTest, AHaloIsNotASeparateText) {
     const Result<Drawing> drawing = drawing_of(state_with({}), {PictureView::precision, usual_px, std::nullopt});
     ASSERT_TRUE(drawing);
     const std::string text = text_in(*drawing);

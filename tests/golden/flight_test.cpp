@@ -1,5 +1,5 @@
-// A flight's pictures are the ones that were on the screen: the window is flown with seeded hands, each of its camera
-// pictures is kept, and the file that it wrote draws the same bytes.
+// A flight's pictures equal those on screen: seeded hands fly the window, each of its camera pictures is kept, and the
+// written file draws the same bytes.
 #include <random>
 
 #include "app/picture.h"
@@ -14,11 +14,11 @@ class FlightPictures : public testing::GlTest {
 protected:
     struct Recorded {
         Flight flight;
-        std::vector<Image> pictures;  ///< of each frame that was drawn while it was recorded
+        std::vector<Image> pictures;  ///< of each frame drawn during the recording
         std::vector<double> times_s;
     };
 
-    /// A person who holds keys at random, moves the light and the near plane, and turns a few switches.
+    /// Holds keys at random, moves the light and the near plane, and toggles a few switches.
     static Recorded fly(const std::string& preset, unsigned seed, glm::ivec2 size_px) {
         std::mt19937 random(seed);
         const auto pick = [&random](unsigned count) { return static_cast<unsigned>(random() % count); };
@@ -61,7 +61,7 @@ protected:
     }
 };
 
-TEST_F(FlightPictures, AreByteEqualToWhatTheWindowDrew) {
+TEST_F(FlightPictures, AreByteEqualToTheWindowsPictures) {
     struct Case {
         const char* preset;
         unsigned seed;

@@ -1,5 +1,6 @@
-// Each preset that breaks the picture against itself as its own setting mends it: the switch must show. The pictures
-// themselves are the suite beside this file, which tests/golden/check runs. Read window_test.cpp next.
+// Compares each preset that breaks the picture with the same preset after its own fix: the switch must have a visible
+// effect. The reference pictures are the suite beside this file, which tests/golden/check runs. Read window_test.cpp
+// next.
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"
@@ -8,7 +9,7 @@
 namespace viewing {
 namespace {
 
-class Mended : public testing::GlTest {
+class FixedPreset : public testing::GlTest {
 protected:
     static Image picture_of(const LoadedState& state) {
         const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
@@ -19,7 +20,7 @@ protected:
     }
 };
 
-TEST_F(Mended, DiffersFromWhatItMends) {
+TEST_F(FixedPreset, DiffersFromTheBrokenPreset) {
     int mended = 0;
     for (const NamedFile& preset : presets()) {
         if (preset.mended_by.empty()) continue;

@@ -1,4 +1,5 @@
-// What one hand-in may cost, and what happens when the time runs out in the middle: counted, not timed. No references.
+// The permitted cost of one hand-in, and the behavior when time runs out halfway: counted, not timed. No reference
+// pictures.
 #include "report/grading.h"
 
 #include <set>
@@ -50,7 +51,7 @@ protected:
     }
 };
 
-TEST_F(GradingTest, TheOrderIsTheLastTheFirstTheOnesCalledRightThenTheLatest) {
+TEST_F(GradingTest, JudgesTheLastTheFirstTheClaimedRightThenTheLatest) {
     const Attempt plain = number(1), called = number(2, "right");
     const auto order = [](const std::vector<const Attempt*>& answers) { return order_of_judging(answers); };
     using Places = std::vector<std::size_t>;
@@ -60,13 +61,13 @@ TEST_F(GradingTest, TheOrderIsTheLastTheFirstTheOnesCalledRightThenTheLatest) {
     EXPECT_EQ(order({&plain, &called, &plain, &called, &plain, &called}), (Places{5, 0, 3, 1, 4, 2}));
 }
 
-TEST_F(GradingTest, AFileCostsNoMoreThanItsBudgetAndKeepsItsPoints) {
+TEST_F(GradingTest, AFileStaysWithinItsBudgetAndKeepsItsPoints) {
     std::vector<Attempt> numbers, goals;
     for (int i = 0; i < 1000; ++i) numbers.push_back(number(1000.0 + i, "right"));
     for (int i = 0; i < 1000; ++i) goals.push_back(near_plane(0.5 + 0.001 * i));
     numbers.front() = number(10);           // wrong, and known
-    numbers.back() = number(40);            // right at last
-    goals[7] = near_plane(0.125, "right");  // right early, as the file says
+    numbers.back() = number(40);            // right in the end
+    goals[7] = near_plane(0.125, "right");  // right early, and the file says so
     Grader of_both = grader({number_exercise, measured_exercise});
     const StudentGrade grade = of_both.grade(hand_in({{"N1", numbers}, {"G1", goals}}), "f.json", {});
     ASSERT_EQ(grade.items.size(), 2U);
@@ -85,12 +86,12 @@ TEST_F(GradingTest, AFileCostsNoMoreThanItsBudgetAndKeepsItsPoints) {
     EXPECT_FALSE(grade.is_cut);
     ASSERT_EQ(grade.notes.size(), 1U);
     EXPECT_EQ(grade.notes[0].find("N1: " + std::to_string(others) + " of 1000, G1: " + std::to_string(measured) +
-                                  " of 1000 answers judged, the last"),
+                                  " of 1000 answers judged (the last"),
               0U)
         << grade.notes[0];
 }
 
-TEST_F(GradingTest, TheSameAnswerAgainCostsNothing) {
+TEST_F(GradingTest, RepeatingAnAnswerCostsNothing) {
     const std::vector<Attempt> again(1000, near_plane(0.3));
     const StudentGrade grade = grader({measured_exercise}).grade(hand_in({{"G1", again}}), "f.json", {});
     EXPECT_EQ(grade.items[0].judged(), 1000U);
@@ -98,12 +99,12 @@ TEST_F(GradingTest, TheSameAnswerAgainCostsNothing) {
     EXPECT_TRUE(grade.notes.empty());
 }
 
-TEST_F(GradingTest, WhereTheTimeRunsOutTheRestIsNotJudgedAndWhatIsRightStays) {
+TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
     const HandIn both =
         hand_in({{"N1", {number(1), number(2), number(40)}}, {"G1", {near_plane(0.5), near_plane(0.6)}}});
     for (int judged = 0; judged <= 5; ++judged) {
         Grader of_both = grader({number_exercise, measured_exercise});
-        int asked = -static_cast<int>(both.items.size());  // first, whether an exercise is worth making
+        int asked = -static_cast<int>(both.items.size());  // the first call for each asks whether to make its exercise
         of_both.stop_when([&] { return asked++ >= judged; }, "no time");
         const StudentGrade grade = of_both.grade(both, "f.json", {});
         const ItemGrade &typed = grade.items[0], &goal = grade.items[1];

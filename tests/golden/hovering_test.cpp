@@ -1,5 +1,5 @@
-// The status bar over the camera's picture: on screen, where nothing waits for GL, it comes to say what a picture
-// without a window says at once. No references.
+// The status bar over the camera's picture: on screen, where nothing waits for GL, it ends up with the text that an
+// offscreen picture shows immediately. No reference pictures.
 #include <chrono>
 #include <thread>
 
@@ -20,7 +20,7 @@ protected:
         ImGui::GetIO().MousePos = pointer;
         return made;
     }
-    /// Frames until none is wanted; how many.
+    /// Runs frames until none is requested; returns their number.
     static int rest(Studio& studio, bool is_on_screen) {
         int frames = 0;
         do {
@@ -29,7 +29,7 @@ protected:
         } while (++frames < 3 || (studio.redraw_in_s() >= 0.0 && studio.redraw_in_s() < 0.1 && frames < 5000));
         return frames;
     }
-    /// The status bar without the time of a frame.
+    /// The status bar without the frame time.
     static std::vector<std::uint8_t> status_bar(const Studio& studio) {
         constexpr int height_px = 20, first_px = 84;
         const Image window = studio.read();
@@ -40,7 +40,7 @@ protected:
     }
 };
 
-TEST_F(HoveringTest, OnScreenThePixelIsToldAsInAPicture) {
+TEST_F(HoveringTest, ReportsTheSamePixelOnScreenAndOffscreen) {
     std::vector<std::vector<std::uint8_t>> told;
     for (const ImVec2 pointer : {ImVec2{640.0F, 250.0F}, ImVec2{560.0F, 330.0F}, ImVec2{-1e6F, -1e6F}}) {
         std::unique_ptr<Studio> studio = studio_over(pointer);
@@ -48,12 +48,12 @@ TEST_F(HoveringTest, OnScreenThePixelIsToldAsInAPicture) {
         const std::vector<std::uint8_t> at_once = status_bar(*studio);
         studio.reset();
         studio = studio_over(pointer);
-        EXPECT_LT(rest(*studio, true), 5000) << "it does not come to rest";
+        EXPECT_LT(rest(*studio, true), 5000) << "the window does not come to rest";
         EXPECT_EQ(status_bar(*studio), at_once);
         told.push_back(at_once);
     }
     EXPECT_NE(told[0], told[1]);
-    EXPECT_NE(told[1], told[2]) << "nothing is told of a pixel";
+    EXPECT_NE(told[1], told[2]) << "no pixel is reported";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The small pictures beside the list of presets: what a snapshot of the preset shows, made once, and nothing for what
-// cannot be made.
+// The thumbnails beside the list of presets: each equals a snapshot of its preset and is made once; unreadable presets
+// have none.
 #include "app/preset_pictures.h"
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace {
 
 class PresetPicturesTest : public testing::GlTest {
 protected:
-    /// Asked for once a frame, as the window does.
+    /// Requests the picture once a frame, as the window does.
     static PresetPicture finished(PresetPictures& pictures, const std::string& name) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         do {
@@ -35,10 +35,10 @@ protected:
     }
 };
 
-TEST_F(PresetPicturesTest, AreWhatASnapshotOfThePresetShows) {
+TEST_F(PresetPicturesTest, EqualASnapshotOfThePreset) {
     PresetPictures pictures(renderer());
     EXPECT_EQ(pictures.of("").texture, nullptr);
-    EXPECT_EQ(pictures.of("walk").texture, nullptr) << "nobody waits for it";
+    EXPECT_EQ(pictures.of("walk").texture, nullptr) << "the call does not wait for it";
     for (const char* name : {"walk", "painter-cycle", "newell-cycle", "depth-few-bits"}) {
         SCOPED_TRACE(name);
         const PresetPicture picture = finished(pictures, name);
@@ -50,10 +50,10 @@ TEST_F(PresetPicturesTest, AreWhatASnapshotOfThePresetShows) {
     }
     const ImTextureID kept = pictures.of("walk").texture;
     EXPECT_NE(kept, nullptr);
-    EXPECT_FALSE(pictures.is_busy()) << "it is kept";
+    EXPECT_FALSE(pictures.is_busy()) << "the picture is kept";
 }
 
-TEST_F(PresetPicturesTest, WhatCannotBeReadHasNone) {
+TEST_F(PresetPicturesTest, UnreadablePresetsHaveNone) {
     PresetPictures pictures(renderer());
     EXPECT_EQ(finished(pictures, "no-such-preset").texture, nullptr);
     EXPECT_EQ(finished(pictures, "no-such-preset").texture, nullptr);

@@ -1,6 +1,6 @@
-// What is measured in pictures, in front of a room: tables of pixels and of fighting pairs are seen whole at the sizes
-// of projectors, after each answer, and before it where there is the least room. No references; what needs no GL is
-// tests/ui/lesson_test.cpp's.
+// Measured tables on stage: tables of pixels and of fighting pairs fit completely at projector sizes, after each
+// answer, and at the smallest size also before it. No reference pictures; the parts without GL are in
+// tests/ui/lesson_test.cpp.
 #include "app/resting_window.h"
 #include "gl/gl_test.h"
 #include "lesson/lesson.h"
@@ -9,9 +9,9 @@
 namespace viewing {
 namespace {
 
-class RoomTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {};
+class StageTablesTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {};
 
-TEST_P(RoomTest, TablesOfPixelsAndOfFightingPairsAreSeenWhole) {
+TEST_P(StageTablesTest, TablesOfPixelsAndFightingPairsFitCompletely) {
     int count = 0;
     for (const LessonFile& file : lessons()) {
         const Result<Lesson> lesson = load_lesson(file.path.string());
@@ -37,7 +37,7 @@ TEST_P(RoomTest, TablesOfPixelsAndOfFightingPairsAreSeenWhole) {
     EXPECT_GE(count, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Projectors, RoomTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));
+INSTANTIATE_TEST_SUITE_P(Projectors, StageTablesTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));
 
 }  // namespace
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Every view as a figure, by a frame's own vertices and pixels: each letter of the frame is in the drawing, in its SVG
-// document and on its page of PDF, and the page as Poppler draws it has the picture's colours place by place.
+// Every view as a figure, checked against a frame's own vertices and pixels: each letter of the frame is in the
+// drawing, in its SVG document and on its PDF page, and the page drawn by Poppler has the picture's colors everywhere.
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -24,7 +24,7 @@ struct Shown {
     std::vector<std::string> settings = {};
 };
 
-/// Every view once, tables and the whole window in the other looks as well.
+/// Every view once; tables and the whole window also in the other looks.
 const std::vector<Shown>& shown_views() {
     static const std::vector<Shown> all = {
         {PictureView::window},
@@ -75,12 +75,12 @@ std::map<char32_t, int> letters_in(const std::string& text) {
     return counts;
 }
 
-/// The mean colours of squares of this many pixels, about a digit's: each program smooths edges in its own way.
+/// The mean colors of squares of this many pixels, about one digit: each program antialiases in its own way.
 constexpr int side_px = 8;
 
 struct Place {
     int x = 0, y = 0;
-    double difference = 0.0;  ///< of the channel that differs most, levels of 255
+    double difference = 0.0;  ///< of the channel that differs most, in levels of 255
 };
 
 Place worst_place(const Image& a, const Image& b) {
@@ -111,7 +111,7 @@ protected:
 
     void expect_same_page(const Drawing& drawing, const Image& picture) const {
         if (!runs("command -v pdftoppm >/dev/null"))
-            GTEST_SKIP() << "no Poppler: Debian's package poppler-utils has it";
+            GTEST_SKIP() << "no Poppler; it is in Debian's package poppler-utils";
         ASSERT_TRUE(write_file(file(".pdf"), as_pdf(drawing, {})));
         ASSERT_TRUE(runs("pdftoppm -r 96 -png -singlefile " + file(".pdf") + " " + file("")));
         ASSERT_TRUE(runs("pdftotext -raw " + file(".pdf") + " " + file(".txt")));
@@ -134,7 +134,7 @@ private:
     fs::path folder_ = fs::path(::testing::TempDir()) / ("viewing-figure-" + std::to_string(std::rand()));
 };
 
-TEST_P(WholeFigureSlowTest, HasWhatItsFrameHas) {
+TEST_P(WholeFigureSlowTest, ContainsAllOfItsFrame) {
     const Shown& shown = shown_views()[GetParam()];
     const std::string name = picture_view_names[static_cast<std::size_t>(shown.view)];
     SCOPED_TRACE(name + " " + shown.preset);
@@ -156,7 +156,7 @@ TEST_P(WholeFigureSlowTest, HasWhatItsFrameHas) {
     expect_same_page(drawing, window.read());
 }
 
-TEST(WholeFigures, AreOfEveryView) {
+TEST(WholeFigures, CoverEveryView) {
     for (std::size_t view = 0; view < picture_view_names.size(); ++view)
         EXPECT_TRUE(std::any_of(shown_views().begin(), shown_views().end(), [view](const Shown& shown) {
             return static_cast<std::size_t>(shown.view) == view;

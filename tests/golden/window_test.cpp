@@ -1,4 +1,4 @@
-// What is on screen and what a snapshot writes are the same bytes, however often they are drawn. No references here.
+// The screen and its snapshot are the same bytes, however often they are drawn. No reference pictures.
 #include <chrono>
 #include <set>
 #include <thread>
@@ -49,7 +49,7 @@ TEST_F(WindowTest, FramebufferAndSnapshotAreByteEqual) {
     }
 }
 
-TEST_F(WindowTest, ShowsThePictureThatTheCameraSnapshotIs) {
+TEST_F(WindowTest, ShowsTheSamePictureAsTheCameraSnapshot) {
     for (const char* const setting : {"view.samples=4", "view.samples=0", "view.shows=depth", "view.shows=facing"}) {
         const LoadedState state = state_with({setting});
         const Driven driven = drive(state, {1280, 720});
@@ -59,8 +59,8 @@ TEST_F(WindowTest, ShowsThePictureThatTheCameraSnapshotIs) {
     }
 }
 
-/// What F12 writes.
-TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughAnotherViewHasTheWindow) {
+/// The picture that F12 writes.
+TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMaximizedView) {
     const LoadedState state = state_with({"view.layout.big=lower_left"});
     Studio studio(renderer(), Session(state, scene_of(state)));
     const auto expect_its_state = [&](const char* when) {
@@ -82,7 +82,7 @@ TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughAnotherViewHasTheWindow
     expect_its_state("off screen, and turned");
 }
 
-TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughTheLightMoves) {
+TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMovingLight) {
     const LoadedState state = state_with({"animation.light_orbit=true"});
     Studio studio(renderer(), Session(state, scene_of(state)));
     FrameInput input;
@@ -96,7 +96,7 @@ TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughTheLightMoves) {
     EXPECT_EQ(shown, snapshot(carried, {PictureView::camera, {shown.width, shown.height}, std::nullopt}));
 }
 
-/// As frames do it, until the stand-ins are made.
+/// Runs frames until the coarse meshes are made.
 const Scene* held(StandIns& stand_ins, const Scene& scene, int version, bool is_slow) {
     for (int frame = 0; frame < 10000; ++frame) {
         stand_ins.follow(scene, version);
@@ -107,27 +107,27 @@ const Scene* held(StandIns& stand_ins, const Scene& scene, int version, bool is_
     return nullptr;
 }
 
-TEST_F(WindowTest, DrawsALargeSceneCoarselyWhileItIsHeldAndWasSlow) {
+TEST_F(WindowTest, DrawsALargeSlowSceneCoarselyWhileHeld) {
     const Scene small = scene_of(state_with({}));
     Scene large = small;
     large.objects.front().mesh = std::make_shared<const Mesh>(sphere_mesh(600, 300));
     ASSERT_GT(large.objects.front().mesh->triangle_count(), 300'000U);
     StandIns stand_ins;
-    EXPECT_EQ(held(stand_ins, large, 1, false), nullptr) << "it is quick enough";
+    EXPECT_EQ(held(stand_ins, large, 1, false), nullptr) << "drawing is fast enough";
     const Scene* const coarse = held(stand_ins, large, 1, true);
     ASSERT_TRUE(coarse);
     EXPECT_LT(coarse->objects.front().mesh->triangle_count(), 30'001U);
     EXPECT_GT(coarse->objects.front().mesh->triangle_count(), 5'000U);
-    EXPECT_EQ(coarse->objects.back().mesh, large.objects.back().mesh) << "it is small";
+    EXPECT_EQ(coarse->objects.back().mesh, large.objects.back().mesh) << "the scene is small";
     EXPECT_NE(stand_ins.sentence().find(" of 358,824 triangles"), std::string::npos) << stand_ins.sentence();
     EXPECT_EQ(stand_ins.choose(false, true), nullptr) << "at rest";
-    EXPECT_EQ(stand_ins.choose(true, false), coarse) << "it was slow once";
+    EXPECT_EQ(stand_ins.choose(true, false), coarse) << "drawing was slow once";
     EXPECT_EQ(held(stand_ins, large, 2, false), nullptr) << "another scene";
     stand_ins.follow(small, 3);
     EXPECT_EQ(stand_ins.choose(true, true), nullptr) << "nothing is large";
 }
 
-TEST_F(WindowTest, RestsAfterItsFrameAndStaysAsItIs) {
+TEST_F(WindowTest, RestsAfterItsFrameAndStaysUnchanged) {
     const LoadedState state = state_with({});
     Studio studio(renderer(), Session(state, scene_of(state)));
     const Studio::Surroundings surroundings{.size_px = {1280, 720}, .input = {}};
@@ -159,7 +159,7 @@ TEST_F(WindowTest, APresentersClockDelaysNothingElse) {
         studio.frame({.size_px = {1280, 720}, .shows_time = true, .input = input});
     };
     for (int second = 0; second < 59; ++second) pass(1.0);
-    EXPECT_NEAR(studio.redraw_in_s(), 1.0, 1e-6) << "the notes tell the minute";
+    EXPECT_NEAR(studio.redraw_in_s(), 1.0, 1e-6) << "the notes show the minute";
     pass(1.5);
     EXPECT_NEAR(studio.redraw_in_s(), 59.5, 1e-6);
 
@@ -170,11 +170,11 @@ TEST_F(WindowTest, APresentersClockDelaysNothingElse) {
     studio.session.message = {"saved"};
     studio.session.message.shown_s = 7.75;
     pass(0.01);
-    EXPECT_NEAR(studio.redraw_in_s(), 0.25, 0.02) << "the news end in time";
+    EXPECT_NEAR(studio.redraw_in_s(), 0.25, 0.02) << "the message expires in time";
 }
 
-/// The chart of costs is drawn anew for its file, beside a window that goes on as it was.
-TEST_F(WindowTest, WritesACostsChartThatCanBePrinted) {
+/// The cost chart is redrawn for its file while the window continues unchanged.
+TEST_F(WindowTest, WritesAPrintableCostChart) {
     const LoadedState state = state_with({"view.lower_left=growth"});
     Studio studio(renderer(), Session(state, scene_of(state)));
     GrowthViewState& growth = studio.workbench.views.hidden.growth;
@@ -203,7 +203,7 @@ TEST_F(WindowTest, WritesACostsChartThatCanBePrinted) {
 
 class WindowSlowTest : public WindowTest {};
 
-TEST_F(WindowSlowTest, DrawsAndRepeatsAtFourTimesThePixels) {
+TEST_F(WindowSlowTest, IsReproducibleAtFourTimesThePixels) {
     const LoadedState state = state_with({"ui.scale=2"});
     const PictureRequest request{PictureView::window, {3840, 2160}, std::nullopt};
     const Image picture = snapshot(state, request);
@@ -214,7 +214,7 @@ TEST_F(WindowSlowTest, DrawsAndRepeatsAtFourTimesThePixels) {
               3840 * 2160 / 4);
 }
 
-TEST_F(WindowTest, EveryViewOfASnapshotRepeats) {
+TEST_F(WindowTest, EveryViewOfASnapshotIsReproducible) {
     for (const PictureView view :
          {PictureView::window, PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::observer}) {
         const LoadedState state = state_with({});

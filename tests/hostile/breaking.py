@@ -1,4 +1,4 @@
-"""Breaks inputs by their structure: types stay, sizes do not; names lead back; one of something becomes a million.
+"""Breaks inputs by their structure: types stay, sizes change, names form cycles, one item becomes a million.
 
 Every function takes a random.Random and returns something new. Nothing returned is larger than about 30 MB.
 """
@@ -25,7 +25,7 @@ EXPRESSIONS = ["(function() while true do end end)()", "string.rep('a', 1e9)", "
 
 
 def repeated(item, count):
-    """A list of so many, or of as many as are MOST_BYTES as text."""
+    """A list of `count` items, or of as many as fit MOST_BYTES as text."""
     try:
         size = len(json.dumps(item)) + 2
     except (ValueError, TypeError):
@@ -34,7 +34,7 @@ def repeated(item, count):
 
 
 def places(document, path=()):
-    """The paths of all values."""
+    """Returns the paths of all values."""
     found = [path]
     children = document.items() if isinstance(document, dict) else enumerate(document) if isinstance(document, list) else ()
     for key, value in children:
@@ -56,7 +56,7 @@ def put(document, path, value):
 
 
 def other_of_its_type(random, value, names):
-    """Right type, wrong size; now and then another type."""
+    """The right type with the wrong size; occasionally another type."""
     if random.random() < 0.15:
         return random.choice([None, True, 0, "", [], {}, [[]], [[[[]]]], "1", 1.5, {"a": {}}])
     if isinstance(value, bool):
@@ -95,7 +95,7 @@ def other_of_its_type(random, value, names):
 
 
 def broken_document(random, document, names):
-    """The bytes of a JSON document of which one to three places are broken. `names`: files, this one among them."""
+    """Returns the bytes of a JSON document broken in one to three places. `names`: files, including this one."""
     paths = places(document)
     document = copy.deepcopy(document)
     for _ in range(random.choice([1, 1, 1, 2, 3])):
@@ -103,7 +103,7 @@ def broken_document(random, document, names):
         try:
             document = put(document, path, other_of_its_type(random, at(document, path), names))
         except (KeyError, IndexError, TypeError):
-            continue  # an earlier break has taken it away
+            continue  # removed by an earlier break
     text = json.dumps(document, ensure_ascii=random.random() < 0.5)
     kind = random.random()
     if kind < 0.06:
@@ -118,7 +118,7 @@ def broken_document(random, document, names):
 
 
 def broken_bytes(random, data, share):
-    """With this probability cut, filled, repeated, turned, or in another encoding."""
+    """With this probability truncates, changes, pads, repeats or re-encodes the data."""
     if random.random() >= share or not data:
         return data
     kind = random.randrange(8)
@@ -141,7 +141,7 @@ def broken_bytes(random, data, share):
 
 
 def broken_obj(random, text):
-    """A Wavefront file: counts, indices and numbers that do not fit."""
+    """Breaks a Wavefront file: counts, indices and numbers that do not fit."""
     lines = text.splitlines()
     kind = random.randrange(12)
     line = random.randrange(len(lines))
@@ -161,7 +161,7 @@ def broken_obj(random, text):
     elif kind == 6:
         lines.append("mtllib " + random.choice(["input.obj", "/dev/zero", "../" * 1_000, "a" * 100_000]))
     elif kind == 7:
-        lines += [f"v {i} {i * i % 7} {i * 31 % 11}" for i in range(min(count, 300_000))]
+        lines += [f"v {i} {i * i % 7} {i * 31% 11}" for i in range(min(count, 300_000))]
         lines.append("f " + " ".join(str(5 + i) for i in range(min(count, 300_000))))
     elif kind == 8:
         lines += [f"s {i}" if i % 2 else "f 1 2 3" for i in range(min(count, 300_000))]
@@ -180,7 +180,7 @@ def chunk(kind, data):
 
 
 def broken_png(random, data, note):
-    """A PNG whose sizes, chunks, pixels or state do not fit. `note`: the key of its state."""
+    """Breaks a PNG: sizes, chunks, pixels or state that do not fit. `note`: the key of its state."""
     chunks, place = [], 8
     while place < len(data):
         length, kind = struct.unpack(">I4s", data[place:place + 8])
@@ -223,7 +223,7 @@ def repeated_chunks(each, count):
 
 
 def broken_figure(random, data):
-    """An SVG or PDF: its state and its text."""
+    """Breaks an SVG or PDF: its state and its text."""
     kind = random.randrange(5)
     if kind == 0:
         return data.replace(b"{", random.choice([b"{{", b"[" * 100_000, b"{\"scene\": \"input.svg\","]), 1)
@@ -236,7 +236,7 @@ def broken_figure(random, data):
 
 
 def value_text(random):
-    """What may stand behind --set PATH=, or be an option's value."""
+    """A text for --set PATH= or an option's value."""
     kind = random.randrange(6)
     if kind == 0:
         return str(random.choice(NUMBERS))

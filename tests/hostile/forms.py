@@ -1,6 +1,6 @@
-"""Sound inputs of every form that the program reads, small: what tests/hostile/run breaks by structure.
+"""Small valid inputs of every format that the program reads; tests/hostile/run breaks them by structure.
 
-Those that the program can write it writes itself, so that they have every field that there is.
+The program itself writes those that it can, so that they have every existing field.
 """
 import json
 import subprocess
@@ -70,7 +70,7 @@ EXPRESSIONS = ["S[0][3]", "facts.plane_dot_light", "transpose(S)[1][2]", "depth_
 
 
 class Forms:
-    """`program` makes the figures, pictures, links and the whole state."""
+    """`program` makes the figures, pictures, links and the complete state."""
 
     def __init__(self, program, folder):
         self.program = program
@@ -96,5 +96,5 @@ class Forms:
         return ended.stdout
 
     def paths(self):
-        """The paths of the state file, for --set and --vary."""
+        """Returns the paths of the state file, for --set and --vary."""
         return [field["path"] for field in (self.fields["params"] if isinstance(self.fields, dict) else self.fields)]

@@ -1,5 +1,4 @@
-// What is read for the views below the camera's: the same as asking the probe anew, step by step, and nothing older
-// than the picture.
+// Values read for the lower views: the same as from a fresh probe at each step, and never older than the picture.
 #include "measure/depth_inspector.h"
 
 #include <numeric>
@@ -32,7 +31,7 @@ protected:
     DepthInspector inspector;
 };
 
-TEST_F(Inspector, TellsWhatIsWantedAndNothingElse) {
+TEST_F(Inspector, ReadsOnlyWhatIsRequested) {
     const DepthData& nothing = tell({});
     EXPECT_FALSE(nothing.pixel);
     EXPECT_TRUE(nothing.calls.empty() && nothing.fragments.empty() && nothing.depth_counts.counts.empty());
@@ -44,15 +43,15 @@ TEST_F(Inspector, TellsWhatIsWantedAndNothingElse) {
     EXPECT_EQ(tell({.calls = true}).calls.size(), 4U);  // the patch and three objects
 }
 
-TEST_F(Inspector, ReadsAgainWhenThePictureHasChanged) {
+TEST_F(Inspector, RereadsWhenThePictureHasChanged) {
     const DepthWishes wishes{.pixel = glm::ivec2(80, 45), .fragments = true};
     const double before = tell(wishes).pixel->eye_z;
     params.camera.position.z += 1.0;
-    EXPECT_EQ(tell(wishes).pixel->eye_z, before);  // nobody has said so
+    EXPECT_EQ(tell(wishes).pixel->eye_z, before);  // no change was announced
     EXPECT_NE(tell_anew(wishes).pixel->eye_z, before);
 }
 
-TEST_F(Inspector, FindsFragmentsOfTheSceneThatIsThere) {
+TEST_F(Inspector, FindsFragmentsOfTheCurrentScene) {
     const DepthWishes wishes{.pixel = glm::ivec2(80, 45), .fragments = true};
     ASSERT_FALSE(tell(wishes).fragments.empty());
     scene = testing::scene_named("coplanar");
@@ -61,8 +60,8 @@ TEST_F(Inspector, FindsFragmentsOfTheSceneThatIsThere) {
         EXPECT_EQ(fragment.object.find("box"), std::string::npos) << fragment.object;
 }
 
-/// A triangle touches the pixel when it is one more surface on its ray.
-TEST_F(Inspector, TouchesAreTheTrianglesThatSendThePixelAFragment) {
+/// A triangle touches the pixel if it adds a surface on the pixel's ray.
+TEST_F(Inspector, TouchesAreTrianglesThatSendThePixelAFragment) {
     const glm::ivec2 pixel(77, 48);
     const DepthWishes wishes{.pixel = pixel, .calls = true};
     const std::vector<DrawCall> calls = tell(wishes).calls;
@@ -81,13 +80,13 @@ TEST_F(Inspector, TouchesAreTheTrianglesThatSendThePixelAFragment) {
         }
     EXPECT_GT(expected.size(), 2U);
     EXPECT_EQ(touches, expected);
-    params.view.call = 1;  // of a limited frame those still to come, too
+    params.view.call = 1;  // a limited frame also lists the touches after its limit
     params.view.triangle = 1;
     EXPECT_EQ(tell_anew(wishes).touches, expected);
 }
 
-/// Whatever the step, what changes between the two blocks is what the fragments say, cell by cell.
-TEST_F(Inspector, StepsChangeTheCellsThatTheirFragmentsPass) {
+/// At each step the two blocks differ exactly where the fragments say so, cell by cell.
+TEST_F(Inspector, StepsChangeTheCellsWhoseFragmentsPass) {
     const DepthWishes wishes{.pixel = glm::ivec2(77, 48), .calls = true, .cells = glm::ivec2(9, 7)};
     const std::vector<DrawCall> calls = tell(wishes).calls;
     int changed = 0, sent = 0;

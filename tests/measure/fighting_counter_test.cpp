@@ -1,5 +1,5 @@
-// The numbers beside the window: the same as counted at once, whenever they come; nothing is begun while something is
-// held, and what belongs to an earlier state says so.
+// Counts computed in the background equal synchronous counts, whenever they arrive. Nothing starts while the user holds
+// a control, and results from an earlier state are marked as such.
 #include "measure/fighting_counter.h"
 
 #include <thread>
@@ -19,7 +19,7 @@ protected:
     std::shared_ptr<const FightingReport> update(bool waits, bool rests) {
         return counter.update(renderer(), params, scene, version, counted_px, waits, rests);
     }
-    /// Frame after frame, as a window does it.
+    /// Runs frame after frame, as a window does.
     std::shared_ptr<const FightingReport> finish() {
         auto report = update(!may_wait, is_at_rest);
         for (int frame = 0; frame < 10000 && counter.wants_frames(); ++frame) {
@@ -35,7 +35,7 @@ protected:
     FightingCounter counter;
 };
 
-TEST_F(Counter, GivesWhatIsCountedAndSearchedAtOnce) {
+TEST_F(Counter, EqualsTheSynchronousCountAndSearch) {
     const auto report = update(may_wait, !is_at_rest);
     ASSERT_TRUE(report);
     EXPECT_FALSE(counter.wants_frames());
@@ -55,7 +55,7 @@ TEST_F(Counter, GivesWhatIsCountedAndSearchedAtOnce) {
     EXPECT_EQ(report->minimum_gap->pictures, found->pictures);
 }
 
-TEST_F(Counter, ComesToTheSameFrameByFrame) {
+TEST_F(Counter, GivesTheSameResultFrameByFrame) {
     const auto report = finish();
     ASSERT_TRUE(report);
     FightingCounter other;
@@ -72,7 +72,7 @@ TEST_F(Counter, ComesToTheSameFrameByFrame) {
         EXPECT_EQ(report->rows[i].spread.mean(), at_once->rows[i].spread.mean()) << i;
 }
 
-TEST_F(Counter, BeginsNothingWhileSomethingIsHeld) {
+TEST_F(Counter, StartsNothingWhileAControlIsHeld) {
     EXPECT_FALSE(update(!may_wait, !is_at_rest));
     EXPECT_FALSE(counter.wants_frames());
     const double before = finish()->counts.wrong_fraction();
@@ -86,7 +86,7 @@ TEST_F(Counter, BeginsNothingWhileSomethingIsHeld) {
     EXPECT_EQ(after->counts.wrong_fraction(), 0.0);
 }
 
-TEST_F(Counter, IsNotBehindWhereWhatIsHeldComesBack) {
+TEST_F(Counter, IsUpToDateWhenTheHeldValueReturns) {
     const auto go_away_and_come_back = [&] {
         params.projection.near = 0.5;
         const auto away = update(!may_wait, !is_at_rest);
@@ -95,7 +95,7 @@ TEST_F(Counter, IsNotBehindWhereWhatIsHeldComesBack) {
         return update(!may_wait, !is_at_rest);
     };
     update(!may_wait, is_at_rest);
-    go_away_and_come_back();  // the count, or the search, still runs
+    go_away_and_come_back();  // the count, or the search, is still running
     EXPECT_TRUE(counter.wants_frames());
     finish();
     const auto back = go_away_and_come_back();
@@ -104,7 +104,7 @@ TEST_F(Counter, IsNotBehindWhereWhatIsHeldComesBack) {
     EXPECT_GT(back->counts.wrong_fraction(), 0.1);
 }
 
-TEST_F(Counter, CountsAnewOnlyForWhatMatters) {
+TEST_F(Counter, RecountsOnlyForRelevantChanges) {
     finish();
     params.ui.theme = Theme::light;
     params.view.shows = Shows::depth;
@@ -114,15 +114,15 @@ TEST_F(Counter, CountsAnewOnlyForWhatMatters) {
     EXPECT_TRUE(update(!may_wait, !is_at_rest)->counts_are_behind);
 }
 
-TEST_F(Counter, BelongsToTheSceneThatIsThere) {
+TEST_F(Counter, BelongsToTheCurrentScene) {
     finish();
     scene = testing::scene_named("torus-and-boxes");
     params.scene = std::string("torus-and-boxes");
     ++version;
     const auto held = update(!may_wait, !is_at_rest);
-    EXPECT_EQ(held->rows.size(), 6U) << "the old ones stay until there are others";
+    EXPECT_EQ(held->rows.size(), 6U) << "the old rows stay until there are new ones";
     EXPECT_TRUE(held->counts_are_behind);
-    EXPECT_TRUE(update(!may_wait, is_at_rest)) << "while others are counted";
+    EXPECT_TRUE(update(!may_wait, is_at_rest)) << "while new rows are counted";
     const auto report = finish();
     EXPECT_TRUE(report->rows.empty());
     EXPECT_EQ(report->counts.wrong_fraction(), 0.0);

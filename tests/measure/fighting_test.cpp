@@ -1,5 +1,5 @@
-// Depth fighting as it is counted in GL's pictures, against what the formulas say of it: the smallest gap that every
-// format and mapping tells apart, and each cure. VIEWING_LONG_TESTS=N searches N times as many.
+// Depth fighting counted in GL's pictures, against the formulas' predictions: the smallest gap that each format and
+// mapping resolves, and each cure. VIEWING_LONG_TESTS=N searches N times as many.
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 fighting_px(640, 360);
 
-/// How many codes lie between the near plane and a distance; many for a float.
+/// Returns the number of codes between the near plane and a distance; a large number for floats.
 double codes_before(const Params& params, double z) {
     const double n = params.projection.near, f = params.projection.far;
     const DepthPrecision precision = precision_of(params.depth.format);
@@ -60,7 +60,7 @@ Params random_depth(Random& random, DepthFormat format, DepthMapping mapping, bo
     return params;
 }
 
-TEST_F(Fighting, BeginsWithinAFactorThreeOfWhatIsPredicted) {
+TEST_F(Fighting, BeginsWithinAFactorOfThreeOfThePrediction) {
     Random random(seed);
     const char* const longer = std::getenv("VIEWING_LONG_TESTS");
     const int trials = 6 * std::max(longer ? std::atoi(longer) : 1, 1);
@@ -73,7 +73,7 @@ TEST_F(Fighting, BeginsWithinAFactorThreeOfWhatIsPredicted) {
                 double distance = near;
                 do {
                     distance = near * std::pow(far / near, random.number(0.2, 0.98));
-                } while (codes_before(params, distance) < 2.5);  // else nothing is nearer by a whole code
+                } while (codes_before(params, distance) < 2.5);  // otherwise no position is a whole code nearer
                 const MinimumGap found = search(params, distance);
                 const std::string what = "seed " + std::to_string(seed) + " format " + std::to_string(format) +
                                          " mapping " + std::to_string(static_cast<int>(mapping)) + " near " +
@@ -92,8 +92,8 @@ TEST_F(Fighting, BeginsWithinAFactorThreeOfWhatIsPredicted) {
     }
 }
 
-TEST_F(Fighting, IsPredictedByTheSizeOfTheGapInCodes) {
-    // With 16 bits rounding in arithmetic is small, so the share of ties is the share of wrong pixels.
+TEST_F(Fighting, DependsOnTheGapInCodes) {
+    // With 16 bits, arithmetic rounding is small, so the share of ties is the share of wrong pixels.
     const Scene scene = testing::scene_named("coplanar");
     const Result<LoadedState> state = load_state("fighting-16-bit");
     ASSERT_TRUE(state) << state.error();
@@ -112,7 +112,7 @@ TEST_F(Fighting, IsPredictedByTheSizeOfTheGapInCodes) {
     }
 }
 
-TEST_F(Fighting, NeedsNothingFromTheMethodThePlaneOrTheShadow) {
+TEST_F(Fighting, IsIndependentOfMethodPlaneAndShadow) {
     const Scene scene = testing::scene_named("coplanar");
     Params params = load_state("depth-fighting")->params;
     const FightingCounts alone = count(params, scene);
@@ -124,7 +124,7 @@ TEST_F(Fighting, NeedsNothingFromTheMethodThePlaneOrTheShadow) {
     EXPECT_EQ(count(params, scene).wrong_fraction(), alone.wrong_fraction());
 }
 
-TEST_F(Fighting, IsCuredByARaisedNearPlaneMoreBitsReversedFloatsAndLogarithms) {
+TEST_F(Fighting, IsCuredByRaisingNearMoreBitsReversedFloatsAndLogarithms) {
     EXPECT_GT(count("depth-fighting").wrong_fraction(), 0.1);
     EXPECT_GT(count("fighting-16-bit").wrong_fraction(), 0.3);
     for (const char* const cure : {"coplanar", "fighting-near-raised", "fighting-reversed", "fighting-logarithmic"}) {
@@ -135,14 +135,14 @@ TEST_F(Fighting, IsCuredByARaisedNearPlaneMoreBitsReversedFloatsAndLogarithms) {
     }
 }
 
-TEST_F(Fighting, OfDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
+TEST_F(Fighting, OnDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
     EXPECT_GT(count("fighting-decals").wrong_fraction(), 0.3);
     EXPECT_EQ(count("fighting-decals").wrong_elsewhere, 0);
     const FightingCounts right = count("fighting-offset");
     ASSERT_EQ(right.pairs.size(), 4U);
     EXPECT_EQ(right.wrong_fraction(), 0.0);
     EXPECT_EQ(right.wrong_elsewhere, 0);
-    // Half a code: one in two is rounded away.
+    // Half a code: rounding removes it at every second pixel.
     EXPECT_NEAR(count("fighting-offset-too-little").wrong_fraction(), 0.5, 0.06);
     EXPECT_EQ(count("fighting-offset-too-little").wrong_elsewhere, 0);
     const FightingCounts too_much = count("fighting-offset-too-much");
@@ -151,7 +151,7 @@ TEST_F(Fighting, OfDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
     EXPECT_GT(count("fighting-offset-wrong-sign").wrong_fraction(), 0.99);
 }
 
-TEST_F(Fighting, OfDecalsIsCuredByTheStencilAndNotByEqualDepth) {
+TEST_F(Fighting, OnDecalsIsCuredByTheStencilButNotByEqualDepth) {
     const FightingCounts equal = count("fighting-decals-equal"), stencil = count("fighting-decals-stencil");
     ASSERT_EQ(equal.pairs.size(), 4U);
     ASSERT_EQ(stencil.pairs.size(), 4U);
@@ -162,7 +162,7 @@ TEST_F(Fighting, OfDecalsIsCuredByTheStencilAndNotByEqualDepth) {
     for (const CountedPair& pair : stencil.pairs) EXPECT_GT(pair.pixels, 1000);
 }
 
-TEST_F(Fighting, IsCountedWithEachCureAsIfItWereSetByHand) {
+TEST_F(Fighting, IsCountedWithEachCureAsIfSetByHand) {
     const char* const settings[][2] = {
         {"projection.near=3.4", ""},
         {"depth.format=d32f", ""},
@@ -192,10 +192,10 @@ TEST_F(Fighting, IsCountedWithEachCureAsIfItWereSetByHand) {
     EXPECT_GT(share(CureKind::float_format), 0.1) << "near 1 a float has the codes of 24 bits";
     EXPECT_GT(share(CureKind::equal), 0.1) << "there is a gap";
     EXPECT_EQ(share(CureKind::stencil), 0.0);
-    EXPECT_GT(report.cured.back().counts->wrong_elsewhere, 1000) << "what sticks out beside its wall is lost";
+    EXPECT_GT(report.cured.back().counts->wrong_elsewhere, 1000) << "parts that stick out beside the wall are lost";
 }
 
-TEST_F(Fighting, IsCountedInTheWholeFrameWhateverStepIsShown) {
+TEST_F(Fighting, IsCountedInTheWholeFrameAtEveryStep) {
     const Scene scene = testing::scene_named("coplanar");
     Params params = load_state("depth-fighting")->params;
     const FightingCounts whole = count(params, scene);
@@ -205,8 +205,8 @@ TEST_F(Fighting, IsCountedInTheWholeFrameWhateverStepIsShown) {
     EXPECT_EQ(count(params, scene).wrong_fraction(), whole.wrong_fraction());
 }
 
-TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
-    // Every cure and slip of the presets, with few bits so that rounding plays no part.
+TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
+    // Every cure and mistake of the presets, with few bits so that rounding plays no part.
     for (const char* const preset : {"fighting-decals", "fighting-decals-stencil", "fighting-offset-too-little",
                                      "fighting-16-bit", "fighting-reversed", "fighting-logarithmic"}) {
         const Result<LoadedState> state = load_state(preset);
@@ -214,7 +214,7 @@ TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
         Params params = state->params;
         params.depth.format = DepthFormat::d12;
         const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
-        const glm::ivec2 large_px = 2 * fighting_px;  // so that the stripes are many pixels wide
+        const glm::ivec2 large_px = 2 * fighting_px;  // makes the stripes many pixels wide
         const Derived derived = derive(params, scene, {large_px, renderer().capabilities().clip_control});
         const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), large_px);
         int said = 0;
@@ -230,8 +230,8 @@ TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
     }
 }
 
-TEST_F(Fighting, IsWithinWhatIsSaidFromEveryCamera) {
-    // Random lenses, gaps, tilts and formats before the six pairs; what is said holds for each picture.
+TEST_F(Fighting, StaysWithinThePredictionFromEveryCamera) {
+    // Random lenses, gaps, tilts and formats in front of the six pairs; the prediction holds for each picture.
     Random random(seed);
     int said = 0, said_between = 0;
     for (int trial = 0; trial < 24; ++trial) {
@@ -269,7 +269,7 @@ TEST_F(Fighting, IsWithinWhatIsSaidFromEveryCamera) {
     EXPECT_GT(said_between, 20);
 }
 
-TEST_F(Fighting, Of24BitsIsSaidOnlyWhereItIsSureAndSpreadsOverCameras) {
+TEST_F(Fighting, At24BitsIsPredictedOnlyWhenCertainAndVariesByCamera) {
     const Params params = load_state("depth-fighting")->params;
     const Scene scene = testing::scene_named("coplanar");
     const Derived derived = derive(params, scene, {fighting_px, true});
@@ -283,10 +283,10 @@ TEST_F(Fighting, Of24BitsIsSaidOnlyWhereItIsSureAndSpreadsOverCameras) {
     }
     EXPECT_EQ(report.rows.front().spread.most, 0.0);
     const ShareSpread& at_24 = report.rows.at(3).spread;
-    EXPECT_GT(at_24.most - at_24.least, 0.3) << "one picture says little";
+    EXPECT_GT(at_24.most - at_24.least, 0.3) << "a single picture says little";
 }
 
-TEST_F(Fighting, TellsWhatVanishesFromWhatBleeds) {
+TEST_F(Fighting, DistinguishesVanishingFromBleeding) {
     const FightingCounts few_bits = count("depth-few-bits");
     EXPECT_GT(few_bits.pairs.back().vanished, 1000) << "the pair at 84 has the cleared code";
     EXPECT_EQ(few_bits.pairs.front().vanished, 0);
@@ -297,7 +297,7 @@ TEST_F(Fighting, TellsWhatVanishesFromWhatBleeds) {
     EXPECT_EQ(too_much.vanished(), 0);
 }
 
-TEST_F(Fighting, HasNoSmallestGapWhereDepthDoesNotDecide) {
+TEST_F(Fighting, HasNoSmallestGapIfDepthDoesNotDecide) {
     for (const char* const setting :
          {"depth.test=false", "depth.func=always", "depth.write=false", "depth.func=never"}) {
         const MinimumGap found = search(testing::params_with({setting}), 5.0);
@@ -305,14 +305,14 @@ TEST_F(Fighting, HasNoSmallestGapWhereDepthDoesNotDecide) {
         EXPECT_FALSE(found.problem.empty()) << setting;
     }
     const Params params;
-    EXPECT_FALSE(search(params, params.projection.near).gap) << "nothing fits before the near plane";
+    EXPECT_FALSE(search(params, params.projection.near).gap) << "nothing fits in front of the near plane";
     EXPECT_FALSE(search(params, 0.0).gap);
     EXPECT_TRUE(search(params, 1e9).gap) << "counts as at the far plane";
     const Params reversed = testing::params_with({"depth.mapping=reversed", "depth.format=d32f"});
     EXPECT_TRUE(search(reversed, 1e9).gap) << "where depth is 0";
 }
 
-TEST_F(Fighting, HasASmallestGapWhereACodeIsAsWideAsTheWayToTheEye) {
+TEST_F(Fighting, HasASmallestGapWhenACodeSpansTheEyeDistance) {
     for (const char* const format : {"depth.format=d24", "depth.format=d32f"}) {
         const MinimumGap found = search(testing::params_with({"projection.near=1e-6", format}), 21.5);
         ASSERT_TRUE(found.gap) << format << ": " << found.problem;
@@ -322,7 +322,7 @@ TEST_F(Fighting, HasASmallestGapWhereACodeIsAsWideAsTheWayToTheEye) {
     }
 }
 
-TEST_F(Fighting, HasTheSameSmallestGapHoweverDepthIsCleared) {
+TEST_F(Fighting, HasTheSameSmallestGapForEveryClearValue) {
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
         const MinimumGap expected = search(testing::params_with({mapping}), 5.0);
         ASSERT_TRUE(expected.gap);
@@ -332,9 +332,9 @@ TEST_F(Fighting, HasTheSameSmallestGapHoweverDepthIsCleared) {
     }
 }
 
-TEST_F(Fighting, CanBeCancelled) {
+TEST_F(Fighting, CanBeCanceled) {
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     EXPECT_FALSE(find_minimum_gap(renderer(), Params{}, 5.0, &progress));
     const Scene scene = testing::scene_named("coplanar");
     EXPECT_FALSE(count_fighting(renderer(), Params{}, scene, near_coplanar_pairs(scene), fighting_px, &progress));

@@ -1,4 +1,5 @@
-// Methods beside the window: the right answer in the end, cancelled work that is told, and no question left hanging.
+// Methods computed in the background: the final answer is right, canceled work is reported, and no request stays
+// pending.
 #include "measure/hidden_worker.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ Scene scene_of(const std::string& name) {
     return *scene;
 }
 
-/// Slow on purpose: many large triangles through one another, which a BSP tree cuts into millions.
+/// Slow on purpose: many large intersecting triangles, which a BSP tree splits into millions.
 Scene slow_scene() {
     Scene scene = scene_of("interpenetrating");
     auto mesh = std::make_shared<Mesh>();
@@ -53,7 +54,7 @@ Scene slow_scene() {
     return scene;
 }
 
-TEST(HiddenWorker, AnswersWhatTheMethodAnswersAtOnce) {
+TEST(HiddenWorker, EqualsTheSynchronousAnswer) {
     const Scene scene = scene_of("cyclic-overlap");
     for (const char* const method : {"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}) {
         const HiddenQuestion question =
@@ -71,12 +72,12 @@ TEST(HiddenWorker, AnswersWhatTheMethodAnswersAtOnce) {
         EXPECT_FALSE(worker.answer(2)) << "another scene has no answer yet";
 
         worker.ask(question, scene, 1);
-        EXPECT_FALSE(worker.fraction()) << "what is answered is not worked on again";
+        EXPECT_FALSE(worker.fraction()) << "an answered request is not computed again";
         EXPECT_EQ(worker.answer(1), answer);
     }
 }
 
-TEST(HiddenWorker, TheLastQuestionOfAMovingCameraIsAnswered) {
+TEST(HiddenWorker, AnswersTheLastRequestOfAMovingCamera) {
     const Scene scene = scene_of("torus-and-boxes");
     Params params = params_with({"visibility.method=bsp"});
     HiddenWorker worker;
@@ -92,7 +93,7 @@ TEST(HiddenWorker, TheLastQuestionOfAMovingCameraIsAnswered) {
     EXPECT_EQ(worker.answer(1)->question, question);
 }
 
-TEST(HiddenWorker, CancelledWorkIsToldAndNotBegunAgain) {
+TEST(HiddenWorker, CanceledWorkIsReportedAndNotRestarted) {
     const Scene scene = slow_scene();
     const HiddenQuestion question = question_for(params_with({"visibility.method=bsp"}), scene);
     HiddenWorker worker;
@@ -106,8 +107,8 @@ TEST(HiddenWorker, CancelledWorkIsToldAndNotBegunAgain) {
     EXPECT_FALSE(worker.fraction());
 }
 
-/// The solver that was being made has not all of the scene: the next question gets one that has.
-TEST(HiddenWorker, WhatIsAskedAfterACancelIsAnsweredOfTheWholeScene) {
+/// The solver under construction lacks part of the scene; the next request gets a complete one.
+TEST(HiddenWorker, ARequestAfterACancelGetsTheWholeScene) {
     const Scene scene = slow_scene();
     const HiddenQuestion painter = question_for(params_with({"visibility.method=painter"}), scene);
     for (int run = 0; run < 20; ++run) {
@@ -135,23 +136,23 @@ TEST(HiddenWorker, AnotherMethodDoesNotWaitForASlowOne) {
     EXPECT_TRUE(worker.answer(1)->problem().empty()) << worker.answer(1)->problem();
 }
 
-TEST(HiddenWorker, WorkThatFailsIsToldOnceAndNotBegunAgain) {
+TEST(HiddenWorker, FailedWorkIsReportedOnceAndNotRestarted) {
     const Scene scene = scene_of("cyclic-overlap");
     const HiddenQuestion small = question_for(params_with({"visibility.method=software_depth_buffer"}), scene);
     HiddenQuestion huge = small;
-    huge.camera.size_px = glm::ivec2(std::numeric_limits<int>::max());  // no memory holds its picture
+    huge.camera.size_px = glm::ivec2(std::numeric_limits<int>::max());  // its picture fits in no memory
     HiddenWorker worker;
     worker.ask(huge, scene, 1);
     worker.wait(-1.0);
     EXPECT_FALSE(worker.answer(1));
     EXPECT_TRUE(worker.has_failed(huge, 1));
-    EXPECT_FALSE(worker.has_failed(huge, 2)) << "another scene may do";
+    EXPECT_FALSE(worker.has_failed(huge, 2)) << "another scene may succeed";
     const std::optional<std::string> why = worker.take_failure();
     ASSERT_TRUE(why);
-    EXPECT_NE(why->find("given up"), std::string::npos) << *why;
+    EXPECT_NE(why->find("stopped"), std::string::npos) << *why;
     EXPECT_FALSE(worker.take_failure());
     worker.ask(huge, scene, 1);
-    EXPECT_FALSE(worker.fraction()) << "begun again";
+    EXPECT_FALSE(worker.fraction()) << "restarted";
 
     worker.ask(small, scene, 1);
     worker.wait(-1.0);
@@ -161,7 +162,7 @@ TEST(HiddenWorker, WorkThatFailsIsToldOnceAndNotBegunAgain) {
     EXPECT_EQ(worker.answer(1)->camera->image.ids, answer_hidden_question(solver, small).camera->image.ids);
 }
 
-TEST(HiddenWorker, EndsWhileItWorks) {
+TEST(HiddenWorker, CanBeDestroyedWhileWorking) {
     const Scene scene = slow_scene();
     HiddenWorker worker;
     worker.ask(question_for(params_with({"visibility.method=newell"}), scene), scene, 1);

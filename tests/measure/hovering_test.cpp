@@ -1,6 +1,6 @@
-// What the window tells of the pixel under the pointer comes without waiting for GL: each read goes into a buffer and
-// is taken when its fence has passed; it is of the pixel that it names and of the picture that is shown. GL is made
-// slow here by answering its fences.
+// The report on the pixel under the pointer arrives without waiting for GL: each read goes into a buffer and is fetched
+// when its fence has passed. It belongs to the pixel that it names and to the picture on screen. A fake fence query
+// makes GL slow here.
 #include <thread>
 
 #include "gl/gl_test.h"
@@ -35,7 +35,7 @@ GLenum EPOXY_CALLSPEC slow_fence(GLsync sync, GLbitfield flags, GLuint64 timeout
     return is_slow ? GL_TIMEOUT_EXPIRED : ask_fence(sync, flags, timeout_ns);
 }
 
-/// Where GL can read depth and stencil, and where they have to be drawn first as in the browser.
+/// With GL's own depth and stencil reads, and without them, where they must be drawn first as in the browser.
 class Hovering : public testing::GlTest, public ::testing::WithParamInterface<bool> {
 protected:
     void SetUp() override {
@@ -45,7 +45,7 @@ protected:
         Result<Renderer> made = Renderer::make(capabilities);
         ASSERT_TRUE(made) << made.error();
         own_ = std::make_unique<Renderer>(*std::move(made));
-        // Each is looked up once before it is taken over.
+        // Resolves each entry point before it is replaced.
         gl::read_pixels(gl::ColorTarget({1, 1}).framebuffer(), {1, 1});
         const GLsync sync = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glClientWaitSync(sync, 0, 0);
@@ -69,7 +69,7 @@ protected:
         EXPECT_TRUE(told) << told.error();
         return told ? *told : std::nullopt;
     }
-    /// Frame after frame, until nothing more is wanted.
+    /// Runs frame after frame until no more are requested.
     std::optional<PixelReport> rest_at(glm::ivec2 pixel) {
         std::optional<PixelReport> told = frame(pixel);
         for (int i = 0; i < 5000 && inspector.is_following(); ++i) {
@@ -85,7 +85,7 @@ protected:
         PixelProbe probe;
         EXPECT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, hovered_px));
         PixelReport report = probe.at(pixel, scene);
-        EXPECT_GT(waits, before) << "what waits is not counted";
+        EXPECT_GT(waits, before) << "waiting reads are not counted";
         waits = before;
         return report;
     }
@@ -114,7 +114,7 @@ void expect_same(const PixelReport& told, const PixelReport& expected) {
     EXPECT_EQ(told.world, expected.world);
 }
 
-TEST_P(Hovering, TellsTheSameAsReadingAtOnceAndNeverWaits) {
+TEST_P(Hovering, ReportsTheSameAsABlockingReadWithoutWaiting) {
     for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
         params.depth.format = format;
         inspector.forget();
@@ -128,13 +128,13 @@ TEST_P(Hovering, TellsTheSameAsReadingAtOnceAndNeverWaits) {
     }
 }
 
-TEST_P(Hovering, OneReadIsUnderWayAndTheNewestPlaceWins) {
+TEST_P(Hovering, OneReadIsPendingAndTheNewestPlaceWins) {
     ASSERT_TRUE(rest_at({80, 45}));
     is_slow = true;
     copies = 0;
     for (int x = 0; x < 20; ++x) {
         const std::optional<PixelReport> told = frame({x, 3});
-        ASSERT_TRUE(told) << "the one before stays";
+        ASSERT_TRUE(told) << "the previous report stays";
         EXPECT_EQ(told->pixel, glm::ivec2(80, 45));
         EXPECT_TRUE(inspector.is_following());
     }
@@ -146,8 +146,8 @@ TEST_P(Hovering, OneReadIsUnderWayAndTheNewestPlaceWins) {
     EXPECT_EQ(copies, 8) << "the first place, and the last one";
 }
 
-/// Views below the camera's that tell of the pixel keep what they told of this picture until the next one has come.
-TEST_P(Hovering, ViewsWaitForNothingEither) {
+/// Lower views that describe the pixel keep showing this picture's earlier report until the next one arrives.
+TEST_P(Hovering, LowerViewsDoNotWaitEither) {
     const auto tell = [this](glm::ivec2 pixel) {
         const Derived derived = derive(params, scene, Viewport{hovered_px});
         EXPECT_TRUE(inspector.update(renderer(), plan(params, derived), scene, 1, derived, hovered_px,
@@ -171,17 +171,17 @@ TEST_P(Hovering, ViewsWaitForNothingEither) {
     EXPECT_FALSE(inspector.is_following());
     expect_same(tell({60, 70}), at_once({60, 70}));
 
-    // A picture that has changed is read at once: nothing older is told of it.
+    // A changed picture is read immediately: nothing older is reported for it.
     params.camera.position.z += 1.0;
     inspector.forget();
     expect_same(tell({60, 70}), at_once({60, 70}));
 }
 
-TEST_P(Hovering, WhatWasReadOfAnOlderPictureIsDropped) {
+TEST_P(Hovering, ReadsOfAnOlderPictureAreDropped) {
     const glm::ivec2 pixel(80, 45);
     ASSERT_TRUE(rest_at(pixel));
     is_slow = true;
-    frame({81, 45});  // is under way
+    frame({81, 45});  // stays pending
     params.camera.position.z += 1.0;
     inspector.forget();
     is_slow = false;
@@ -192,8 +192,8 @@ TEST_P(Hovering, WhatWasReadOfAnOlderPictureIsDropped) {
     EXPECT_EQ(waits, 0);
 }
 
-/// In motion nothing is drawn or read for it.
-TEST_P(Hovering, APictureThatChangesInEveryFrameIsNotRead) {
+/// During motion, nothing is drawn or read for the report.
+TEST_P(Hovering, APictureThatChangesEveryFrameIsNotRead) {
     for (int i = 0; i < 5; ++i) {
         params.camera.position.z += 0.1;
         inspector.forget();

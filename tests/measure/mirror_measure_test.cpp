@@ -1,5 +1,5 @@
-// The four ways of making a mirror image, drawn by GL and compared: what each one does to the picture and to the
-// depths, with every depth buffer there is, and where there is no image at all.
+// The four ways of drawing a mirror image, drawn by GL and compared: their effect on the picture and on the depths,
+// with every depth buffer, and the case without an image.
 #include "measure/mirror_measure.h"
 
 #include "frame/ground.h"
@@ -62,13 +62,14 @@ TEST_F(MirrorMeasure, OnlyTheUnclippedImageDiffers) {
     EXPECT_GT(of(ways, MirrorWay::clip_distance).image_pixels, 2000);
 }
 
-TEST_F(MirrorMeasure, DepthsAreThoseOfTheirNearPlane) {
-    // The plane crosses the torus, so that the image begins at the plane itself: there an oblique near plane has 0.
+TEST_F(MirrorMeasure, DepthsMatchTheirNearPlane) {
+    // The plane crosses the torus, so the image begins at the plane itself, where an oblique near plane has depth 0.
     const MirrorWays ways = measure(std::vector<std::string>{});
     const MirrorWayReport &clipped = of(ways, MirrorWay::clip_distance), &oblique = of(ways, MirrorWay::oblique);
     EXPECT_LT(oblique.first_depth, 0.001);
     EXPECT_LT(oblique.last_depth, 0.5);
-    // Image points lie between 5 and 15 from the eye: facts, f/(f−n) − f n/((f−n) z) with near 0.5 and far 40.
+    // Image points are 5 to 15 from the eye; the facts' formula is f/(f−n) − f n/((f−n) z), here with near 0.5 and far
+    // 40.
     EXPECT_GT(clipped.first_depth, 40.0 / 39.5 - 20.0 / (39.5 * 5.0));
     EXPECT_LT(clipped.last_depth, 40.0 / 39.5 - 20.0 / (39.5 * 15.0));
     const MirrorWayReport& camera = of(ways, MirrorWay::camera);
@@ -81,7 +82,7 @@ TEST_F(MirrorMeasure, DepthsAreThoseOfTheirNearPlane) {
     }
 }
 
-TEST_F(MirrorMeasure, AnotherProjectionOfTheMirroredCameraIsSeen) {
+TEST_F(MirrorMeasure, AWrongProjectionOfTheMirroredCameraIsDetected) {
     const MirrorWays ways = measure({"reflection.same_projection=false"});
     EXPECT_GT(of(ways, MirrorWay::camera).different, 1000);
     EXPECT_EQ(of(ways, MirrorWay::oblique).different, 0) << "its camera is not mirrored";
@@ -108,7 +109,7 @@ TEST_F(MirrorMeasure, NothingIsComparedWithoutAnImage) {
     }
 }
 
-TEST_F(MirrorMeasure, ObliqueAgreesWhereDepthHasBitsEnough) {
+TEST_F(MirrorMeasure, ObliqueAgreesWithEnoughDepthBits) {
     for (const std::vector<std::string>& depth :
          std::vector<std::vector<std::string>>{{"depth.format=d24"},
                                                {"depth.format=d32f"},
@@ -124,11 +125,11 @@ TEST_F(MirrorMeasure, ObliqueAgreesWhereDepthHasBitsEnough) {
     }
 }
 
-TEST_F(MirrorMeasure, WithFewBitsSurfacesOfTheImageFightMoreWhereItsNearPlaneIsOblique) {
+TEST_F(MirrorMeasure, AnObliqueNearPlaneFightsMoreWithFewBits) {
     const std::int64_t sixteen = of(measure({"depth.format=d16"}), MirrorWay::oblique).different;
     const MirrorWays eight = measure({"depth.format=d8"});
     EXPECT_LE(sixteen, 10);
-    EXPECT_GT(of(eight, MirrorWay::oblique).different, 0) << "its codes are others, and further from the near plane";
+    EXPECT_GT(of(eight, MirrorWay::oblique).different, 0) << "its codes differ and are farther from the near plane";
     EXPECT_LT(of(eight, MirrorWay::oblique).different, 500);
     EXPECT_LT(of(eight, MirrorWay::clip_distance).distinct_depths, 8);
     EXPECT_EQ(of(eight, MirrorWay::camera).different, 0) << "the same codes, mirrored";
@@ -140,13 +141,13 @@ TEST_F(MirrorMeasure, ReversedDepthsOfAnObliqueNearPlaneBeginAtOne) {
     EXPECT_LT(of(ways, MirrorWay::clip_distance).last_depth, 0.1);
 }
 
-TEST_F(MirrorMeasure, LogarithmicDepthsKnowNothingOfAnObliqueNearPlane) {
+TEST_F(MirrorMeasure, LogarithmicDepthsIgnoreAnObliqueNearPlane) {
     const MirrorWays ways = measure({"depth.mapping=logarithmic"});
     EXPECT_NEAR(of(ways, MirrorWay::oblique).first_depth, of(ways, MirrorWay::clip_distance).first_depth, 1e-4);
     EXPECT_NEAR(of(ways, MirrorWay::oblique).last_depth, of(ways, MirrorWay::clip_distance).last_depth, 1e-4);
 }
 
-/// The vertex shader writes its own z, and with it nothing is left of the projection's near plane.
+/// The vertex shader writes its own z, so the projection's near plane has no effect.
 TEST_F(MirrorMeasure, LogarithmsPerVertexUndoAnObliqueNearPlane) {
     const MirrorWays ways = measure({"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"});
     const MirrorWayReport &none = of(ways, MirrorWay::none), &oblique = of(ways, MirrorWay::oblique);
@@ -156,7 +157,7 @@ TEST_F(MirrorMeasure, LogarithmsPerVertexUndoAnObliqueNearPlane) {
     EXPECT_EQ(of(ways, MirrorWay::camera).different, 0);
 }
 
-TEST_F(MirrorMeasure, DrawsWithEveryDepthBufferAndMethodAndShow) {
+TEST_F(MirrorMeasure, DrawsWithEveryDepthBufferMethodAndDisplay) {
     for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
              {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"},
              {"depth.format=d4"},
@@ -201,19 +202,19 @@ TEST_F(MirrorMeasure, ComparesTheWholeImageInColorWhateverTheViewShows) {
     }
 }
 
-TEST_F(MirrorMeasure, MarksInRedWhatItCounts) {
+TEST_F(MirrorMeasure, MarksCountedPixelsInRed) {
     std::array<View, mirror_way_count> pictures;
     const MirrorWays ways = measure(params_of("mirror-unclipped", {"view.shows=depth"}), &pictures);
     for (std::size_t way = 0; way < mirror_way_count; ++way)
         EXPECT_EQ(red_pixels(pictures[way]), ways.reports[way].different) << name_of(static_cast<MirrorWay>(way));
     Params reference = params_of("mirror-unclipped", {"reflection.clip=clip_distance", "view.samples=0"});
     EXPECT_EQ(renderer().read(pictures[0]), draw(reference, scene_named("torus-and-boxes"), mirror_px))
-        << "the first one is the camera's picture itself";
+        << "the first picture is the camera's own";
 }
 
-/// Without a stencil, or with objects drawn before it, the image's own depths are still told apart.
-TEST_F(MirrorMeasure, TakesTheDepthsOfTheImageAlone) {
-    const char* const small = "plane.extent=1";  // so that objects stand beside it in the picture
+/// The image's own depths are identified even without a stencil, or with objects drawn before it.
+TEST_F(MirrorMeasure, UsesOnlyTheDepthsOfTheImage) {
+    const char* const small = "plane.extent=1";  // leaves objects beside it in the picture
     const MirrorWays expected = measure({small}), last = measure({small, "reflection.after_objects=true"});
     const MirrorWayReport &early = of(expected, MirrorWay::clip_distance), &late = of(last, MirrorWay::clip_distance);
     EXPECT_GT(early.image_pixels, 200);
@@ -236,7 +237,7 @@ TEST_F(MirrorMeasure, AgreesOnSeveralPlanesAndMirrorsInMirrors) {
         params.planes = {{}, {.equation = {0.0, 0.0, 1.0, 2.5}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
         const MirrorWays ways = measure(params);
         EXPECT_GT(of(ways, MirrorWay::clip_distance).image_pixels, 1000) << bounces;
-        // Each level's edges may move by a pixel, and what is seen through two of them by two.
+        // Each level's edges may move by a pixel, and parts seen through two levels by two.
         const std::int64_t most = bounces == 1 ? 0 : ways.reports[0].compared / 500;
         EXPECT_LE(of(ways, MirrorWay::camera).different, most) << bounces;
         EXPECT_LE(of(ways, MirrorWay::oblique).different, most) << bounces;

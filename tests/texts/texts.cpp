@@ -1,10 +1,10 @@
 // The texts that the window can show, for tests/catalogue.
 //
-//     texts SOURCES.pot…           what xgettext found in the sources, without what labels hide behind "##", and what
-//     the
-//                                  program itself lists: fields, presets and scenes. As one .pot file.
-//     texts --check ALL.pot KO.po  whether the catalogue has all of them, nothing else, and the same places in each
-//                                  translation as in the English text. 1, with a line for each that is wrong.
+// texts SOURCES.pot…           prints one .pot file: the texts that xgettext found in the sources, without the parts
+//                              that labels hide behind "##", and those that the program itself lists: fields, presets
+//                              and scenes.
+// texts --check ALL.pot KO.po  checks that the catalog has all of them, nothing else, and the same placeholders in each
+//                              translation as in the English text. Exit status 1, with a line for each error.
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -16,13 +16,14 @@
 
 #include "places.h"
 #include "state/fields.h"
+#include "state/file/document.h"
 #include "state/presets.h"
 #include "text/po.h"
 
 namespace viewing {
 namespace {
 
-/// Where a text stands: the files, and what the program calls the place ("field depth.test, label").
+/// Where a text appears: the files, and the program's name for the place ("field depth.test, label").
 struct Origin {
     std::string files, said;
 };
@@ -43,7 +44,7 @@ std::vector<PoEntry> read(const char* path) {
     return *std::move(entries);
 }
 
-/// Signs, symbols of formulas and names of axes have no word: two letters in a row.
+/// Signs, symbols of formulas and names of axes are not words: a word has two letters in a row.
 bool has_word(std::string_view text) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -57,6 +58,18 @@ void add(Texts& texts, std::string_view text, Origin origin) {
     if (has_word(shown)) texts.emplace(shown, std::move(origin));
 }
 
+/// Returns the names of a scene's or preset's objects, without the numbers at their ends.
+void add_objects(Texts& texts, const std::string& file, const std::string& where) {
+    std::ifstream stream(file);
+    const Json document = Json::parse(stream);
+    const Json scene = document.contains("scene") ? document.at("scene") : document;
+    if (!scene.is_object() || !scene.contains("objects")) return;
+    for (const Json& object : scene.at("objects")) {
+        const std::string name = object.value("name", "");
+        add(texts, name.substr(0, name.find_last_not_of("0123456789 ") + 1), {where, "name of an object"});
+    }
+}
+
 void add_tables(Texts& texts) {
     Params params;
     for (const Field& field : fields()) {
@@ -65,6 +78,9 @@ void add_tables(Texts& texts) {
             {field.label, "label"}, {field.help, "help"}, {field.unit, "unit"}};
         for (const auto& [text, part] : parts) add(texts, text, {"sandbox/state/fields.cpp", name + part});
     }
+    for (const auto& [files, folder] : {std::pair{scenes(), "scenes"}, std::pair{presets(), "presets"}})
+        for (const NamedFile& file : files)
+            add_objects(texts, file.path.string(), fmt::format("assets/{}/{}.json", folder, file.name));
     for (const auto& [files, kind] : {std::pair{presets(), "preset"}, std::pair{scenes(), "scene"}}) {
         for (const NamedFile& file : files) {
             const std::string path = fmt::format("assets/{}s/{}.json", kind, file.name);
@@ -89,7 +105,7 @@ std::string quote(std::string_view text) {
     return in_quotes + '"';
 }
 
-/// "z" of "z:>7"; nothing in a text without places.
+/// "z" of "z:>7"; nothing for a text without placeholders.
 std::set<std::string> place_names(const std::string& text) {
     std::set<std::string> names;
     if (const Result<std::vector<std::string>> places = places_in(text))
@@ -97,7 +113,7 @@ std::set<std::string> place_names(const std::string& text) {
     return names;
 }
 
-/// "" where nobody has written it down.
+/// Returns "" if places.h does not describe it.
 std::string_view meaning_of(std::string_view name) {
     for (const auto& [known, meaning] : place_meanings)
         if (known == name) return meaning;
@@ -117,15 +133,15 @@ int print_all(std::span<const char* const> sources) {
         const std::set<std::string> places = place_names(english);
         for (const std::string& place : places) std::cout << "#. {" << place << "}: " << meaning_of(place) << '\n';
         std::cout << "#: " << origin.files << '\n';
-        // msgfmt and Poedit then hold the places of a translation against those of the text.
+        // msgfmt and Poedit then compare the placeholders of a translation with those of the text.
         if (!places.empty()) std::cout << "#, python-brace-format\n";
         std::cout << "msgid " << quote(english) << "\nmsgstr \"\"\n";
     }
     return 0;
 }
 
-/// In order of the alphabet, each with its format: "{z:>7}" is another place than "{z}". Empty with a message where
-/// braces do not match.
+/// In alphabetical order, each with its format: "{z:>7}" differs from "{z}". Empty with a message if braces do not
+/// match.
 std::string places_text(const std::string& text) {
     const Result<std::vector<std::string>> places = places_in(text);
     if (!places) return places.error();
@@ -144,25 +160,25 @@ int check(const char* all, const char* catalogue) {
     };
     for (const std::string& text : english)
         for (const std::string& place : place_names(text))
-            if (meaning_of(place).empty()) complain("what {" + place + "} is has no line in tests/texts/places.h");
+            if (meaning_of(place).empty()) complain("{" + place + "} has no line in tests/texts/places.h");
     std::set<std::string> listed;
     std::size_t untranslated = 0;
     for (const PoEntry& entry : read(catalogue)) {
         const std::string line = "line " + std::to_string(entry.line) + ": ";
         listed.insert(entry.english);
-        if (!english.count(entry.english)) complain(line + "nobody shows " + quote(entry.english));
+        if (!english.count(entry.english)) complain(line + "unused text " + quote(entry.english));
         if (entry.is_fuzzy || entry.translation.empty()) {
             ++untranslated;
             continue;
         }
         const std::string wanted = places_text(entry.english), has = places_text(entry.translation);
-        if (has != wanted) complain(line + "the places are " + has + " in place of " + wanted);
+        if (has != wanted) complain(line + "the placeholders are " + has + " instead of " + wanted);
     }
     for (const std::string& text : english) {
         if (!listed.count(text)) complain("there is no entry for " + quote(text));
     }
     if (wrong > 0) {
-        std::cerr << "`tests/catalogue --update` puts in what is missing and takes out what nobody shows\n";
+        std::cerr << "`tests/catalogue --update` adds missing texts and removes unused ones\n";
         return 1;
     }
     std::cout << catalogue << ": " << english.size() << " texts, " << untranslated << " still English\n";

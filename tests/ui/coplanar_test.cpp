@@ -9,7 +9,7 @@ protected:
     Desk desk{{1600, 1500}, "depth-fighting"};
     Params& params = desk.session.params;
 
-    /// From the first pair's back quad to its front one, along their normal.
+    /// Distance from the back quad of the first pair to its front quad, along their normal.
     double gap() const {
         const std::vector<SceneObject>& objects = desk.session.scene().objects;
         const glm::dmat4& back = objects.at(0).world_from_model;
@@ -17,7 +17,7 @@ protected:
     }
 };
 
-TEST_F(CoplanarTest, IsMadeAnewAtOnceWithoutLoading) {
+TEST_F(CoplanarTest, IsRebuiltImmediatelyWithoutLoading) {
     EXPECT_NEAR(gap(), 0.01, 1e-12);
     const int version = desk.session.scene_version();
     params.coplanar.gap = 0.05;
@@ -26,13 +26,13 @@ TEST_F(CoplanarTest, IsMadeAnewAtOnceWithoutLoading) {
     EXPECT_EQ(desk.session.scene_version(), version + 1);
     EXPECT_FALSE(desk.session.loading_fraction());
     desk.ui.frames(3);
-    EXPECT_EQ(desk.session.scene_version(), version + 1) << "once for a change";
+    EXPECT_EQ(desk.session.scene_version(), version + 1) << "rebuilt once per change";
     params.coplanar.distance = 8.0;
     desk.ui.frame();
     EXPECT_EQ(desk.session.scene().objects.at(0).description.name, "back quad at 8");
 }
 
-TEST_F(CoplanarTest, UndoTakesTheSceneBack) {
+TEST_F(CoplanarTest, UndoRestoresTheScene) {
     desk.settle();
     params.coplanar.gap = 0.05;
     desk.ui.frames(3);
@@ -45,7 +45,7 @@ TEST_F(CoplanarTest, UndoTakesTheSceneBack) {
     EXPECT_NEAR(gap(), 0.05, 1e-12);
 }
 
-TEST_F(CoplanarTest, OtherScenesDoNotMind) {
+TEST_F(CoplanarTest, OtherScenesAreUnaffected) {
     params.scene = std::string("decals");
     desk.settle();
     const int version = desk.session.scene_version();

@@ -1,5 +1,5 @@
-// The depth buffer's controls: what the panel's section edits, the second picture, the topics below, the pinned
-// pixel and the range of the histogram.
+// The depth buffer's controls: the panel's section, the second picture, the topics below, the pinned pixel and the
+// range of the histogram.
 #include <string>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace {
 
 class DepthPanel : public UiTest {
 protected:
-    /// One use of a control changes this field and no other.
+    /// Expects that one use of a control changes this field and no other.
     void expect_edits(const std::string& label, const std::string& field, bool is_number = false) {
         SCOPED_TRACE(label);
         const Params before = params;
@@ -23,12 +23,12 @@ protected:
     }
 };
 
-TEST_F(DepthPanel, EachMappingHasItsSwitches) {
+TEST_F(DepthPanel, EachMappingShowsItsSwitches) {
     params.depth.mapping = DepthMapping::reversed;
     open_section();
     expect_edits("buffer/Clip range 0 … 1", "depth.reversed_zero_to_one");
     expect_edits("buffer/Clear to 0", "depth.reversed_clear");
-    expect_edits("buffer/Turn the offset's sign", "depth.reversed_offset");
+    expect_edits("buffer/Flip the offset's sign", "depth.reversed_offset");
     EXPECT_FALSE(ui.find("buffer/Per vertex").enabled);
     params.depth.mapping = DepthMapping::logarithmic;
     desk.settle();
@@ -36,7 +36,7 @@ TEST_F(DepthPanel, EachMappingHasItsSwitches) {
     EXPECT_FALSE(ui.find("buffer/Clear to 0").enabled);
 }
 
-TEST_F(DepthPanel, ASwitchThatBreaksThePictureSaysWhy) {
+TEST_F(DepthPanel, SwitchesThatBreakThePictureSayWhy) {
     const auto sentences = [&] {
         desk.settle();
         std::vector<std::string> all;
@@ -61,7 +61,7 @@ TEST_F(DepthPanel, ASwitchThatBreaksThePictureSaysWhy) {
     }
 }
 
-TEST_F(DepthPanel, TheCoplanarSceneHasItsSliders) {
+TEST_F(DepthPanel, TheCoplanarSceneHasItsOwnSliders) {
     open_section();
     EXPECT_FALSE(ui.find("buffer/gap").enabled);
     params.scene = std::string("coplanar");
@@ -71,7 +71,7 @@ TEST_F(DepthPanel, TheCoplanarSceneHasItsSliders) {
     expect_edits("buffer/distance", "coplanar.distance", true);
 }
 
-TEST_F(DepthPanel, DecalsHaveThreeWays) {
+TEST_F(DepthPanel, DecalsOfferThreeMethods) {
     params.scene = std::string("decals");
     open_section();
     expect_edits("buffer/decals/GL_EQUAL", "depth.decals");
@@ -81,7 +81,7 @@ TEST_F(DepthPanel, DecalsHaveThreeWays) {
     EXPECT_EQ(params.depth.decals, DecalMethod::stencil);
 }
 
-TEST_F(DepthPanel, ASecondPictureHasAHalfOfItsOwn) {
+TEST_F(DepthPanel, ASecondPictureTakesHalfOfTheView) {
     const Rect whole = desk.layout().camera;
     params.view.beside.shows = Beside::depth;
     desk.settle();
@@ -97,7 +97,7 @@ TEST_F(DepthPanel, ASecondPictureHasAHalfOfItsOwn) {
     EXPECT_EQ(desk.layout().camera.size_px(), whole.size_px());
 }
 
-TEST_F(DepthPanel, TheDividerIsDraggedAndTheCameraStays) {
+TEST_F(DepthPanel, DraggingTheDividerLeavesTheCameraAlone) {
     params.view.beside.shows = Beside::other_depth;
     params.view.beside.layout = BesideLayout::divider;
     desk.settle();
@@ -108,7 +108,7 @@ TEST_F(DepthPanel, TheDividerIsDraggedAndTheCameraStays) {
     EXPECT_NEAR(params.view.beside.share, 0.5 + 100.0 / rect.width(), 0.01);
 }
 
-TEST_F(DepthPanel, AClickPinsThePixelWhileAViewTellsOfIt) {
+TEST_F(DepthPanel, AClickPinsThePixelWhileAViewDescribesIt) {
     const Rect rect = desk.layout().camera;
     const ImVec2 place(rect.min.x + 40.0F, rect.max.y - 30.0F);
     desk.click_at(place);
@@ -136,14 +136,14 @@ TEST_F(DepthPanel, EveryTopicFitsInBothSlots) {
     }
 }
 
-TEST_F(DepthPanel, WhatTheOtherViewShowsComesOver) {
+TEST_F(DepthPanel, ChoosingTheOtherViewsTopicMovesItOver) {
     params.view.lower_left = Topic::precision;
     choose_topic(params, Slot::right, Topic::precision);
     EXPECT_EQ(topic_of(params, Slot::right), Topic::precision);
-    EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // what the right one showed
+    EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // shown on the right before
 }
 
-TEST_F(DepthPanel, AnotherMethodBringsItsTopicBack) {
+TEST_F(DepthPanel, ChangingTheMethodBringsBackItsTopic) {
     params.view.lower_right = Topic::codes;
     desk.settle();
     desk.click("depth/method");

@@ -1,5 +1,5 @@
-// The pixel view and the cell view in a window of their own, over a frame whose buffers are computed here fragment by
-// fragment: what they say agrees with it, what is clicked takes effect, and everything stays inside at every size.
+// The pixel view and the cell view in their own window, over a frame whose buffers are computed here fragment by
+// fragment. Their texts agree with the buffers, clicks take effect, and everything stays inside at every size.
 #include <algorithm>
 #include <map>
 
@@ -30,7 +30,7 @@ protected:
     Derived derived;
     FramePlan frame_plan;
     DepthData data;
-    std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture
+    std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture
     widgets::test::Harness ui{context, [this] { draw(); }, {1700, 1100}};
     FragmentFinder finder{session.scene()};
     Params& params = session.params;
@@ -51,7 +51,7 @@ protected:
         ui.frames(4);
     }
 
-    /// The middle of the picture, where some surface lies behind another one.
+    /// The middle of the picture, where one surface is behind another.
     glm::ivec2 busy_pixel() {
         ui.frame();
         for (int y = 0; y < camera_px.y; ++y)
@@ -75,7 +75,7 @@ protected:
     }
 
 private:
-    /// What stands in a pixel after the fragments, each in a colour of its own.
+    /// The contents of a pixel after the fragments, each in its own color.
     BufferCell cell_of(const std::vector<Fragment>& fragments) const {
         BufferCell cell{frame_plan.background, code(frame_plan.clear_depth_value), frame_plan.clear_depth_value};
         for (const Fragment& fragment : fragments) {
@@ -169,12 +169,12 @@ class CellView : public DepthViews {};
 
 // ---- the pixel view ----------------------------------------------------------------------------------
 
-TEST_F(PixelView, SaysWhatToDoWithoutAPixel) {
+TEST_F(PixelView, ExplainsItselfWithoutAPixel) {
     ui.frames(3);
-    EXPECT_TRUE(ui.has("pixel/Point at the camera's picture to see what is stored in a pixel; a click pins it."));
+    EXPECT_TRUE(ui.has("pixel/Point at the camera view to see what a pixel stores; click to pin the pixel."));
 }
 
-TEST_F(PixelView, ListsTheSurfacesWithTheirTestsAndMarksTheOneThatIsSeen) {
+TEST_F(PixelView, ListsSurfacesAndTestsAndMarksTheVisibleOne) {
     hovered_pixel = busy_pixel();
     resize(700, 400);
     const std::vector<Fragment> expected = finder.at(frame_plan, *hovered_pixel, camera_px);
@@ -188,7 +188,7 @@ TEST_F(PixelView, ListsTheSurfacesWithTheirTestsAndMarksTheOneThatIsSeen) {
     EXPECT_EQ(labels_with("stored: ").size(), 1U);
 }
 
-TEST_F(PixelView, ARowThatIsClickedIsTheStepThatSendsItsFragment) {
+TEST_F(PixelView, ClickingARowGoesToTheStepThatSendsItsFragment) {
     params.view.pixel = busy_pixel();
     ui.frames(2);
     const std::vector<Fragment> fragments = data.fragments;
@@ -199,7 +199,7 @@ TEST_F(PixelView, ARowThatIsClickedIsTheStepThatSendsItsFragment) {
         ASSERT_EQ(rows.size(), 1U);
         ui.click(rows.front());
         const FramePlan whole = plan(params, derived);
-        // The frame that stops there is the first one in which the fragment is.
+        // The frame that stops there is the first that contains the fragment.
         const auto count_in = [&](int step) {
             FramePlan stopped = whole;
             stopped.limit = limit_of(step, data.calls);
@@ -230,7 +230,7 @@ TEST_F(PixelView, EveryNumberExplainsItself) {
                                                          {"z_{window}", "z_{window} = stored / (2^{24} - 1)"},
                                                          {"z_{ndc}", "z_{ndc} = 2 z_{window} - 1"},
                                                          {"eye z", "z_{eye} = -n f / (f - d (f - n)); d = z_{window}"},
-                                                         {"step Δz", "Δz = z^2 (f - n) / (f n (2^{24} - 1))"},
+                                                         {"width Δz", "Δz = z^2 (f - n) / (f n (2^{24} - 1))"},
                                                          {"world", "C (x_{eye}, y_{eye}, z_{eye}, 1)"}};
     for (const auto& [name, formula] : formulas) {
         const std::vector<std::string> labels = labels_with("pixel/" + name + ": ");
@@ -279,7 +279,7 @@ TEST_F(CellView, StepsThroughCallsAndTriangles) {
     EXPECT_EQ(params.view.triangle, -1);
     ui.click("cells/calls/←");
     EXPECT_EQ(step_of({params.view.call, params.view.triangle}, data.calls), 0);
-    EXPECT_TRUE(says("Nothing is drawn yet: both buffers hold what they were cleared to."));
+    EXPECT_TRUE(says("Nothing is drawn yet: both buffers hold their clear values."));
 }
 
 TEST_F(CellView, PlaysToTheEndInBothKindsOfBar) {
@@ -304,7 +304,7 @@ TEST_F(CellView, PlaysToTheEndInBothKindsOfBar) {
     }
 }
 
-TEST_F(CellView, WhatItSaysOfAPixelIsWhatBecomesOfIt) {
+TEST_F(CellView, DescribesWhatHappensToAPixel) {
     hovered_pixel = busy_pixel();
     const int count = (ui.frame(), step_count(data.calls));
     std::map<std::string, int> seen;
@@ -315,10 +315,10 @@ TEST_F(CellView, WhatItSaysOfAPixelIsWhatBecomesOfIt) {
         ui.frame();
         const glm::ivec2 at = *hovered_pixel - data.now.first_pixel;
         const bool changes = data.before.at(at) != data.now.at(at);
-        const bool replaced = !labels_with("so colour and depth are replaced.").empty();
+        const bool replaced = !labels_with("so color and depth are replaced.").empty();
         EXPECT_EQ(replaced, changes) << "step " << step;
         const bool stays = !labels_with("is false").empty() || says("This triangle does not cover the pixel.") ||
-                           !labels_with("is culled").empty() || says("This triangle leaves the pixel as it is.");
+                           !labels_with("is culled").empty() || says("This triangle leaves the pixel unchanged.");
         EXPECT_EQ(stays, !changes) << "step " << step;
         ++seen[replaced ? "replaced" : says("This triangle does not cover the pixel.") ? "not covered" : "stays"];
     }
@@ -327,7 +327,7 @@ TEST_F(CellView, WhatItSaysOfAPixelIsWhatBecomesOfIt) {
     EXPECT_GT(seen["stays"], 0);
 }
 
-TEST_F(CellView, ACellUnderThePointerIsTold) {
+TEST_F(CellView, DescribesTheCellUnderThePointer) {
     hovered_pixel = busy_pixel();
     ui.frames(3);
     params.view.call = static_cast<int>(data.calls.size()) - 1;
@@ -345,21 +345,21 @@ TEST_F(CellView, ACellUnderThePointerIsTold) {
     }
 }
 
-TEST_F(CellView, ACallBeyondTheLastOneIsTheWholeFrame) {
+TEST_F(CellView, ACallPastTheLastOneShowsTheWholeFrame) {
     hovered_pixel = busy_pixel();
     params.view.call = 10'000;
     ui.frames(3);
-    EXPECT_TRUE(says("All draw calls are done. Go a step back to see the compare that decides a pixel."));
+    EXPECT_TRUE(says("All draw calls are done. Go back a step to see the comparison that decides a pixel."));
 }
 
 TEST_F(CellView, CanBeSteppedThroughWithoutAPixel) {
     ui.frames(3);
-    EXPECT_TRUE(says("Point at the camera's picture, or click a pixel to pin it."));
+    EXPECT_TRUE(says("Point at the camera view, or click a pixel to pin it."));
     ui.click("cells/calls/←");
     EXPECT_EQ(params.view.call, static_cast<int>(data.calls.size()) - 1);
 }
 
-TEST_F(CellView, ThePlayerKnowsWhetherItsBarIsThere) {
+TEST_F(CellView, ThePlayerKnowsWhetherItsBarIsShown) {
     ui.frame();
     EXPECT_TRUE(player.shown);
     player.shown = false;
@@ -391,7 +391,7 @@ TEST_F(DepthViews, StayInsideAtEverySizeAndTheme) {
                 for (const RecordedItem& item : context.recorded) {
                     EXPECT_GE(item.min.x, rect.min.x) << item.label << " at " << size.x;
                     EXPECT_LE(item.max.x, rect.max.x + 1.0F) << item.label << " at " << size.x;
-                    if (one == Shown::pixel) continue;  // which scrolls
+                    if (one == Shown::pixel) continue;  // its content scrolls
                     EXPECT_LE(item.max.y, rect.max.y + 1.0F) << item.label;
                 }
             }
@@ -399,7 +399,7 @@ TEST_F(DepthViews, StayInsideAtEverySizeAndTheme) {
 }
 
 TEST_F(DepthViews, CellsAreLargeEnoughForTheirNumbers) {
-    resize(400, 300);  // a frame, which brings the fonts
+    resize(400, 300);  // one frame loads the fonts
     for (float width = 240; width <= 1600; width += 31)
         for (float height = 150; height <= 900; height += 29) {
             const Rect view{{10, 10}, {10 + width, 10 + height}};

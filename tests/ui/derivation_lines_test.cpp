@@ -1,4 +1,4 @@
-// The derivations as lists of lines: the numbers in them agree with each other, and steps show the first of them.
+// The derivations as lists of lines: their numbers agree, and each step shows one more line.
 #include "ui/planes/derivation_lines.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<DerivationLine>;
 
-/// The number after the last "= " of the last line that begins so.
+/// The number after the last "= " of the last line that starts with `begin`.
 double last_number(const Lines& lines, const std::string& begin) {
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         if (line->parts.empty() || line->parts.front() != begin || line->parts.size() < 2) continue;
@@ -33,7 +33,7 @@ bool has(const Lines& lines, const std::string& name, const std::string& part) {
     });
 }
 
-TEST(DerivationLines, OfBlinnGoFromSimilarTrianglesToTheDivisionByW) {
+TEST(DerivationLines, BlinnsLeadsFromSimilarTrianglesToTheDivisionByW) {
     // l = (2, 6, 1), p = (1, 2, −1): t = 6/4, s = (0.5, 0, −2).
     const ShadowDerivation found = derive_shadow({0, 1, 0, 0}, {2, 6, 1, 1}, {1, 2, -1});
     const Lines lines = shadow_lines(found, true);
@@ -55,7 +55,7 @@ TEST(DerivationLines, HoldForAnyPlaneAndLight) {
         const Lines lines = shadow_lines(found, false);
         if (!found.shadow_world || std::abs(found.w) < 0.1) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
-        // By S itself: (P·L) p − (P·p) L.
+        // The same with S itself: (P·L) p − (P·p) L.
         const double to_light = glm::dot(plane, light), to_point = glm::dot(plane, glm::dvec4(p, 1.0));
         const glm::dvec4 sent = to_light * glm::dvec4(p, 1.0) - to_point * light;
         EXPECT_NEAR(last_number(lines, "w"), sent.w, 6e-4);
@@ -66,13 +66,13 @@ TEST(DerivationLines, HoldForAnyPlaneAndLight) {
     }
 }
 
-TEST(DerivationLines, AreWrittenOneByOne) {
+TEST(DerivationLines, AppearOneByOne) {
     const Lines lines = mirror_lines(derive_mirror({0, 1, 0, 0}, {1, 2, 3}));
     const int steps = step_count(lines);
-    EXPECT_EQ(steps, 7);  // k, foot, q′, three rows and a note; the heading comes with its first row
+    EXPECT_EQ(steps, 7);  // k, foot, q′, three rows and a note; the heading comes with the first row
     EXPECT_TRUE(lines_until(lines, 0).empty());
     EXPECT_EQ(lines_until(lines, 1).size(), 1U);
-    EXPECT_EQ(lines_until(lines, 3).size(), 3U) << "no heading without a line below it";
+    EXPECT_EQ(lines_until(lines, 3).size(), 3U) << "a heading needs a line below it";
     EXPECT_EQ(lines_until(lines, 4).size(), 5U);
     EXPECT_EQ(lines_until(lines, 4)[3].kind, DerivationLine::Kind::heading);
     for (const int all : {-1, steps, steps + 5}) EXPECT_EQ(lines_until(lines, all).size(), lines.size());

@@ -1,5 +1,5 @@
-// The derivations of shadow and mirror image as a person meets them: chosen as topics, l_w under the pointer, and in
-// every special case.
+// The derivations of shadow and mirror image in use: selected as topics, with l_w under the pointer, and in every
+// special case.
 #include <algorithm>
 
 #include "desk.h"
@@ -30,8 +30,8 @@ TEST_F(DerivationViews, AreTopicsOfTheLowerViews) {
     EXPECT_TRUE(says("s = l + t (p − l)"));
     EXPECT_TRUE(says("t = (n·l + d)/(n·l − n·p)"));
     EXPECT_TRUE(says("t = l_y/(l_y − p_y)")) << "the plane is y = 0";
-    EXPECT_TRUE(says("Largest difference of any two entries: 0."));
-    desk.choose("lower/topic", "lower/topic/Mirror, derived");
+    EXPECT_TRUE(says("Largest difference between matching entries: 0."));
+    desk.choose("lower/topic", "lower/topic/Mirror derivation");
     desk.settle();
     EXPECT_EQ(params.view.lower_right, Topic::mirror_derivation);
     EXPECT_TRUE(says("q′ = q − 2 k n"));
@@ -64,7 +64,7 @@ TEST_F(DerivationViews, TheLightSlidesFromPointToParallel) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(DerivationViews, SayWhatIsSpecial) {
+TEST_F(DerivationViews, ExplainSpecialCases) {
     params.lights.front().position = {1.0, 0.0, 2.0, 1.0};
     desk.settle();
     EXPECT_TRUE(says("The light lies in the plane"));
@@ -75,7 +75,7 @@ TEST_F(DerivationViews, SayWhatIsSpecial) {
     ASSERT_TRUE(desk.derived.followed);
     params.lights.front().position = glm::dvec4(desk.derived.followed->point_world, 1.0);
     desk.settle();
-    EXPECT_TRUE(says("p is where the light is"));
+    EXPECT_TRUE(says("p coincides with the light"));
     params.lights.front().position.x += 2.0;
     desk.settle();
     EXPECT_TRUE(says("The ray is parallel to the plane"));
@@ -84,11 +84,11 @@ TEST_F(DerivationViews, SayWhatIsSpecial) {
     EXPECT_TRUE(says("Click an object to follow"));
     params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(1.0);
     desk.settle();
-    EXPECT_TRUE(says("S is entered by hand"));
+    EXPECT_TRUE(says("S was entered by hand"));
 }
 
-/// A light at the world's origin has no direction: it cannot become parallel.
-TEST_F(DerivationViews, ALightAtTheOriginStaysAPoint) {
+/// A light at the world's origin has no direction, so it cannot become parallel.
+TEST_F(DerivationViews, ALightAtTheOriginStaysAPointLight) {
     params.planes.front().equation = {0.0, 1.0, 0.0, 2.0};
     params.lights.front().position = {0.0, 0.0, 0.0, 1.0};
     desk.settle();
@@ -97,8 +97,8 @@ TEST_F(DerivationViews, ALightAtTheOriginStaysAPoint) {
     EXPECT_GT(params.lights.front().position.w, 0.0);
 }
 
-/// Whatever the state, in views of every size: drawn, and showing it changes nothing.
-TEST_F(DerivationViews, HoldEverywhere) {
+/// In every state and at every view size the views draw something, and drawing changes no state.
+TEST_F(DerivationViews, DrawInEveryStateAndSize) {
     const glm::dvec4 lights[] = {{2.6, 5.2, 2.2, 1}, {2.6, 5.2, 2.2, 0}, {2.6, 5.2, 2.2, 1e-7}, {0, 5, 0, 1},
                                  {0, -5, 0, 0},      {1, 0, 0, 0},       {1e6, 1e6, 1e6, 1},    {0, 0, 0, 1},
                                  {0, 1e-9, 1, 0},    {1.4, 1.3, -0.6, 1}};

@@ -1,5 +1,5 @@
-// The whole user interface without a window or GL: a session, its workbench and the people's side of it — mouse, keys,
-// clipboard. What is drawn is derived and planned each frame as the studio does. Read widgets/harness.h first.
+// The whole user interface without a window or GL: a session, its workbench and simulated mouse, keys and clipboard.
+// Each frame derives and plans like the studio. Read widgets/harness.h first.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ namespace viewing::test {
 
 using widgets::RecordedItem;
 
-/// Every text there is, whatever their translations.
+/// Returns every text of the program, without translations.
 inline std::vector<PoEntry> catalogue() {
     std::ifstream file(assets_directory() / "text" / "ko.po", std::ios::binary);
     Result<std::vector<PoEntry>> entries = read_po(std::string{std::istreambuf_iterator<char>(file), {}});
@@ -46,7 +46,7 @@ inline Session session_of(const std::string& state) {
     return std::move(*session);
 }
 
-/// What an area's content needs beyond its width: text that is cut off.
+/// How far an area's content extends beyond its edges, so that text is cut off.
 struct AreaFacts {
     std::string name;
     Rect rect;
@@ -56,7 +56,7 @@ struct AreaFacts {
 
 class Desk {
 public:
-    /// High enough that the panel does not scroll, unless told otherwise. `state` as on the command line.
+    /// By default the window is so tall that the panel does not scroll. `state` is written as on the command line.
     explicit Desk(ImVec2 size = {1600, 1500}, const std::string& state = "opening") : session(session_of(state)) {
         ImGuiIO& io = ImGui::GetIO();
         io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -68,7 +68,7 @@ public:
         ui.frames(5);
     }
     ~Desk() {
-        // A test's own language, such as the pseudo-language, is its own affair.
+        // A test may select a language, such as the pseudo-language; English is restored here.
         if (spoken_language() == Language::en) return;
         EXPECT_TRUE(speak(Language::en));
     }
@@ -89,7 +89,7 @@ public:
     Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session); }
     const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
 
-    /// Fonts, style and language as the state has them, as the studio does between frames.
+    /// Applies fonts, style and language of the state, as the studio does between frames.
     void apply_looks() {
         const UiParams& looks = session.params.ui;
         widgets::Context& context = workbench.widgets;
@@ -107,7 +107,7 @@ public:
         widgets::ApplyStyle(context);
     }
 
-    /// Until nothing moves and nothing loads.
+    /// Runs frames until nothing moves or loads.
     void settle() {
         ui.frame();
         session.finish_loading();
@@ -115,7 +115,7 @@ public:
         ui.frames(3);
     }
 
-    // ---- keys: of the sandbox and of ImGui at once, as GLFW reports them ----------------------------
+    // ---- keys: sent to the sandbox and to ImGui together, as GLFW reports them ---------------------------
 
     void hold(Key key) {
         set_down(key, true);
@@ -142,15 +142,15 @@ public:
         press_with(Key::shift, Key::z);
         let_go(Key::ctrl);
     }
-    /// A letter as the keyboard sends it: a key and a character.
+    /// Sends a letter as the keyboard does: a key and a character.
     void press_letter(Key key, char letter) {
         ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(letter));
         press(key);
     }
 
-    // ---- controls by label, wherever they have to be scrolled to ------------------------------------
+    // ---- controls by label, scrolled into view when needed -----------------------------------------------
 
-    /// The area of the window that an item is in; nothing for popups and dialogs.
+    /// The area of the window that contains an item; nothing for popups and dialogs.
     std::optional<Rect> area_of(const RecordedItem& item) const {
         const Layout now = layout();
         if (item.window == "panel") return now.panel;
@@ -182,14 +182,14 @@ public:
         reveal(label);
         ui.drag(label, dx, dy, steps, from_x);
     }
-    /// Types over a number.
+    /// Replaces a number by typing.
     void enter(std::string_view label, const char* text) {
         reveal(label);
         ui.double_click(label);
         ui.type(text);
         ui.key(ImGuiKey_Enter);
     }
-    /// Opens a combo (or menu button) and takes one of what it offers.
+    /// Opens a combo or menu button and picks one of its items.
     void choose(std::string_view combo, std::string_view item) {
         click(combo);
         ui.frames(2);
@@ -197,16 +197,16 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label :
-             {"camera/Famous slips", "projection/Aspect and radians", "Depth buffer", "shadow/Shadow: style and offset",
-              "shadow/Shadow: clip at light, sign, stencil", "reflection/Mirror: how it is drawn"})
+        for (const char* label : {"camera/Common mistakes", "projection/Aspect and radians", "Depth buffer",
+                                  "shadow/Shadow: style and offset", "shadow/Shadow: clip at light, sign, stencil",
+                                  "reflection/Mirror: drawing method"})
             if (!is_folded_out(label)) click(label);
         if (ui.text_of("Observer") == "folded") click("Observer");
     }
 
     // ---- the views -----------------------------------------------------------------------------------
 
-    /// Where a point of the world is in the camera's picture.
+    /// The position of a world point in the camera's picture.
     ImVec2 in_camera_view(const glm::dvec3& world) const {
         return place(layout().camera, derived.clip_from_world, world);
     }
@@ -237,13 +237,13 @@ private:
         struct Inside {
             std::string_view details, item;
         };
-        static constexpr Inside all[] = {{"camera/Famous slips", "camera/C sent as V"},
+        static constexpr Inside all[] = {{"camera/Common mistakes", "camera/C sent as V"},
                                          {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
                                          {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
                                          {"Depth buffer", "buffer/depth format"},
                                          {"shadow/Shadow: style and offset", "shadow/style/Blend"},
                                          {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},
-                                         {"reflection/Mirror: how it is drawn", "reflection/Mirror last"}};
+                                         {"reflection/Mirror: drawing method", "reflection/Mirror last"}};
         const std::string_view inside = std::ranges::find(all, details, &Inside::details)->item;
         return ui.has(inside);
     }
@@ -252,7 +252,7 @@ private:
         ImGuiIO& io = ImGui::GetIO();
         if (key == Key::ctrl) io.KeyCtrl = down;
         if (key == Key::shift) io.KeyShift = down;
-        if (key == Key::escape) io.KeysDown[ImGuiKey_Escape] = down;
+        if (key == Key::escape) widgets::test::key_down(ImGuiKey_Escape) = down;
     }
 
     void draw() {
@@ -276,7 +276,7 @@ private:
         measure_areas();
     }
 
-    /// What hidden-surface methods find for the camera view, at once.
+    /// The hidden-surface answer for the camera view, computed synchronously.
     std::shared_ptr<const HiddenAnswer> hidden_answer(glm::ivec2 size_px) {
         const std::optional<HiddenQuestion> question = hidden_question(session.params, derived, size_px);
         if (!question) return nullptr;
@@ -291,7 +291,7 @@ private:
     int solver_version_ = -1;
     std::shared_ptr<const HiddenAnswer> answer_;
 
-    /// Appending to a window that was drawn tells how much of its content is beyond its edge.
+    /// Appending to a window that is already drawn reveals how much of its content is beyond its edge.
     void measure_areas() {
         areas.clear();
         for (const char* name : {"top", "panel", "matrices", "views", "lower views"}) {

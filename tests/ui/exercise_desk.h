@@ -1,5 +1,4 @@
-// A desk with a student's sheet of exercises that is made, as the studio makes it, but without pictures: what is
-// measured in them is left out.
+// A desk with a finished exercise sheet, made as the studio makes it but without pictures: measured parts are left out.
 #pragma once
 
 #include "desk.h"
@@ -14,7 +13,7 @@ public:
         workbench.exercises.open();
         make();
     }
-    /// Until every variant is there; one that is measured stays an error.
+    /// Runs until every variant is made; measured variants remain errors.
     void make() {
         ExerciseDesk& desk = workbench.exercises;
         while (const std::optional<std::size_t> next = desk.next_to_make())
@@ -29,7 +28,7 @@ public:
         ui.frames(3);
     }
     LessonRun& run() { return *workbench.guide.run(); }
-    /// What the studio does when Check is pressed, for what needs no picture.
+    /// Does what the studio does after Check is pressed, for everything that needs no picture.
     void check() {
         const LessonStep& step = run().step();
         const Params& judged = step.ask.kind == AskKind::goal ? session.params : step.start.params;

@@ -1,5 +1,5 @@
-// Exercises as the window shows them: every question can be read, what is typed comes from fields and clipboards, and
-// nothing but a right answer shows what is covered.
+// Exercises in the window: every question is readable, input comes from fields and the clipboard, and only a right
+// answer uncovers hidden parts.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -38,8 +38,8 @@ protected:
     ExerciseSheetDesk desk{GetParam().size};
 };
 
-/// Before an answer, and after each wrong one that is known; every other exercise on each screen.
-TEST_P(ExerciseScreensSlowTest, EveryQuestionCanBeRead) {
+/// Checks before an answer and after each known wrong one. Each screen checks every other exercise.
+TEST_P(ExerciseScreensSlowTest, EveryQuestionIsReadable) {
     std::map<std::string, std::string> wrong;
     std::size_t count = GetParam().size.x > 1100.0F ? 0 : 1;
     for (const ExerciseDesk::Entry& entry : desk.workbench.exercises.entries()) {
@@ -51,13 +51,13 @@ TEST_P(ExerciseScreensSlowTest, EveryQuestionCanBeRead) {
             verdict.say = known.say;
             desk.run().take(verdict);
             desk.ui.frames(2);
-            for (const std::string& text : unreadable(desk)) wrong.emplace(text, entry.exercise.id + ", told");
+            for (const std::string& text : unreadable(desk)) wrong.emplace(text, entry.exercise.id + ", with feedback");
         }
     }
     for (const auto& [text, where] : wrong) ADD_FAILURE() << where << ", " << text;
 }
 
-TEST_P(ExerciseScreensSlowTest, ThePageCanBeRead) {
+TEST_P(ExerciseScreensSlowTest, ThePageIsReadable) {
     desk.workbench.exercise_page.open(desk.workbench.exercises);
     desk.ui.frames(4);
     for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
@@ -71,7 +71,7 @@ protected:
     widgets::test::Harness& ui = desk.ui;
 };
 
-TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardItsExercise) {
+TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardOpensItsExercise) {
     desk.click("top/Exercises");
     ui.frames(3);
     ASSERT_TRUE(ui.has("exercises/card 1"));
@@ -83,7 +83,7 @@ TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardItsExercise) {
     EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
 }
 
-TEST_F(ExercisesInTheWindow, ACardThatIsClickedTooSoonOpensWhenAllAreMade) {
+TEST_F(ExercisesInTheWindow, ACardClickedTooEarlyOpensWhenTheSheetIsReady) {
     desk.click("top/Exercises");
     ui.frames(3);
     desk.workbench.exercises.sit_down({"viewing-2026", "32209999", "Lee"});
@@ -101,7 +101,7 @@ TEST_F(ExercisesInTheWindow, ACardThatIsClickedTooSoonOpensWhenAllAreMade) {
     EXPECT_EQ(desk.run().lesson().sheet->student, "32209999");
 }
 
-TEST_F(ExercisesInTheWindow, PageDownGoesOnAndNeverShowsAnAnswer) {
+TEST_F(ExercisesInTheWindow, PageDownAdvancesWithoutShowingAnswers) {
     desk.begin("E16-shadow-matrix");
     desk.press(Key::page_down);
     desk.settle();
@@ -115,7 +115,7 @@ TEST_F(ExercisesInTheWindow, PageDownGoesOnAndNeverShowsAnAnswer) {
     EXPECT_TRUE(desk.run().is_first());
 }
 
-TEST_F(ExercisesInTheWindow, NumbersOfTheClipboardAreTheAnswer) {
+TEST_F(ExercisesInTheWindow, PastedNumbersBecomeTheAnswer) {
     desk.begin("E16-shadow-matrix");
     desk.clipboard = "array([[1., 2, 3, 4],\n [5, 6, 7, 8], [9, 10, 11, −12], [1/4, 0, 0, 1e-3]], dtype=float64)";
     desk.press_with(Key::ctrl, Key::v);
@@ -123,11 +123,11 @@ TEST_F(ExercisesInTheWindow, NumbersOfTheClipboardAreTheAnswer) {
     EXPECT_EQ(desk.run().answer().numbers, wanted);
     desk.clipboard = "1 2 3";
     desk.click("lesson strip/Paste");
-    EXPECT_EQ(desk.run().answer().numbers, wanted) << "three numbers are no matrix";
+    EXPECT_EQ(desk.run().answer().numbers, wanted) << "three numbers are not a matrix";
     EXPECT_NE(desk.session.message.text.find("3 numbers"), std::string::npos) << desk.session.message.text;
 }
 
-TEST_F(ExercisesInTheWindow, AMisconceptionIsToldAndARightAnswerUncovers) {
+TEST_F(ExercisesInTheWindow, AMisconceptionIsExplainedAndARightAnswerUncovers) {
     desk.begin("E16-shadow-matrix");
     const Result<Surroundings> numbers = numbers_of(desk.run().step().start, desk.run().step().start.params, nullptr);
     ASSERT_TRUE(numbers);
@@ -148,18 +148,18 @@ TEST_F(ExercisesInTheWindow, AMisconceptionIsToldAndARightAnswerUncovers) {
     desk.check();
     EXPECT_TRUE(desk.run().is_revealed());
     desk.settle();
-    EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "what was covered is shown";
+    EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "the covered part is shown";
     EXPECT_EQ(desk.workbench.exercises.points(), 3);
     EXPECT_EQ(desk.workbench.exercises.hand_in().find("E16-shadow-matrix")->attempts.size(), 3U);
 }
 
-TEST_F(ExercisesInTheWindow, WhatAMatrixDoesIsShownAndEscapeLeaves) {
+TEST_F(ExercisesInTheWindow, ShowsTheEffectOfAMatrixAndEscapeLeaves) {
     desk.begin("E16-shadow-matrix");
     desk.run().answer().numbers.assign(16, 1.0);
     desk.check();
     desk.click("lesson strip/What my matrix does");
     ui.frames(3);
-    ASSERT_TRUE(ui.has("typed matrix/with your matrix"));
+    ASSERT_TRUE(ui.has("typed matrix/your matrix"));
     const std::vector<CardPicture> wanted = desk.workbench.wanted_cards();
     ASSERT_EQ(wanted.size(), 2U);
     const Result<LoadedState> typed = wanted[0].load(), right = wanted[1].load();
@@ -168,10 +168,10 @@ TEST_F(ExercisesInTheWindow, WhatAMatrixDoesIsShownAndEscapeLeaves) {
     EXPECT_TRUE(right->params.overrides == Params{}.overrides);
     for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
     desk.press(Key::escape);
-    EXPECT_FALSE(ui.has("typed matrix/with your matrix"));
+    EXPECT_FALSE(ui.has("typed matrix/your matrix"));
 }
 
-TEST_F(ExercisesInTheWindow, OnesOwnWayToAGoalIsKeptFromExerciseToExercise) {
+TEST_F(ExercisesInTheWindow, ProgressTowardAGoalIsKeptAcrossExercises) {
     desk.begin("E18-place-the-light");
     desk.session.params.lights.front().position = {1.0, 9.0, 2.0, 1.0};
     desk.ui.frames(3);
@@ -187,7 +187,7 @@ TEST_F(ExercisesInTheWindow, OnesOwnWayToAGoalIsKeptFromExerciseToExercise) {
     EXPECT_EQ(item->replay.size(), 1U);
 }
 
-TEST_F(ExercisesInTheWindow, AnotherNumberHasAnotherSheetAndTheFirstComesBack) {
+TEST_F(ExercisesInTheWindow, AnotherStudentNumberHasItsOwnSheet) {
     desk.begin("E16-shadow-matrix");
     const std::size_t variant = desk.run().lesson().sheet->items[desk.run().index()].variant;
     desk.click("lesson strip/All exercises");
@@ -202,7 +202,7 @@ TEST_F(ExercisesInTheWindow, AnotherNumberHasAnotherSheetAndTheFirstComesBack) {
     EXPECT_EQ(desk.workbench.exercises.entries()[15].variant, variant);
 }
 
-/// All that is drawn on the screen, its lines joined by blanks.
+/// Returns all text on the screen, lines joined by spaces.
 std::string drawn(const Desk& desk) {
     const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
     const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};
@@ -215,8 +215,8 @@ std::string drawn(const Desk& desk) {
 
 class Practice : public testing::ScratchFolder {};
 
-/// Answers without a number, then the number: what was practised is said, taken over, and the way there and back.
-TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
+/// Answers without a student number, then with one: the practice run is mentioned, adopted, and reachable both ways.
+TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     ExerciseSheetDesk desk({1600, 900}, Student{});
     widgets::test::Harness& ui = desk.ui;
     desk.workbench.exercises.keep_in(folder_, "test");
@@ -224,7 +224,7 @@ TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
     const auto settle = [&] {
         EXPECT_TRUE(desk.workbench.exercises.finish());
         const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        do {  // what is read comes from another thread
+        do {  // the sheet is read on another thread
             ui.frame();
             desk.make();
         } while (!desk.workbench.exercises.is_ready() && std::chrono::steady_clock::now() < patience);
@@ -238,9 +238,9 @@ TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
     desk.click("top/Exercises");
     settle();
     says("Practice: student number and course are missing. Answers are kept on this computer and are not handed in.");
-    EXPECT_FALSE(ui.has("exercises/Take over"));
-    EXPECT_FALSE(ui.has("exercises/Practice")) << "it is practice";
-    const std::size_t practised = variant();
+    EXPECT_FALSE(ui.has("exercises/Import"));
+    EXPECT_FALSE(ui.has("exercises/Practice")) << "this is a practice run";
+    const std::size_t practiced = variant();
     desk.click("exercises/card 16");
     ui.frames(3);
     desk.settle();
@@ -252,10 +252,10 @@ TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
     desk.click("lesson strip/All exercises");
     ui.frames(3);
     Student student{"viewing-2026", "", ""};
-    for (int number = 1; number < 1000; ++number) {  // one with the same numbers in this exercise
+    for (int number = 1; number < 1000; ++number) {  // a student with the same values in this exercise
         student.number = std::to_string(number);
         desk.workbench.exercises.sit_down(student);
-        if (variant() == practised) break;
+        if (variant() == practiced) break;
     }
     desk.workbench.exercises.sit_down(Student{});
     settle();
@@ -266,22 +266,22 @@ TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
         ui.key(ImGuiKey_Tab);
         settle();
     }
-    says("One exercise was practised. One of them has your numbers: its answers can be taken over.");
+    says("You practiced one exercise. One of them has your numbers: you can import its answers.");
     EXPECT_EQ(desk.workbench.exercises.points(), 0);
-    desk.click("exercises/Take over");
+    desk.click("exercises/Import");
     settle();
     EXPECT_EQ(desk.workbench.exercises.points(), 3);
-    EXPECT_FALSE(ui.has("exercises/Take over"));
-    says("One exercise was practised. The answers are kept under Practice.");
+    EXPECT_FALSE(ui.has("exercises/Import"));
+    says("You practiced one exercise. The answers are kept under Practice.");
 
     desk.click("exercises/Practice");
     settle();
     EXPECT_TRUE(desk.workbench.exercises.is_practice());
-    says("Practice: these numbers are not your own.");
-    desk.click("exercises/My own sheet");
+    says("Practice: these are not your numbers.");
+    desk.click("exercises/My sheet");
     settle();
     EXPECT_FALSE(desk.workbench.exercises.is_practice());
-    says("One exercise was practised.");
+    says("You practiced one exercise.");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The view of depth fighting in a window of its own, with reports made here: what it says, what it leaves out where it
-// is narrow, and that everything stays inside.
+// The depth fighting view in its own window, with reports made here: its texts, the columns it drops when narrow, and
+// that everything stays inside.
 #include "ui/depth/fighting_view.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ protected:
         ImGui::End();
     }
 
-    /// The six pairs, of which the last one is wrong at a quarter of its pixels.
+    /// The six pairs; a quarter of the last pair's pixels are wrong.
     void make_report() {
         const Derived derived = derive(session.params, session.scene(), {});
         FightingCounts counts;
@@ -53,7 +53,7 @@ protected:
         report->minimum_gap->predicted = {0.05, 0.01, true};
         report->minimum_gap->gap = 0.036;
     }
-    /// Whether something is painted in a colour within the item that says this.
+    /// Whether anything in this color is drawn within the item that contains this text.
     bool paints(std::string_view part, ImU32 color) const {
         for (const RecordedItem& item : context.recorded) {
             if (item.label.find(part) == std::string::npos) continue;
@@ -73,7 +73,7 @@ protected:
     }
 };
 
-TEST_F(FightingView, ACoveredColumnSaysNothingNorDoesWhatWouldTellIt) {
+TEST_F(FightingView, CoveredColumnsAndTheirHintsShowNothing) {
     make_report();
     rect = {{20, 20}, {980, 400}};
     ui.frames(3);
@@ -86,7 +86,7 @@ TEST_F(FightingView, ACoveredColumnSaysNothingNorDoesWhatWouldTellIt) {
     EXPECT_TRUE(says(": ?"));
 }
 
-TEST_F(FightingView, EveryColumnIsFoundByItsName) {
+TEST_F(FightingView, EveryColumnIsFoundByName) {
     make_report();
     rect = {{20, 20}, {980, 400}};
     std::vector<std::string>& names = context.targets.highlighted;
@@ -97,17 +97,17 @@ TEST_F(FightingView, EveryColumnIsFoundByItsName) {
     EXPECT_EQ(widgets::MissingTargets(), std::vector<std::string>{});
 }
 
-TEST_F(FightingView, SaysThatItCountsBeforeThereIsAnything) {
+TEST_F(FightingView, SaysThatItCountsBeforeTheFirstResult) {
     ui.frames(2);
     EXPECT_TRUE(says("Counting…"));
 }
 
-TEST_F(FightingView, HasARowForEachPairAndTheTotals) {
+TEST_F(FightingView, HasARowForEachPairAndATotal) {
     make_report();
     ui.frames(3);
-    EXPECT_TRUE(says("back / front quad at 4: 0.0 %"));
-    EXPECT_TRUE(says("back / front quad at 84: 25.0 %"));
-    EXPECT_TRUE(says("all pairs 4.2 % wrong"));
+    EXPECT_TRUE(says("back / front quad at 4: 0.0%"));
+    EXPECT_TRUE(says("back / front quad at 84: 25.0%"));
+    EXPECT_TRUE(says("all pairs: 4.2% wrong"));
     EXPECT_TRUE(says("77 bleed through"));
     EXPECT_TRUE(says("640 × 360 pixels"));
     EXPECT_TRUE(says("predicted 0.06"));
@@ -115,7 +115,7 @@ TEST_F(FightingView, HasARowForEachPairAndTheTotals) {
     EXPECT_TRUE(says("safe gap"));
 }
 
-TEST_F(FightingView, TellsIntervalSpreadAndWhatVanishes) {
+TEST_F(FightingView, ShowsIntervalSpreadAndVanishedPixels) {
     make_report();
     report->rows.front().predicted.wrong_share = ShareInterval{0.25, 0.605};
     for (const double share : {0.1, 0.2, 0.6}) report->rows.front().spread.take(share);
@@ -123,13 +123,13 @@ TEST_F(FightingView, TellsIntervalSpreadAndWhatVanishes) {
     rect.max.x = rect.min.x + 980.0F;
     ui.frames(3);
     EXPECT_TRUE(says("1,234 show the background"));
-    EXPECT_TRUE(says("trembling"));
+    EXPECT_TRUE(says("jittered"));
     EXPECT_NEAR(report->rows.front().spread.mean(), 0.3, 1e-12);
     EXPECT_EQ(report->rows.front().spread.least, 0.1);
     EXPECT_EQ(report->rows.front().spread.most, 0.6);
 }
 
-TEST_F(FightingView, PaintsOnlyWhatIsWrongInTheTroubleColor) {
+TEST_F(FightingView, UsesTheTroubleColorOnlyForWrongPixels) {
     make_report();
     ui.frames(3);
     EXPECT_TRUE(paints("all pairs", palette().trouble));
@@ -137,30 +137,30 @@ TEST_F(FightingView, PaintsOnlyWhatIsWrongInTheTroubleColor) {
     report->counts.wrong_elsewhere = report->counts.bleeding_elsewhere = 0;
     ui.frames(3);
     EXPECT_TRUE(paints("all pairs", palette().trouble));
-    EXPECT_FALSE(paints("elsewhere 0", palette().trouble));
-    EXPECT_TRUE(paints("elsewhere 0", palette().text));
+    EXPECT_FALSE(paints("elsewhere: 0", palette().trouble));
+    EXPECT_TRUE(paints("elsewhere: 0", palette().text));
     EXPECT_TRUE(paints("640 × 360 pixels", palette().quiet));
     report->counts.pairs.back().wrong = 0;
     ui.frames(3);
     EXPECT_FALSE(paints("all pairs", palette().trouble));
 }
 
-TEST_F(FightingView, TellsWhatIsStillCounted) {
+TEST_F(FightingView, SaysWhatIsStillBeingCounted) {
     make_report();
     report->counts_are_behind = report->gap_is_behind = true;
     ui.frames(3);
     EXPECT_TRUE(says("counting…"));
     EXPECT_TRUE(says("searching"));
     EXPECT_FALSE(says("all pairs"));
-    EXPECT_TRUE(says("back / front quad at 84: 25.0 %")) << "the old ones, greyed";
+    EXPECT_TRUE(says("back / front quad at 84: 25.0%")) << "the old counts, grayed out";
 }
 
-TEST_F(FightingView, LeavesColumnsOutWhereItIsNarrowAndKeepsTheCounts) {
+TEST_F(FightingView, DropsColumnsWhenNarrowButKeepsTheCounts) {
     make_report();
     for (const float width : {180.0F, 230.0F, 300.0F, 420.0F, 620.0F, 900.0F}) {
         rect.max.x = rect.min.x + width;
         ui.frames(4);
-        EXPECT_TRUE(says("back / front quad at 84: 25.0 %")) << width;
+        EXPECT_TRUE(says("back / front quad at 84: 25.0%")) << width;
         EXPECT_EQ(says("safe gap"), width >= 230.0F) << width;
         EXPECT_EQ(says("wrong pixels"), width >= 620.0F) << width;
         for (const RecordedItem& item : context.recorded) {
@@ -170,7 +170,7 @@ TEST_F(FightingView, LeavesColumnsOutWhereItIsNarrowAndKeepsTheCounts) {
     }
 }
 
-TEST_F(FightingView, TellsWhatEachCureComesToAndSetsIt) {
+TEST_F(FightingView, ShowsTheResultOfEachCureAndAppliesIt) {
     make_report();
     ASSERT_EQ(report->cured.size(), 7U);
     FightingCounts& reversed = report->cured[2].counts.emplace(report->counts);
@@ -178,13 +178,13 @@ TEST_F(FightingView, TellsWhatEachCureComesToAndSetsIt) {
     reversed.wrong_elsewhere = 0;
     stencil.pairs.back().wrong = 0;
     ui.frames(3);
-    EXPECT_TRUE(says("reversed: 4.2 %"));
+    EXPECT_TRUE(says("reversed: 4.2%"));
     EXPECT_FALSE(says("reversed: +"));
-    EXPECT_TRUE(says("stencil: 0.0 %"));
+    EXPECT_TRUE(says("stencil: 0.0%"));
     EXPECT_TRUE(says("stencil: +77"));
     EXPECT_TRUE(says("near 3.4: …")) << "not counted yet";
-    EXPECT_TRUE(paints("reversed: 4.2 %", palette().trouble));
-    EXPECT_FALSE(paints("stencil: 0.0 %", palette().trouble));
+    EXPECT_TRUE(paints("reversed: 4.2%", palette().trouble));
+    EXPECT_FALSE(paints("stencil: 0.0%", palette().trouble));
     ui.click("fighting/reversed");
     EXPECT_EQ(session.params, report->cured[2].cure.params);
     EXPECT_EQ(session.params.depth.mapping, DepthMapping::reversed);
@@ -194,7 +194,7 @@ TEST_F(FightingView, OffersASceneThatFights) {
     session.params.scene = std::string("torus-and-boxes");
     report = std::make_shared<FightingReport>();
     ui.frames(2);
-    EXPECT_TRUE(says("nothing fights"));
+    EXPECT_TRUE(says("no depth fighting"));
     ui.click("fighting/Open coplanar");
     EXPECT_EQ(std::get<std::string>(session.params.scene), "coplanar");
 }

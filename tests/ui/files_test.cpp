@@ -1,4 +1,4 @@
-// States and scenes in and out: clipboard, presets, dialogs, dropped files, the loading of a big mesh.
+// States and scenes in and out: clipboard, presets, dialogs, dropped files, loading a large mesh.
 #include <unistd.h>
 
 #include <chrono>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Works in a folder of its own: that is where dialogs open.
+/// Works in its own folder, where the dialogs open.
 class FilesTest : public ::testing::Test {
 protected:
     FilesTest() {
@@ -41,7 +41,7 @@ protected:
         desk.input.dropped_files = {folder_ / name};
         ui.frame();
     }
-    /// An OBJ file with 2 · side² triangles.
+    /// Writes an OBJ file with 2 · side² triangles.
     void write_grid(const char* name, int side) {
         std::ofstream file(folder_ / name);
         for (int y = 0; y <= side; ++y)
@@ -57,7 +57,7 @@ protected:
         const RecordedItem* item = ui.try_find("file/trouble");
         return item ? item->text : "";
     }
-    /// Takes an entry of the open list of scenes, scrolled to where needed.
+    /// Picks an entry of the open scene list, scrolling when needed.
     void choose_scene(const std::string& name) {
         const std::string label = "top/" + name;
         desk.click("top/scene");
@@ -75,7 +75,7 @@ protected:
         ui.click(label);
         desk.settle();
     }
-    /// Types its name into the list's search field and takes it there.
+    /// Types the preset's name into the list's search field and picks it.
     void choose_preset(const std::string& name) {
         desk.click("top/preset");
         ui.frames(2);
@@ -91,7 +91,7 @@ protected:
     Params& params = desk.session.params;
 };
 
-TEST_F(FilesTest, CopyAndPasteRestore) {
+TEST_F(FilesTest, CopyAndPasteRestoreTheState) {
     const Params copied = params;
     desk.press_with(Key::ctrl, Key::c);
     const Result<Params> read_back = parse_state(desk.clipboard, "clipboard");
@@ -106,7 +106,7 @@ TEST_F(FilesTest, CopyAndPasteRestore) {
     EXPECT_EQ(params, edited);
 }
 
-TEST_F(FilesTest, TheFileMenuCopiesAndPastesToo) {
+TEST_F(FilesTest, TheFileMenuAlsoCopiesAndPastes) {
     const Params copied = params;
     desk.choose("top/File", "top/Copy state");
     EXPECT_EQ(*parse_state(desk.clipboard, "clipboard"), copied);
@@ -115,7 +115,7 @@ TEST_F(FilesTest, TheFileMenuCopiesAndPastesToo) {
     EXPECT_EQ(params, copied);
 }
 
-TEST_F(FilesTest, ALinkGoesThroughTheClipboard) {
+TEST_F(FilesTest, LinksGoThroughTheClipboard) {
     desk.click("depth/Depth test");
     desk.enter("camera/position/y", "9");
     const Params copied = params;
@@ -128,7 +128,7 @@ TEST_F(FilesTest, ALinkGoesThroughTheClipboard) {
     desk.press_with(Key::ctrl, Key::v);
     desk.settle();
     EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
-    EXPECT_EQ(differing_fields(params, copied), Paths{"ui.theme"}) << "looks are the person's";
+    EXPECT_EQ(differing_fields(params, copied), Paths{"ui.theme"}) << "the looks belong to the user";
     desk.clipboard = "#preset=walkthrough";
     desk.press_with(Key::ctrl, Key::v);
     desk.settle();
@@ -138,7 +138,7 @@ TEST_F(FilesTest, ALinkGoesThroughTheClipboard) {
     EXPECT_TRUE(desk.session.message.is_error && desk.session.message.text.starts_with("link: "));
 }
 
-TEST_F(FilesTest, ALessonsLinkLeadsThroughItFromItsStep) {
+TEST_F(FilesTest, ALessonLinkContinuesFromItsStep) {
     Guide& guide = desk.workbench.guide;
     const auto paste = [&](const std::string& text) {
         desk.clipboard = text;
@@ -160,7 +160,7 @@ TEST_F(FilesTest, ALessonsLinkLeadsThroughItFromItsStep) {
     EXPECT_EQ(guide.run()->index(), 2U);
     EXPECT_EQ(params, desk.session.in_own_looks(guide.run()->step().start.params));
 
-    // An untouched step is copied as it is named, one that was changed or answered as the state that it is now.
+    // An untouched step is copied by its name; a changed or answered one as its current state.
     const auto copied = [&] {
         copy_link(guide, desk.session);
         return desk.clipboard.substr(0, desk.clipboard.find_first_of("#") + 2);
@@ -176,7 +176,7 @@ TEST_F(FilesTest, ALessonsLinkLeadsThroughItFromItsStep) {
     EXPECT_EQ(copied(), "viewing-sandbox.html#1");
 }
 
-TEST_F(FilesTest, PastedJunkChangesNothingAndSaysWhy) {
+TEST_F(FilesTest, PastingJunkChangesNothingAndSaysWhy) {
     const Params before = params;
     for (const char* junk :
          {"", "hello", "{\"projection\": {\"naer\": 1}}", "{\"projection\": {\"near\": -1}}", "[]"}) {
@@ -219,7 +219,7 @@ TEST_F(FilesTest, EverySceneOpensFromTheList) {
     }
 }
 
-TEST_F(FilesTest, SavesAndOpensThroughTheDialogs) {
+TEST_F(FilesTest, DialogsSaveAndOpen) {
     desk.enter("projection/z-near", "0.25");
     const Params saved = params;
     desk.press_with(Key::ctrl, Key::s);
@@ -248,12 +248,12 @@ TEST_F(FilesTest, SavesAndOpensThroughTheDialogs) {
     EXPECT_EQ(params, saved);
 }
 
-TEST_F(FilesTest, EnterAnswersWhetherAFileIsReplaced) {
+TEST_F(FilesTest, EnterConfirmsReplacingAFile) {
     write("mine.json", "old");
     desk.press_with(Key::ctrl, Key::s);
     ui.type("mine.json");
     ui.key(ImGuiKey_Enter);
-    EXPECT_NE(trouble().find("save once more"), std::string::npos);
+    EXPECT_NE(trouble().find("save again"), std::string::npos);
     EXPECT_EQ(read(folder_ / "mine.json"), "old");
     ui.key(ImGuiKey_Enter);
     desk.settle();
@@ -261,7 +261,7 @@ TEST_F(FilesTest, EnterAnswersWhetherAFileIsReplaced) {
     EXPECT_EQ(*parse_state(read(folder_ / "mine.json"), "mine.json"), params);
 }
 
-TEST_F(FilesTest, ADialogSaysWhatIsWrongAndStaysOpen) {
+TEST_F(FilesTest, ADialogReportsErrorsAndStaysOpen) {
     write("broken.json", "{\"projection\": {\"near\": 0}}");
     const Params before = params;
     desk.press_with(Key::ctrl, Key::s);
@@ -283,7 +283,7 @@ TEST_F(FilesTest, ADialogSaysWhatIsWrongAndStaysOpen) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(FilesTest, KeysRestWhileADialogIsOpen) {
+TEST_F(FilesTest, KeysDoNothingWhileADialogIsOpen) {
     params.follow = Follow{"box", 0};
     desk.settle();
     const Params before = params;
@@ -293,7 +293,7 @@ TEST_F(FilesTest, KeysRestWhileADialogIsOpen) {
         desk.press_letter(key, letter);
     ui.move_to({5, 5});
     ui.press();
-    ui.release();  // takes the keyboard from the name's field
+    ui.release();  // moves the keyboard focus away from the name field
     for (const Key key : {Key::w, Key::n, Key::b, Key::m}) desk.press(key);
     EXPECT_EQ(params, before);
     EXPECT_EQ(desk.params().view.layout.big, BigView::none);
@@ -342,7 +342,7 @@ TEST_F(FilesTest, ABrokenFileChangesNothingAndSaysWhy) {
     }
 }
 
-TEST_F(FilesTest, AFileOutsideTheStatesFolderIsAskedAbout) {
+TEST_F(FilesTest, AFileOutsideTheStatesFolderNeedsPermission) {
     fs::create_directories(folder_ / "own");
     fs::create_directories(folder_ / "other");
     write("other/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -359,7 +359,7 @@ TEST_F(FilesTest, AFileOutsideTheStatesFolderIsAskedAbout) {
         ASSERT_NE(desk.session.asks_to_read(), nullptr);
         EXPECT_EQ(desk.session.asks_to_read()->file, fs::canonical(folder_ / "other/m.obj"));
         desk.press(Key::n);
-        EXPECT_EQ(params, before) << "keys rest";
+        EXPECT_EQ(params, before) << "keys do nothing";
         EXPECT_EQ(desk.session.scene().objects.size(), objects);
         if (std::string(answer) == "escape")
             desk.press(Key::escape);
@@ -376,9 +376,9 @@ TEST_F(FilesTest, AFileOutsideTheStatesFolderIsAskedAbout) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(FilesTest, ABigMeshShowsItsProgressAndCanBeCancelled) {
-    write_grid("huge.obj", 1000);  // 2 million triangles: seconds, where a click takes a tenth of one
-    write_grid("big.obj", 400);    // 320 000 triangles
+TEST_F(FilesTest, ALargeMeshShowsProgressAndCanBeCanceled) {
+    write_grid("huge.obj", 1000);  // 2 million triangles take seconds, a click a tenth of one
+    write_grid("big.obj", 400);    // 320,000 triangles
     const Params before = params;
     drop("huge.obj");
     ui.frames(2);
@@ -387,7 +387,7 @@ TEST_F(FilesTest, ABigMeshShowsItsProgressAndCanBeCancelled) {
     const float fraction = *desk.session.loading_fraction();
     EXPECT_GE(fraction, 0.0F);
     EXPECT_LE(fraction, 1.0F);
-    EXPECT_EQ(desk.session.scene().objects.size(), 3U);  // the old scene stays meanwhile
+    EXPECT_EQ(desk.session.scene().objects.size(), 3U);  // the old scene stays until then
     desk.session.message = {};
     ui.click("Cancel");
     ui.frames(2);

@@ -1,4 +1,4 @@
-// Flights in the window: F9 and the menu record, the file plays, Escape and whatever one changes ends it.
+// Flights in the window: F9 and the menu record, the file plays, and Escape or any edit ends playback.
 #include <filesystem>
 
 #include "desk.h"
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Works in a folder of its own: that is where flights are written.
+/// Works in its own folder, where flights are written.
 class FlightTest : public testing::ScratchFolder {
 protected:
     FlightTest() { fs::current_path(folder_); }
@@ -43,7 +43,7 @@ protected:
     Params& params = desk.session.params;
 };
 
-TEST_F(FlightTest, F9RecordsWhatIsShownWithItsTimes) {
+TEST_F(FlightTest, F9RecordsTheShownStatesWithTheirTimes) {
     const Params before = params;
     desk.press(Key::f9);
     ASSERT_TRUE(desk.workbench.recorder.is_recording());
@@ -62,12 +62,12 @@ TEST_F(FlightTest, F9RecordsWhatIsShownWithItsTimes) {
     EXPECT_GT(flight.seconds, 0.3);
     FlightWalk walk(std::make_shared<const Flight>(flight));
     EXPECT_EQ(*walk.at(flight.frames.size()), params);
-    EXPECT_EQ(*walk.at(flight.frames.size() - 1), flown) << "camera, plane and near: whatever changes is part of it";
+    EXPECT_EQ(*walk.at(flight.frames.size() - 1), flown) << "camera, plane and near: every change is recorded";
     for (std::size_t i = 0; i + 1 < flight.frames.size(); ++i)
         for (const std::string& setting : flight.frames[i].settings) EXPECT_TRUE(setting.starts_with("camera."));
 }
 
-TEST_F(FlightTest, TheMenuRecordsTooAndPresetsAndUndoArePartOfIt) {
+TEST_F(FlightTest, TheMenuAlsoRecordsIncludingPresetsAndUndo) {
     desk.choose("top/File", "top/Record a flight");
     desk.session.open("walkthrough");
     desk.settle();
@@ -75,7 +75,7 @@ TEST_F(FlightTest, TheMenuRecordsTooAndPresetsAndUndoArePartOfIt) {
     desk.undo();
     ui.frames(2);
     const Params after = params;
-    desk.choose("top/File", "top/End the recording");
+    desk.choose("top/File", "top/Stop recording");
     const Flight flight = written();
     FlightWalk walk(std::make_shared<const Flight>(flight));
     bool was_there = false;
@@ -84,7 +84,7 @@ TEST_F(FlightTest, TheMenuRecordsTooAndPresetsAndUndoArePartOfIt) {
     EXPECT_EQ(*walk.at(flight.frames.size()), after);
 }
 
-TEST_F(FlightTest, SaysThatItRecords) {
+TEST_F(FlightTest, ShowsThatItIsRecording) {
     EXPECT_EQ(sign(), "");
     for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{800, 600}})
         for (const Theme theme : {Theme::dark, Theme::projector}) {
@@ -108,7 +108,7 @@ TEST_F(FlightTest, SaysThatItRecords) {
         }
 }
 
-TEST_F(FlightTest, TwoThatEndInOneSecondAreTwoFiles) {
+TEST_F(FlightTest, TwoFlightsThatEndInOneSecondAreTwoFiles) {
     for (int i = 0; i < 2; ++i) {
         desk.press(Key::f9);
         ui.frames(2);
@@ -120,7 +120,7 @@ TEST_F(FlightTest, TwoThatEndInOneSecondAreTwoFiles) {
 
 class ReplayTest : public FlightTest {
 protected:
-    /// Records a flight, undoes it, and opens its file.
+    /// Records a flight, undoes it and opens its file.
     void open_a_flight() {
         before = params;
         desk.press(Key::f9);
@@ -146,7 +146,7 @@ protected:
     Flight flight;
 };
 
-TEST_F(ReplayTest, PlaysADroppedFlightOnceAndUndoBringsBackWhatWasThere) {
+TEST_F(ReplayTest, PlaysADroppedFlightOnceAndUndoRestoresTheState) {
     open_a_flight();
     ui.frame();
     ASSERT_TRUE(desk.workbench.replay.is_playing()) << desk.session.message.text;
@@ -182,7 +182,7 @@ TEST_F(ReplayTest, EscapeEndsIt) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ReplayTest, FlyingEndsItAndGoesOnFromThere) {
+TEST_F(ReplayTest, FlyingEndsItAndContinuesFromThere) {
     open_a_flight();
     ui.frames(5);
     ASSERT_TRUE(desk.workbench.replay.is_playing());
@@ -195,7 +195,7 @@ TEST_F(ReplayTest, FlyingEndsItAndGoesOnFromThere) {
     EXPECT_GT(params.camera.yaw, yaw);
 }
 
-TEST_F(ReplayTest, APastedFlightPlaysToo) {
+TEST_F(ReplayTest, APastedFlightAlsoPlays) {
     open_a_flight();
     play();
     desk.undo();

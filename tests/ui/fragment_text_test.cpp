@@ -1,4 +1,4 @@
-// What the pixel view and the cell view say, apart from where they draw it: tests in words, numbers in cells, steps.
+// The texts of the pixel view and the cell view, apart from their drawing: tests in words, numbers in cells, steps.
 #include "ui/depth/fragment_text.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::uint32_t bits_of(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-/// As FragmentFinder would make it: `with` stands in the buffer.
+/// A fragment as FragmentFinder would make it; `with` is the code in the buffer.
 Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = CompareFunc::less) {
     Fragment made;
     made.object = "box";
@@ -37,14 +37,14 @@ Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = C
 
 // ---- codes and compares ------------------------------------------------------------------------------
 
-TEST(FragmentText, CodesCanBeReadAloud) {
+TEST(FragmentText, CodesAreReadable) {
     EXPECT_EQ(code_text(15'955'400, bits_24), "15,955,400");
     EXPECT_EQ(code_text(15, bits_8), "15");
     EXPECT_EQ(code_text(bits_of(0.5F), float_32), "0.500000000");
     EXPECT_EQ(bits_text(0x3f000000U), "0x3f000000");
 }
 
-TEST(FragmentText, TheCompareIsWrittenOut) {
+TEST(FragmentText, SpellsOutTheCompare) {
     EXPECT_EQ(compare_text(CompareFunc::less, 15'955'400, 16'777'215, bits_24), "15,955,400 < 16,777,215");
     EXPECT_EQ(compare_text(CompareFunc::lequal, 9, 9, bits_8), "9 ≤ 9");
     EXPECT_EQ(compare_text(CompareFunc::equal, 9, 7, bits_8), "9 = 7");
@@ -55,7 +55,7 @@ TEST(FragmentText, TheCompareIsWrittenOut) {
     EXPECT_EQ(compare_text(CompareFunc::never, 9, 7, bits_8), "GL_NEVER");
 }
 
-TEST(FragmentText, FloatsOfACompareLookEqualOnlyWhereTheyAre) {
+TEST(FragmentText, FloatsLookEqualOnlyWhenTheyAreEqual) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> exponent(-40.0F, 0.0F);
     for (int i = 0; i < 2000; ++i) {
@@ -67,9 +67,9 @@ TEST(FragmentText, FloatsOfACompareLookEqualOnlyWhereTheyAre) {
     }
 }
 
-// ---- what the tests make of a fragment -----------------------------------------------------------------
+// ---- how the tests treat a fragment ------------------------------------------------------------------------
 
-TEST(FragmentText, EveryTestHasItsWords) {
+TEST(FragmentText, EveryTestHasASentence) {
     EXPECT_EQ(test_text(fragment(15'955'400, 16'777'215), bits_24).whole(), "15,955,400 < 16,777,215  passes");
     EXPECT_EQ(test_text(fragment(9, 7), bits_8).whole(), "9 < 7  fails");
     EXPECT_EQ(test_text(fragment(812, 812), bits_24).whole(), "812 < 812  tie: fails");
@@ -80,13 +80,14 @@ TEST(FragmentText, EveryTestHasItsWords) {
     Fragment rounded = fragment(813, 812);
     rounded.decided_by_rounding = true;
     EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  fails");
-    EXPECT_EQ(decision_sentence(rounded, bits_24), "box, triangle 3: GL's rounding decides here: the pixel stays.");
+    EXPECT_EQ(decision_sentence(rounded, bits_24),
+              "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
     rounded.passes = rounded.drawn = true;
     EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  passes");
 
     Fragment other = fragment(8, 812);
     other.drawn = false;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "8 < 812  passes, no colour");
+    EXPECT_EQ(test_text(other, bits_24).whole(), "8 < 812  passes, no color");
     other = fragment(8, 812);
     other.stencil_fails = true;
     EXPECT_EQ(test_text(other, bits_24).whole(), "stencil fails");
@@ -101,89 +102,88 @@ TEST(FragmentText, EveryTestHasItsWords) {
     EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  drawn");
 }
 
-TEST(FragmentText, TheLastOneThatIsDrawnIsSeen) {
+TEST(FragmentText, TheLastDrawnFragmentIsVisible) {
     EXPECT_EQ(seen_fragment({}), -1);
     EXPECT_EQ(seen_fragment({fragment(9, 7)}), -1);
     EXPECT_EQ(seen_fragment({fragment(9, 15), fragment(5, 9), fragment(7, 5)}), 1);
 }
 
-TEST(FragmentText, ACellSaysWhatBecomesOfIt) {
+TEST(FragmentText, ACellsSentenceDescribesWhatHappensToIt) {
     BufferCell before, after;
     before.stored = 15;
     after.stored = 9;
     EXPECT_EQ(cell_sentence(fragment(9, 15), before, after, bits_8),
-              "box, triangle 3: 9 < 15, so colour and depth are replaced.");
+              "box, triangle 3: 9 < 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence({}, before, before, bits_8), "This triangle does not cover the pixel.");
-    EXPECT_EQ(cell_sentence({}, before, after, bits_8), "This triangle changes colour and depth.");
+    EXPECT_EQ(cell_sentence({}, before, after, bits_8), "This triangle changes color and depth.");
     before.stored = 7;
     EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
-              "box, triangle 3: 9 < 7 is false: the pixel stays.")
-        << "what was read back counts";
+              "box, triangle 3: 9 < 7 is false, so the pixel is unchanged.")
+        << "the code that was read back counts";
     before.stored = 9;
     EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
-              "box, triangle 3: 9 < 9 is false, a tie: the pixel stays.");
+              "box, triangle 3: 9 < 9 is false (a tie), so the pixel is unchanged.");
 
     Fragment sent = fragment(9, 15);
     sent.depth.write = false;
     before.stored = 15;
     EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
-              "box, triangle 3: 9 < 15, so the colour is replaced, the mask keeps the depth.");
+              "box, triangle 3: 9 < 15, so the color is replaced; the mask keeps the depth.");
     sent = fragment(9, 15);
     sent.drawn = false;
     EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
-              "box, triangle 3: 9 < 15, so the depth is replaced, the colour is not.");
+              "box, triangle 3: 9 < 15, so the depth is replaced but the color is not.");
     sent = fragment(9, 15, CompareFunc::always);
     EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
-              "box, triangle 3: GL_ALWAYS, so colour and depth are replaced.");
+              "box, triangle 3: GL_ALWAYS, so color and depth are replaced.");
     sent = fragment(9, 15, CompareFunc::never);
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3: GL_NEVER, so the pixel stays.");
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3: GL_NEVER, so the pixel is unchanged.");
     sent.stencil_fails = true;
     EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
-              "box, triangle 3: the stencil test fails, so the pixel stays.");
+              "box, triangle 3: the stencil test fails, so the pixel is unchanged.");
     sent.culled = true;
     sent.front_facing = false;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
-              "box, triangle 3 is culled: it turns its back to the camera.");
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3 is culled: it is back-facing.");
     sent = fragment(20, 15);
     sent.depth.test = false;
     sent.passes = sent.drawn = true;
     EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
-              "box, triangle 3: the depth test is off, so the colour is replaced and the depth is not.");
+              "box, triangle 3: the depth test is off, so the color is replaced but the depth is not.");
 }
 
-TEST(FragmentText, WhatChangesInACellDecides) {
+TEST(FragmentText, ChangesInTheCellDecideTheSentence) {
     BufferCell before, other_code, other_color, other;
     before.stored = other_color.stored = 15;
     other_code.stored = other.stored = 14;
     other_color.color = other.color = {1, 2, 3};
     // Computed to fail, but the cell changes: the code that is read back passes.
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other, bits_8),
-              "box, triangle 3: 14 < 15, so colour and depth are replaced.");
+              "box, triangle 3: 14 < 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other_code, bits_8),
-              "box, triangle 3: 14 < 15, so colour and depth are replaced.");
+              "box, triangle 3: 14 < 15, so color and depth are replaced.");
     // Computed to pass, but nothing changes.
     EXPECT_EQ(cell_sentence(fragment(13, 15), before, before, bits_8),
-              "box, triangle 3: GL's rounding decides here: the pixel stays.");
-    // The same code again, in another colour.
+              "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
+    // The same code again, in another color.
     EXPECT_EQ(cell_sentence(fragment(15, 15, CompareFunc::lequal), before, other_color, bits_8),
-              "box, triangle 3: 15 ≤ 15, so colour and depth are replaced.");
+              "box, triangle 3: 15 ≤ 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence(fragment(15, 15), before, other_color, bits_8),
-              "box, triangle 3: GL's rounding decides here: colour and depth are replaced.");
-    // Without the mask no code is left to be read back.
+              "box, triangle 3: GL's rounding decides here, so color and depth are replaced.");
+    // Without the depth mask there is no new code to read back.
     Fragment masked = fragment(16, 15);
     masked.depth.write = false;
     EXPECT_EQ(cell_sentence(masked, before, other_color, bits_8),
-              "box, triangle 3: GL's rounding decides here: the colour is replaced, the mask keeps the depth.");
-    // What cannot have changed the cell is not told about.
-    EXPECT_EQ(cell_sentence(masked, before, other, bits_8), "This triangle changes colour and depth.");
+              "box, triangle 3: GL's rounding decides here, so the color is replaced; the mask keeps the depth.");
+    // A fragment that cannot have changed the cell is not mentioned.
+    EXPECT_EQ(cell_sentence(masked, before, other, bits_8), "This triangle changes color and depth.");
     Fragment culled = fragment(14, 15);
     culled.culled = true;
-    EXPECT_EQ(cell_sentence(culled, before, other_color, bits_8), "This triangle changes the colour, the depth stays.");
+    EXPECT_EQ(cell_sentence(culled, before, other_color, bits_8), "This triangle changes the color but not the depth.");
     EXPECT_NE(cell_sentence(culled, before, before, bits_8).find("is culled"), std::string::npos);
     Fragment untested = fragment(14, 15);
     untested.depth.test = untested.passes = untested.drawn = false;
     EXPECT_EQ(cell_sentence(untested, before, other_color, bits_8),
-              "This triangle changes the colour, the depth stays.");
+              "This triangle changes the color but not the depth.");
 }
 
 // ---- numbers in cells -------------------------------------------------------------------------------------
@@ -216,14 +216,14 @@ TEST(CellText, WindowDepthsGetAsManyDecimalsAsTheyNeed) {
     EXPECT_EQ(cell_texts(block_of({0.25, 0.251}, bits_24), bits_24, 1.0, 5).note, "window depth");
 }
 
-TEST(CellText, NeighboursAreCountedFromTheLeastOne) {
+TEST(CellText, NeighborsAreCountedFromTheSmallest) {
     const CellBlock block = block_of({0.5, 0.50001, 1.0}, bits_24);
     const CellTexts cells = cell_texts(block, bits_24, 1.0, 5);
     EXPECT_EQ(cells.texts, (std::vector<std::string>{"0", "167", "clear"}));
     EXPECT_EQ(cells.note, "stored code minus 8,388,608");
 }
 
-TEST(CellText, EqualTextsAreEqualCodesUnlessTheNoteSaysSo) {
+TEST(CellText, EqualTextsMeanEqualCodesUnlessNoted) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (const DepthPrecision& precision : {bits_8, DepthPrecision{16, false}, bits_24, float_32})
@@ -243,12 +243,12 @@ TEST(CellText, EqualTextsAreEqualCodesUnlessTheNoteSaysSo) {
                 if (cells.texts[cell] == "clear") continue;
                 EXPECT_LE(cells.texts[cell].size(), static_cast<std::size_t>(room)) << cells.texts[cell];
             }
-            if (cells.note == "window depth, shortened") continue;
+            if (cells.note == "window depth, rounded") continue;
             EXPECT_EQ(pairs.size(), texts.size()) << cells.note;
         }
 }
 
-TEST(CellText, ABlockOfNothingHasNoTexts) {
+TEST(CellText, AnEmptyBlockHasNoTexts) {
     EXPECT_TRUE(cell_texts({}, bits_24, 1.0, 5).texts.empty());
 }
 
@@ -274,7 +274,7 @@ TEST(DrawSteps, AreTheTrianglesOneByOne) {
     EXPECT_EQ(step_of({99, 0}, calls), 6);
 }
 
-TEST(DrawSteps, WholeCallsLeadToTheEndAndBack) {
+TEST(DrawSteps, SteppingByCallsReachesTheEndAndTheStart) {
     const std::vector<DrawCall> calls = {{0, 0, 3}, {1, 0, 2}};
     EXPECT_EQ(next_call({0, 0}, calls), (DrawLimit{0, -1}));
     EXPECT_EQ(next_call({0, 2}, calls), (DrawLimit{1, -1}));
@@ -295,7 +295,7 @@ const PixelNumber& named(const std::vector<PixelNumber>& numbers, const std::str
     throw std::runtime_error("no number " + name);
 }
 
-TEST(DrawSteps, NextAndPreviousOfSomeAreTheNearestOnEitherSide) {
+TEST(DrawSteps, NextAndPreviousFindTheNearestOnEitherSide) {
     const std::vector<DrawCall> calls = {{0, 0, 3}, {0, 1, 0}, {1, 0, 2}, {2, -1, 1}};
     const std::vector<DrawLimit> some = {{0, 2}, {2, 1}, {3, 1}};
     const std::vector<int> steps = {2, 4, 6};
@@ -331,21 +331,21 @@ TEST(PixelNumbers, KeepTheirPlacesWithAndWithoutASign) {
     EXPECT_EQ(named(numbers, "z_{window}").value, " 0.951016006");
     EXPECT_EQ(named(numbers, "z_{ndc}").value, " 0.902032012");
     EXPECT_EQ(named(numbers, "eye z").value, "−5.5000");
-    EXPECT_EQ(named(numbers, "step Δz").value, " 0.00151");
+    EXPECT_EQ(named(numbers, "width Δz").value, " 0.00151");
     EXPECT_EQ(named(numbers, "stencil").value, " 0");
     EXPECT_EQ(named(numbers, "world").value, " 1.000  −2.000   0.250");
 }
 
-TEST(PixelNumbers, SayNothingThatIsNotKnown) {
+TEST(PixelNumbers, OmitUnknownNumbers) {
     PixelReport pixel;
     pixel.precision = float_32;
     pixel.stored = bits_of(1.0F);
     const std::vector<PixelNumber> numbers = pixel_numbers(pixel, {}, {});
     EXPECT_EQ(named(numbers, "stored").value, " 0x3f800000");
-    for (const char* name : {"eye z", "step Δz", "world"}) EXPECT_EQ(named(numbers, name).value, " —");
+    for (const char* name : {"eye z", "width Δz", "world"}) EXPECT_EQ(named(numbers, name).value, " —");
     const auto complains = [&] {
         const std::string explanation = named(pixel_numbers(pixel, {}, {}), "eye z").explanation;
-        return explanation.starts_with("Its depth is that of a cleared buffer.");
+        return explanation.starts_with("Its depth is the clear value.");
     };
     EXPECT_FALSE(complains());
     pixel.written = true;
@@ -354,7 +354,7 @@ TEST(PixelNumbers, SayNothingThatIsNotKnown) {
     EXPECT_FALSE(complains());
 }
 
-TEST(PixelNumbers, StepsHaveThreeFigures) {
+TEST(PixelNumbers, StepsHaveThreeDigits) {
     EXPECT_EQ(step_text(152.6), "153");
     EXPECT_EQ(step_text(1.524), "1.52");
     EXPECT_EQ(step_text(0.001511), "0.00151");

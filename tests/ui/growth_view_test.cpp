@@ -1,4 +1,4 @@
-// Costs as they grow: measured beside the window, watched, cancelled, told and written to files.
+// The growth of costs: measured in the background, watched, canceled, shown and written to files.
 #include <chrono>
 #include <fstream>
 #include <set>
@@ -34,8 +34,8 @@ protected:
     }
 };
 
-TEST_F(GrowthView, EveryMethodIsMeasuredAndTold) {
-    EXPECT_TRUE(says("Every method is measured"));
+TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
+    EXPECT_TRUE(says("Measures every method"));
     EXPECT_FALSE(ui.find("lower/Save CSV").enabled);
     measure_current_scene();
     std::set<GrowthMethod> methods;
@@ -47,17 +47,17 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndTold) {
     ui.click("lower/operations");
     EXPECT_TRUE(hidden().growth.shows_operations);
 
-    // Each kind of scene keeps its own rows; those of the current scene go with it.
+    // Each kind of scene keeps its own rows; the current scene's rows disappear with it.
     hidden().growth.scene = static_cast<int>(GrowthScene::small_triangles);
     ui.frames(2);
-    EXPECT_TRUE(says("Every method is measured"));
+    EXPECT_TRUE(says("Measures every method"));
     hidden().growth.scene = static_cast<int>(GrowthScene::own_polygons);
     params.scene = session_of("opening").params.scene;
     desk.settle();
     EXPECT_TRUE(rows().empty());
 }
 
-TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
+TEST_F(GrowthView, MeasuringShowsProgressAndCanBeCanceled) {
     ui.click("lower/Measure");
     EXPECT_TRUE(hidden().growth.measuring.is_running());
     EXPECT_TRUE(hidden().is_busy());
@@ -66,8 +66,8 @@ TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
         ui.frame();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    EXPECT_FALSE(rows().empty()) << "rows are shown while it is measured";
-    // Its rows are taken whichever view is shown.
+    EXPECT_FALSE(rows().empty()) << "rows appear during the measurement";
+    // Rows are collected whichever view is shown.
     ui.click("lower/Cancel");
     desk.params().view.lower_right = Topic::depth;
     wait_until_measured();
@@ -76,17 +76,17 @@ TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
     EXPECT_LT(rows().back().polygons, 100'000);
 }
 
-TEST_F(GrowthView, TheFrameAfterItsEndShowsTheResult) {
+TEST_F(GrowthView, TheNextFrameShowsTheResult) {
     hidden().growth.scene = static_cast<int>(GrowthScene::own_polygons);
     ui.frames(2);
     ui.click("lower/Measure");
     hidden().growth.measuring.wait(-1.0);
     ui.frame();
-    EXPECT_FALSE(ui.has("lower/progress")) << "a window that sleeps from here on would show it for good";
+    EXPECT_FALSE(ui.has("lower/progress")) << "a window that sleeps from here on would never show the result";
     EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
 }
 
-TEST_F(GrowthView, WhatFailsIsASentence) {
+TEST_F(GrowthView, FailuresAreReportedInASentence) {
     hidden().growth.log = std::make_shared<BackgroundLog<GrowthRow>>();
     hidden().growth.measuring.start([](WorkProgress&) -> std::vector<GrowthRow> { throw std::bad_alloc(); });
     hidden().growth.measuring.wait(-1.0);
@@ -96,7 +96,7 @@ TEST_F(GrowthView, WhatFailsIsASentence) {
     EXPECT_TRUE(ui.has("lower/Measure"));
 }
 
-TEST_F(GrowthView, TheRowsAreWrittenToANameThatNoFileHas) {
+TEST_F(GrowthView, RowsAreWrittenToAnUnusedFileName) {
     const TemporaryFolder folder;
     measure_current_scene();
     ui.click("lower/Save CSV");
@@ -111,7 +111,7 @@ TEST_F(GrowthView, TheRowsAreWrittenToANameThatNoFileHas) {
     EXPECT_EQ(content("viewing-growth-2.csv"), growth_csv(rows()));
 }
 
-TEST_F(GrowthView, AFileThatCannotBeWrittenIsToldAsAnError) {
+TEST_F(GrowthView, WriteFailuresAreReportedAsErrors) {
     const TemporaryFolder folder;
     measure_current_scene();
     std::filesystem::create_directory("gone");
@@ -123,7 +123,7 @@ TEST_F(GrowthView, AFileThatCannotBeWrittenIsToldAsAnError) {
     std::filesystem::current_path(folder.path);
 }
 
-TEST_F(GrowthView, ThePictureOfTheChartIsAskedForOnce) {
+TEST_F(GrowthView, ThePictureOfTheChartIsRequestedOnce) {
     const TemporaryFolder folder;
     measure_current_scene();
     const Rect scrolled = desk.layout().lower_right;

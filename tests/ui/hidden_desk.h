@@ -1,4 +1,4 @@
-// What the tests of the hidden-surface views share: a desk with a topic and a method chosen, and a folder of its own.
+// Shared by the tests of the hidden-surface views: a desk with a topic and a method selected, and a temporary folder.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ protected:
     void show(Topic topic, VisibilityMethod method, int step = -1) {
         params.visibility.method = method;
         params.visibility.step = step;
-        ui.frame();  // another method brings its own topic
+        ui.frame();  // changing the method selects its topic
         desk.params().view.lower_right = topic;
         desk.settle();
     }
@@ -29,7 +29,7 @@ protected:
             return std::string_view(item.label).starts_with("lower/" + std::string(start));
         });
     }
-    /// By looking through all of them.
+    /// Searches all nodes.
     int node_that_holds(int fragment) const {
         const auto& nodes = result().tree->nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -50,7 +50,7 @@ protected:
     Params& params = desk.session.params;
 };
 
-/// The working directory while it lives.
+/// A temporary folder that is the working directory during its lifetime.
 struct TemporaryFolder {
     std::filesystem::path path;
     std::filesystem::path before = std::filesystem::current_path();

@@ -1,5 +1,4 @@
-// The hidden-surface methods in the panel and in the pictures: choosing methods, going through steps, searching,
-// picking.
+// The hidden-surface methods in the panel and in the pictures: selecting methods, stepping, searching, picking.
 #include <chrono>
 #include <thread>
 
@@ -23,7 +22,7 @@ protected:
     const HiddenResult& result() { return *desk.answer()->camera; }
 };
 
-TEST_F(HiddenPanel, EveryMethodIsChosenByNameAndBringsItsOptions) {
+TEST_F(HiddenPanel, EveryMethodIsSelectedByNameAndShowsItsOptions) {
     struct Case {
         const char* name;
         VisibilityMethod method;
@@ -47,7 +46,7 @@ TEST_F(HiddenPanel, EveryMethodIsChosenByNameAndBringsItsOptions) {
     EXPECT_TRUE(ui.find("depth/Depth test").enabled);
 }
 
-TEST_F(HiddenPanel, OptionsWriteTheirFields) {
+TEST_F(HiddenPanel, OptionsSetTheirFields) {
     choose("painter");
     desk.choose("depth/sort key", "depth/sort key/centroid");
     EXPECT_EQ(params.visibility.sort_key, PainterKey::centroid);
@@ -67,11 +66,11 @@ TEST_F(HiddenPanel, OptionsWriteTheirFields) {
     desk.settle();
     desk.choose("depth/compare", "depth/compare/painter");
     EXPECT_EQ(params.visibility.compare_with, VisibilityMethod::painter);
-    ASSERT_TRUE(desk.answer()->other);  // GL, which is not here, draws what the painter has sorted
+    ASSERT_TRUE(desk.answer()->other);  // GL, which is absent here, draws the painter's order
     EXPECT_GT(difference(desk.answer()->camera->image, desk.answer()->other->image).different, 0);
 }
 
-TEST_F(HiddenPanel, WhatIsBelowStaysWhereItIsWhateverAMethodCounts) {
+TEST_F(HiddenPanel, ControlsBelowStayInPlaceWhateverAMethodCounts) {
     params.visibility.step = 0;
     choose("painter");
     const float top = ui.find("Depth buffer").min.y;
@@ -83,7 +82,7 @@ TEST_F(HiddenPanel, WhatIsBelowStaysWhereItIsWhateverAMethodCounts) {
         }
 }
 
-TEST_F(HiddenPanel, TheDepthBufferGoesStepByStepToo) {
+TEST_F(HiddenPanel, TheDepthBufferAlsoHasSteps) {
     desk.click("depth/Steps");
     desk.settle();
     EXPECT_EQ(params.visibility.step, 0);
@@ -94,7 +93,7 @@ TEST_F(HiddenPanel, TheDepthBufferGoesStepByStepToo) {
     EXPECT_EQ(result().drawn, 7);
 }
 
-TEST_F(HiddenPanel, TheViewBelowFollowsTheMethod) {
+TEST_F(HiddenPanel, TheLowerViewFollowsTheMethod) {
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
     choose("BSP tree");
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::tree);
@@ -104,9 +103,9 @@ TEST_F(HiddenPanel, TheViewBelowFollowsTheMethod) {
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
 }
 
-TEST_F(HiddenPanel, AClickPicksThePolygonThatIsSeen) {
+TEST_F(HiddenPanel, AClickPicksTheVisiblePolygon) {
     choose("Newell");
-    // The middle of each polygon in turn, where the picture says that it is seen.
+    // Try the middle of each polygon that the picture shows as visible.
     int picked = 0;
     for (const int index : result().order) {
         const Polygon polygon = (*result().fragments)[static_cast<std::size_t>(index)];
@@ -124,7 +123,7 @@ TEST_F(HiddenPanel, AClickPicksThePolygonThatIsSeen) {
     EXPECT_GT(picked, 5);
 }
 
-TEST_F(HiddenPanel, PlayingGoesThroughTheStepsAndIsOneUndoStep) {
+TEST_F(HiddenPanel, PlayingTheStepsIsOneUndoStep) {
     choose("painter");
     params.visibility.step = 0;
     ui.frames(1);

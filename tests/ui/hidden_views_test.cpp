@@ -1,4 +1,5 @@
-// The tree and the drawing order in the lower right: linked with the pictures both ways, and what they say of a step.
+// The tree and the drawing order in the lower right: linked with the pictures in both directions, with a sentence for
+// each step.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -14,9 +15,9 @@ namespace {
 
 // ---- the tree --------------------------------------------------------------------------------------
 
-TEST_F(HiddenViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
+TEST_F(HiddenViews, TheTreeIsOfferedWhenAnotherMethodIsSelected) {
     show(Topic::tree, VisibilityMethod::painter);
-    EXPECT_TRUE(says("Only the BSP tree has a tree to show."));
+    EXPECT_TRUE(says("Only the BSP tree method has a tree to show."));
     ui.click("lower/Use the BSP tree");
     ui.frames(3);
     EXPECT_EQ(params.visibility.method, VisibilityMethod::bsp);
@@ -24,7 +25,7 @@ TEST_F(HiddenViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
     EXPECT_TRUE(says(std::to_string(result().tree->nodes.size()) + " nodes, "));
 }
 
-TEST_F(HiddenViews, ANodeUnderThePointerIsLinkedAndTold) {
+TEST_F(HiddenViews, ANodeUnderThePointerIsLinkedAndDescribed) {
     show(Topic::tree, VisibilityMethod::bsp);
     ui.hover("lower/tree/2");
     ui.frame();
@@ -35,7 +36,7 @@ TEST_F(HiddenViews, ANodeUnderThePointerIsLinkedAndTold) {
     EXPECT_EQ(hidden().links.now.hovered_node, -1);
 }
 
-TEST_F(HiddenViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
+TEST_F(HiddenViews, ClickingANodeSelectsItsPolygonUntilTheBackgroundIsClicked) {
     show(Topic::tree, VisibilityMethod::bsp);
     ui.click("lower/tree/1");
     ui.frames(10);
@@ -48,7 +49,7 @@ TEST_F(HiddenViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
     EXPECT_EQ(hidden().links.now.selected_fragment, -1);
 }
 
-TEST_F(HiddenViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
+TEST_F(HiddenViews, SelectingAPolygonElsewhereSelectsItsNode) {
     show(Topic::tree, VisibilityMethod::bsp);
     const int count = static_cast<int>(result().fragments->size());
     for (int fragment = 0; fragment < count; ++fragment) {
@@ -62,7 +63,7 @@ TEST_F(HiddenViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
     }
 }
 
-TEST_F(HiddenViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
+TEST_F(HiddenViews, HoveringAPolygonInTheCameraViewHighlightsItsNode) {
     show(Topic::tree, VisibilityMethod::bsp);
     const Polygon& polygon = result().fragments->front();
     ui.move_to(desk.in_camera_view(centroid(polygon)));
@@ -72,7 +73,7 @@ TEST_F(HiddenViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
     EXPECT_TRUE(says("node " + std::to_string(node_that_holds(hovered) + 1) + ": "));
 }
 
-TEST_F(HiddenViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
+TEST_F(HiddenViews, MovingTheCameraChangesOnlyTheWalk) {
     show(Topic::tree, VisibilityMethod::bsp);
     const auto places = node_places();
     const std::uint64_t revision = hidden().links.tree.revision();
@@ -98,7 +99,7 @@ TEST_F(HiddenViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
     EXPECT_EQ(hidden().links.tree.revision(), revision + 1);
 }
 
-TEST_F(HiddenViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
+TEST_F(HiddenViews, MarksShowTheProgressOfTheWalk) {
     show(Topic::tree, VisibilityMethod::bsp);
     const auto nodes = static_cast<int>(result().tree->nodes.size());
     for (const int step : {0, 1, nodes, nodes + 1, nodes + 5, 2 * nodes - 1, -1}) {
@@ -120,7 +121,7 @@ TEST_F(HiddenViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
     }
 }
 
-TEST_F(HiddenViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
+TEST_F(HiddenViews, ANodesSentenceSaysWhichSideIsDrawnFirst) {
     for (const BspOrder walk : {BspOrder::back_to_front, BspOrder::front_to_back}) {
         params.visibility.walk = walk;
         show(Topic::tree, VisibilityMethod::bsp);
@@ -142,17 +143,17 @@ TEST_F(HiddenViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
 
 // ---- the order -------------------------------------------------------------------------------------
 
-TEST_F(HiddenViews, TheOrderIsOfferedWhereGlDrawsByItself) {
+TEST_F(HiddenViews, TheOrderIsOfferedWhenGlDrawsByItself) {
     show(Topic::order, VisibilityMethod::depth_buffer);
     ui.click("lower/Show their numbers");
     ui.frames(3);
     EXPECT_TRUE(params.visibility.numbers);
-    EXPECT_TRUE(says("GL is given the polygons in the scene's own order."));
+    EXPECT_TRUE(says("GL receives the polygons in scene order."));
     EXPECT_TRUE(says("1 "));
 }
 
-TEST_F(HiddenViews, TheListMarksWhatTheStepHasReached) {
-    params.visibility.numbers = true;  // asks for the order where GL draws by itself, too
+TEST_F(HiddenViews, TheListMarksTheProgressOfTheStep) {
+    params.visibility.numbers = true;  // request the order even though GL draws by itself
     for (const VisibilityMethod method : {VisibilityMethod::none, VisibilityMethod::painter, VisibilityMethod::bsp}) {
         show(Topic::order, method, 0);
         const int first = method == VisibilityMethod::bsp ? static_cast<int>(result().tree->nodes.size()) : 0;
@@ -176,7 +177,7 @@ TEST_F(HiddenViews, TheListMarksWhatTheStepHasReached) {
     }
 }
 
-TEST_F(HiddenViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
+TEST_F(HiddenViews, ThePaintersListShowsTheKeyDistanceOfEachPolygon) {
     params.visibility.sort_key = PainterKey::nearest;
     show(Topic::order, VisibilityMethod::painter);
     const OrderRows rows(result(), hidden().links.tree);
@@ -190,7 +191,7 @@ TEST_F(HiddenViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
     }
 }
 
-TEST_F(HiddenViews, ARowIsLinkedWithItsPolygon) {
+TEST_F(HiddenViews, RowsAreLinkedWithTheirPolygons) {
     show(Topic::order, VisibilityMethod::painter);
     const std::string third = "lower/3 " + OrderRows(result(), hidden().links.tree).row(2).name;
     ui.hover(third);
@@ -215,7 +216,7 @@ protected:
     LargeHiddenViews() : HiddenViews("opening") {}
 };
 
-TEST_F(LargeHiddenViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScrolledToOnce) {
+TEST_F(LargeHiddenViews, LongListsBuildOnlyVisibleRowsAndScrollOnceToTheSelection) {
     show(Topic::order, VisibilityMethod::painter);
     ASSERT_GT(result().order.size(), 2000U);
     const OrderRows rows(result(), hidden().links.tree);
@@ -233,7 +234,7 @@ TEST_F(LargeHiddenViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScrolle
     const Rect rect = desk.layout().lower_right;
     EXPECT_GE(row.min.y, rect.min.y);
     EXPECT_LE(row.max.y, rect.max.y);
-    // Afterwards the wheel scrolls away from it.
+    // Afterwards the wheel can scroll away from it.
     ui.hover(label);
     for (int i = 0; i < 60; ++i) {
         ImGui::GetIO().MouseWheel = 5.0F;
@@ -252,14 +253,14 @@ TEST_F(LargeHiddenViews, TheCurrentRowIsScrolledTo) {
     EXPECT_TRUE(says("700 "));
 }
 
-// ---- what happened at the step ---------------------------------------------------------------------
+// ---- the details of the step -----------------------------------------------------------------------
 
 class CycleHiddenViews : public HiddenViews {
 protected:
     CycleHiddenViews() : HiddenViews("cyclic-overlap") {}
 };
 
-TEST_F(CycleHiddenViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
+TEST_F(CycleHiddenViews, TheLadderCrossesOutFailedTestsAndShowsTheDecidingOne) {
     show(Topic::order, VisibilityMethod::newell);
     const auto steps = static_cast<int>(result().newell->steps.size());
     ASSERT_GT(steps, 10);
@@ -289,16 +290,16 @@ TEST_F(CycleHiddenViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
             EXPECT_EQ(failed, static_cast<int>(taken.decided_by));
             EXPECT_TRUE(says(std::string("decided: ") + newell_test_text(taken.decided_by)));
         }
-        EXPECT_EQ(ladder->action.find(" is cut by ") != std::string::npos, taken.action == NewellAction::splits);
+        EXPECT_EQ(ladder->action.find(" cuts A.") != std::string::npos, taken.action == NewellAction::splits);
     }
     EXPECT_GT(cuts, 0) << "this scene cannot be sorted without a cut";
     EXPECT_GT(draws, 0);
     params.visibility.step = 0;
     ui.frames(2);
-    EXPECT_TRUE(says("Polygons are sorted by their farthest vertices"));
+    EXPECT_TRUE(says("The polygons are sorted by farthest vertex"));
 }
 
-TEST_F(HiddenViews, TheCompareOfTheDepthBufferIsTold) {
+TEST_F(HiddenViews, TheCompareOfTheDepthBufferIsShown) {
     show(Topic::order, VisibilityMethod::software_depth_buffer);
     const int steps = result().step_count;
     int kept = 0, written = 0;
@@ -325,9 +326,9 @@ TEST_F(HiddenViews, TheCompareOfTheDepthBufferIsTold) {
     EXPECT_FALSE(OrderRows(result(), hidden().links.tree).row(0).is_reached);
 }
 
-TEST_F(HiddenViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
+TEST_F(HiddenViews, ARayIsShownWithAllItsHitsAndTheFirstIsMarked) {
     show(Topic::order, VisibilityMethod::ray_cast);
-    EXPECT_TRUE(says("One ray went through every pixel."));
+    EXPECT_TRUE(says("One ray went through each pixel."));
     const IdImage image = result().image;
     std::size_t most = 0;
     for (const int y : {image.height / 3, image.height / 2, 2 * image.height / 3})
@@ -345,7 +346,7 @@ TEST_F(HiddenViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
     EXPECT_GT(most, 1U);
 }
 
-TEST_F(HiddenViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
+TEST_F(HiddenViews, PolygonsAreNamedByObjectAndCountedFromOne) {
     show(Topic::order, VisibilityMethod::painter);
     const SceneSurface& surface = *result().surface;
     const std::string& first = surface.scene.objects[0].description.name;
@@ -360,9 +361,9 @@ TEST_F(HiddenViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
     EXPECT_EQ(listed_name(nullptr, 0), "");
 }
 
-// ---- nothing to show, and what is out of date -------------------------------------------------------
+// ---- empty and outdated results ---------------------------------------------------------------------
 
-TEST_F(HiddenViews, IndicesOfAnotherResultDoNoHarm) {
+TEST_F(HiddenViews, IndicesOfAnotherResultAreIgnored) {
     const PolygonLink links[] = {{1'000'000, 1'000'000, 1'000'000, 1'000'000}, {-7, -7, -7, -7}, {0, 20, 20, 0}};
     for (const Topic topic : {Topic::tree, Topic::order, Topic::growth})
         for (const PolygonLink& link : links)
@@ -378,7 +379,7 @@ TEST_F(HiddenViews, IndicesOfAnotherResultDoNoHarm) {
                 }
 }
 
-TEST(HiddenViewsEmpty, AnEmptySceneHasNothingToDraw) {
+TEST(HiddenViewsEmpty, AnEmptySceneDrawsNothing) {
     const TemporaryFolder folder;
     std::ofstream("empty.json") << R"({"version": 1, "scene": {"objects": []}})";
     Desk desk({1600, 900}, "empty.json");
@@ -396,10 +397,10 @@ TEST(HiddenViewsEmpty, AnEmptySceneHasNothingToDraw) {
     desk.ui.frame();
     desk.params().view.lower_right = Topic::order;
     desk.ui.frames(3);
-    EXPECT_TRUE(desk.ui.has("lower/There is nothing to draw."));
+    EXPECT_TRUE(desk.ui.has("lower/Nothing to draw."));
 }
 
-TEST(HiddenViewsLayout, TheTreeAndItsSentencesKeepToTheirPlacesAtEverySize) {
+TEST(HiddenViewsLayout, TheTreeAndItsSentencesStayInPlaceAtEverySize) {
     for (const ImVec2 size : {ImVec2(1600, 900), ImVec2(800, 600), ImVec2(1280, 720)})
         for (const double scale : {1.0, 2.0})
             for (const Theme theme : {Theme::dark, Theme::light, Theme::projector}) {

@@ -1,4 +1,4 @@
-// Undo and redo as a person meets them: one drag, one flight, one typed number are one step each.
+// Undo and redo in use: a drag, a flight or a typed number is one step.
 #include "desk.h"
 
 namespace viewing::test {
@@ -19,7 +19,7 @@ TEST_F(HistoryTest, ADragIsOneStep) {
     EXPECT_FALSE(desk.session.can_redo());
 }
 
-TEST_F(HistoryTest, AFlightBetweenTwoRestsIsOneStep) {
+TEST_F(HistoryTest, AFlightBetweenTwoPausesIsOneStep) {
     const Params before = params;
     const glm::dvec3 forward(-desk.derived.world_from_view[2]);
     desk.hold(Key::w);
@@ -37,7 +37,7 @@ TEST_F(HistoryTest, AFlightBetweenTwoRestsIsOneStep) {
     EXPECT_FALSE(desk.session.can_undo());
 }
 
-TEST_F(HistoryTest, ALookWithTheMouseIsOneStep) {
+TEST_F(HistoryTest, LookingAroundWithTheMouseIsOneStep) {
     const Params before = params;
     desk.drag_from(desk.in_camera_view({-3.0, 2.5, -3.0}), 80.0F, 30.0F, 8);
     EXPECT_EQ(differing_fields(before, params), (Paths{"camera.yaw", "camera.pitch", "camera.roll"}));
@@ -46,11 +46,11 @@ TEST_F(HistoryTest, ALookWithTheMouseIsOneStep) {
     EXPECT_FALSE(desk.session.can_undo());
 }
 
-/// The first click of two sets a slider, the second one takes that back and opens the number for typing.
-TEST_F(HistoryTest, AClickThatASecondOneTakesBackIsNoStep) {
+/// The first click of a double-click sets the slider; the second reverts that and opens the number for typing.
+TEST_F(HistoryTest, AClickRevertedByADoubleClickIsNoStep) {
     const Params before = params;
     ui.click("projection/z-near");
-    ASSERT_NE(params, before) << "the knob does not stand in the middle";
+    ASSERT_NE(params, before) << "the knob is not in the middle";
     desk.settle();
     desk.undo();
     ASSERT_EQ(params, before);
@@ -61,7 +61,7 @@ TEST_F(HistoryTest, AClickThatASecondOneTakesBackIsNoStep) {
     EXPECT_FALSE(desk.session.can_undo());
 }
 
-TEST_F(HistoryTest, ButtonsSayWhatIsPossible) {
+TEST_F(HistoryTest, ButtonsShowWhatCanBeUndone) {
     EXPECT_FALSE(ui.find("top/Undo").enabled);
     desk.click("depth/Depth test");
     ui.frame();
@@ -84,7 +84,7 @@ TEST_F(HistoryTest, ResetAllCanBeUndone) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(HistoryTest, LookingOnChangesNothing) {
+TEST_F(HistoryTest, IdleFramesChangeNothing) {
     const Params before = params;
     ui.frames(30);
     EXPECT_EQ(params, before);
@@ -96,7 +96,7 @@ TEST_F(HistoryTest, LookingOnChangesNothing) {
     EXPECT_FALSE(desk.session.can_undo());
 }
 
-TEST(History, NoPresetChangesByBeingShown) {
+TEST(History, ShowingAPresetDoesNotChangeIt) {
     for (const NamedFile& preset : presets()) {
         Desk desk({1280, 720}, preset.name);
         const Params before = load_state(preset.name)->params;

@@ -1,5 +1,5 @@
-// The queue of input: a frame gets one change, in order, at the time when it happened, however late the window hears of
-// it. Below, a burst of events as a busy machine leaves them, handled by the whole user interface.
+// The input queue: each frame gets one change, in order and with the time when it happened, however late the window
+// receives it. Below, the whole user interface handles a burst of events as a busy machine produces it.
 #include "ui/parts/input_queue.h"
 
 #include "desk.h"
@@ -27,7 +27,7 @@ protected:
     const InputFrame& next(double now_s = 1.0) { return queue.next_frame(now_s); }
 };
 
-TEST_F(Queue, APressAndItsReleaseAreFramesOfTheirOwn) {
+TEST_F(Queue, APressAndItsReleaseTakeSeparateFrames) {
     push(PointerMoved{glm::vec2(5, 6)}, PointerMoved{glm::vec2(7, 8)}, ButtonChanged{left, true},
          ButtonChanged{left, false}, PointerMoved{glm::vec2(300, 8)});
     EXPECT_EQ(next().pointer, Place(glm::vec2(7, 8)));
@@ -39,7 +39,7 @@ TEST_F(Queue, APressAndItsReleaseAreFramesOfTheirOwn) {
     EXPECT_TRUE(queue.is_empty());
 }
 
-TEST_F(Queue, OneButtonAFrame) {
+TEST_F(Queue, OneButtonPerFrame) {
     push(ButtonChanged{left, true}, ButtonChanged{right, true}, ButtonChanged{right, false});
     const auto buttons = [this] {
         const InputFrame& frame = next();
@@ -51,17 +51,17 @@ TEST_F(Queue, OneButtonAFrame) {
     EXPECT_TRUE(queue.is_empty());
 }
 
-TEST_F(Queue, TheWheelTurnsWhereThePointerIs) {
+TEST_F(Queue, TheWheelTurnsAtThePointersPosition) {
     push(PointerMoved{glm::vec2(1, 1)}, WheelTurned{{0, 1}}, WheelTurned{{0, 2}}, PointerMoved{glm::vec2(9, 9)});
     const InputFrame turned = next();
     EXPECT_EQ(turned.pointer, Place(glm::vec2(1, 1)));
     EXPECT_EQ(turned.wheel, glm::vec2(0, 3));
     const InputFrame moved = next();
     EXPECT_EQ(moved.pointer, Place(glm::vec2(9, 9)));
-    EXPECT_EQ(moved.wheel, glm::vec2(0)) << "it turned once";
+    EXPECT_EQ(moved.wheel, glm::vec2(0)) << "the wheel turned once";
 }
 
-TEST_F(Queue, ATappedKeyIsDownForAFrame) {
+TEST_F(Queue, ATappedKeyIsDownForOneFrame) {
     KeyChanged tap{.code = 87, .kind = KeyKind::prints, .key = Key::w, .down = true};
     push(tap);
     tap.down = false;
@@ -70,7 +70,7 @@ TEST_F(Queue, ATappedKeyIsDownForAFrame) {
     const InputFrame up = next();
     EXPECT_FALSE(up.input.is_down(Key::w));
     EXPECT_FALSE(up.keys[87]);
-    EXPECT_TRUE(up.input.pressed.empty()) << "it went down once";
+    EXPECT_TRUE(up.input.pressed.empty()) << "the key went down once";
 }
 
 TEST_F(Queue, TypingKeepsItsOrder) {
@@ -89,7 +89,7 @@ TEST_F(Queue, TypingKeepsItsOrder) {
             EXPECT_EQ(later.characters, std::vector<unsigned>{'c'});
         }
     }
-    EXPECT_GT(frames, 2) << "what Enter leads to listens by then";
+    EXPECT_GT(frames, 2) << "the target of Enter listens by then";
 }
 
 TEST_F(Queue, AShortcutKeepsItsModifier) {
@@ -106,7 +106,7 @@ TEST_F(Queue, AShortcutKeepsItsModifier) {
     EXPECT_FALSE(next().input.is_down(Key::ctrl));
 }
 
-TEST_F(Queue, WithoutTheFocusNothingIsHeld) {
+TEST_F(Queue, LosingTheFocusReleasesAllKeys) {
     push(KeyChanged{.code = 87, .kind = KeyKind::prints, .key = Key::w, .down = true}, FocusChanged{false});
     EXPECT_TRUE(next().input.is_down(Key::w));
     const InputFrame gone = next();
@@ -115,7 +115,7 @@ TEST_F(Queue, WithoutTheFocusNothingIsHeld) {
     EXPECT_FALSE(next().focus);
 }
 
-TEST_F(Queue, TimeIsThatOfWhatIsShown) {
+TEST_F(Queue, TimeIsThatOfTheShownEvent) {
     queue.push(ButtonChanged{left, true}, {1.0, 1.5});
     queue.push(ButtonChanged{left, false}, {1.1, 1.6});
     queue.push(ButtonChanged{left, true}, {1.2, 1.7});
@@ -134,17 +134,17 @@ TEST_F(Queue, AKeyActsAsLongAsItIsHeld) {
     queue.push(w, {2.0, 2.0});
     EXPECT_TRUE(next(2.0).input.is_down(Key::w));
     w.down = false;
-    queue.push(w, {2.0, 2.8});  // heard of by a window that was busy for so long
+    queue.push(w, {2.0, 2.8});  // received late by a busy window
     const InputFrame held = next(2.8);
     EXPECT_TRUE(held.input.is_down(Key::w));
-    EXPECT_NEAR(held.input.dt_s, 0.4, 1e-9) << "as far as one knows";
+    EXPECT_NEAR(held.input.dt_s, 0.4, 1e-9) << "as far as is known";
     const InputFrame up = next(2.9);
     EXPECT_FALSE(up.input.is_down(Key::w));
     EXPECT_NEAR(up.input.dt_s, 0.5, 1e-9);
 }
 
-TEST_F(Queue, NothingIsLostAndNothingChangesItsPlace) {
-    // What a frame shows, told one by one, is what was pushed, with moves in a row and releases left out.
+TEST_F(Queue, NothingIsLostOrReordered) {
+    // The frames, replayed one by one, show the pushed events, apart from joined moves and releases.
     std::vector<std::string> pushed, shown;
     unsigned seed = 5;
     std::array<bool, 3> down{};
@@ -175,7 +175,7 @@ TEST_F(Queue, NothingIsLostAndNothingChangesItsPlace) {
         for (const unsigned character : now.characters) shown.push_back("type " + std::to_string(character));
         if (now.wheel.y > 0.0F) shown.push_back("wheel");
     }
-    const auto joined = [](std::vector<std::string> all) {  // wheels in a row are one
+    const auto joined = [](std::vector<std::string> all) {  // consecutive wheel events are one
         all.erase(std::unique(all.begin(), all.end(),
                               [](const auto& a, const auto& b) { return a == "wheel" && b == "wheel"; }),
                   all.end());
@@ -191,7 +191,7 @@ protected:
     InputQueue queue;
     double now_s = 10.0;
 
-    /// As fast as hands are, all of it heard of at once by a window that was busy for so long.
+    /// Pushes an event of a burst, which a busy window receives all at the same time.
     void push(InputEvent event) { queue.push(std::move(event), {now_s, now_s}); }
     void click_at(const RecordedItem& item) {
         push(PointerMoved{glm::vec2((item.min.x + item.max.x) * 0.5F, (item.min.y + item.max.y) * 0.5F)});
@@ -209,7 +209,7 @@ protected:
         push(leaving(static_cast<std::size_t>(key), true));
         push(leaving(static_cast<std::size_t>(key), false));
     }
-    /// Frames of half a second each until all is shown.
+    /// Runs frames of half a second each until all events are shown.
     void show() {
         for (int settled = 0; settled < 5; settled = queue.is_empty() ? settled + 1 : 0) {
             now_s += 0.5;
@@ -221,7 +221,7 @@ protected:
     }
 };
 
-TEST_F(Burst, ADoubleClickAndWhatIsTypedAfterIt) {
+TEST_F(Burst, HandlesADoubleClickAndTyping) {
     desk.reveal("projection/fovy");
     const RecordedItem fovy = ui.find("projection/fovy");
     click_at(fovy);
@@ -233,7 +233,7 @@ TEST_F(Burst, ADoubleClickAndWhatIsTypedAfterIt) {
     EXPECT_EQ(params.projection.fovy, 55.0);
 }
 
-TEST_F(Burst, TabLeadsTypingToTheNextField) {
+TEST_F(Burst, TabMovesTypingToTheNextField) {
     desk.reveal("projection/z-near");
     const RecordedItem near = ui.find("projection/z-near");
     click_at(near);
@@ -247,7 +247,7 @@ TEST_F(Burst, TabLeadsTypingToTheNextField) {
     EXPECT_EQ(params.projection.far, 44.0);
 }
 
-TEST_F(Burst, ADragEndsWhereItEnded) {
+TEST_F(Burst, ADragEndsWhereTheHandStopped) {
     const Rect rect = desk.layout().camera;
     const glm::vec2 from((rect.min.x + rect.max.x) * 0.5F - 250.0F, (rect.min.y + rect.max.y) * 0.5F - 120.0F);
     desk.drag_from({from.x, from.y}, 100.0F, 0.0F);

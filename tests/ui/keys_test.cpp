@@ -1,4 +1,4 @@
-// The keys: each does its own thing, and none does anything while a person types or a dialog is open.
+// The keys: each has its effect, and none has any while the user types or a dialog is open.
 #include "desk.h"
 
 namespace viewing::test {
@@ -6,10 +6,10 @@ namespace {
 
 class KeysTest : public UiTest {};
 
-TEST_F(KeysTest, EveryKeyOfFlyMovesItsFreedom) {
+TEST_F(KeysTest, EveryFlyKeyMovesItsDegreeOfFreedom) {
     struct Case {
         Key key;
-        glm::dvec3 view_direction;  ///< of the motion, in the camera's frame; zero for a turn
+        glm::dvec3 view_direction;  ///< of the motion, in the camera's frame; zero for a rotation
     };
     for (const Case& one : {Case{Key::w, {0, 0, -1}}, Case{Key::s, {0, 0, 1}}, Case{Key::a, {-1, 0, 0}},
                             Case{Key::d, {1, 0, 0}}, Case{Key::r, {0, 1, 0}}, Case{Key::f, {0, -1, 0}}}) {
@@ -80,7 +80,7 @@ TEST_F(KeysTest, FoldKeysFoldTheColumns) {
     EXPECT_TRUE(ui.has("matrices/S/r0c0"));
 }
 
-TEST_F(KeysTest, MMaximisesTheViewUnderThePointer) {
+TEST_F(KeysTest, MMaximizesTheViewUnderThePointer) {
     for (const auto& [label, view] : {std::pair{"view/camera view", BigView::camera},
                                       {"left/observer/observer view", BigView::lower_left},
                                       {"lower/lower view", BigView::lower_right}}) {
@@ -94,7 +94,7 @@ TEST_F(KeysTest, MMaximisesTheViewUnderThePointer) {
     }
 }
 
-TEST_F(KeysTest, MMaximisesTheMatrices) {
+TEST_F(KeysTest, MMaximizesTheMatrices) {
     ui.hover("matrices/S/r0c0");
     desk.press(Key::m);
     EXPECT_EQ(desk.params().view.layout.big, BigView::matrices);
@@ -103,7 +103,7 @@ TEST_F(KeysTest, MMaximisesTheMatrices) {
     EXPECT_TRUE(ui.has("matrices/S/r0c0") && ui.has("matrices/R/r0c0"));
 }
 
-TEST_F(KeysTest, MaximisedCodeStandsBesideItsMatrices) {
+TEST_F(KeysTest, MaximizedCodeIsBesideItsMatrices) {
     params.view.lower_left = Topic::lecture_code;
     desk.settle();
     const Rect code = desk.layout().lower_left;
@@ -115,7 +115,7 @@ TEST_F(KeysTest, MaximisedCodeStandsBesideItsMatrices) {
     EXPECT_GT(desk.layout().lower_left.width(), 1000.0F);
 }
 
-TEST_F(KeysTest, NGoesThroughTheNavigationModes) {
+TEST_F(KeysTest, NCyclesThroughTheNavigationModes) {
     for (const Navigation mode : {Navigation::walk, Navigation::orbit, Navigation::fly}) {
         desk.press(Key::n);
         EXPECT_EQ(params.camera.navigation, mode);
@@ -142,7 +142,19 @@ TEST_F(KeysTest, HelpOpensAndCloses) {
     EXPECT_FALSE(ui.has("keys/Close"));
 }
 
-TEST_F(KeysTest, WhileTheHelpIsOpenEscapeClosesItAndOtherKeysRest) {
+TEST_F(KeysTest, HelpShowsTheManualByTopics) {
+    desk.press(Key::f1);
+    EXPECT_FALSE(ui.has("keys/Presenting a lesson"));
+    ui.click("keys/Lessons");
+    ui.frames(2);
+    EXPECT_TRUE(ui.has("keys/Presenting a lesson"));
+    ui.click("keys/Keys");
+    ui.frames(2);
+    EXPECT_FALSE(ui.has("keys/Presenting a lesson"));
+    ui.click("keys/Close");
+}
+
+TEST_F(KeysTest, WhileTheHelpIsOpenOnlyEscapeWorks) {
     params.follow = Follow{"box", 0};
     desk.settle();
     const Params before = params;
@@ -156,7 +168,7 @@ TEST_F(KeysTest, WhileTheHelpIsOpenEscapeClosesItAndOtherKeysRest) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(KeysTest, CtrlAndALetterIsNoMotion) {
+TEST_F(KeysTest, CtrlWithALetterDoesNotMove) {
     const Params before = params;
     desk.hold(Key::ctrl);
     desk.hold(Key::d);
@@ -167,7 +179,7 @@ TEST_F(KeysTest, CtrlAndALetterIsNoMotion) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(KeysTest, AShortcutRightAfterTypingCounts) {
+TEST_F(KeysTest, AShortcutRightAfterTypingWorks) {
     ui.double_click("camera/position/x");
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     desk.hold(Key::escape);
@@ -176,7 +188,7 @@ TEST_F(KeysTest, AShortcutRightAfterTypingCounts) {
     EXPECT_TRUE(parse_state(desk.clipboard, "clipboard"));
 }
 
-TEST_F(KeysTest, AShortcutThatIsOverWithinOneFrameCounts) {
+TEST_F(KeysTest, AShortcutWithinOneFrameWorks) {
     desk.click("depth/Depth test");
     ASSERT_FALSE(params.depth.test);
     desk.input.pressed = {{Key::ctrl, true, false}, {Key::z, true, false}};
@@ -184,7 +196,7 @@ TEST_F(KeysTest, AShortcutThatIsOverWithinOneFrameCounts) {
     EXPECT_TRUE(params.depth.test);
 }
 
-TEST_F(KeysTest, SnapshotAndFullScreenAreAskedForOnce) {
+TEST_F(KeysTest, SnapshotAndFullScreenAreRequestedOnce) {
     desk.hold(Key::f12);
     EXPECT_TRUE(desk.requests.snapshot);
     desk.let_go(Key::f12);

@@ -1,6 +1,6 @@
-// Korean: every character that the catalogue and the lessons need is drawn, others are loaded when they come or are a
-// box, English pays nothing; switching is at once, and is the person's own: nothing that is opened or undone changes
-// it.
+// Korean: every character of the catalog and the lessons is drawn; others are loaded on demand or shown as a box;
+// English loads none of this. Switching is immediate, and the language belongs to the user: opening or undoing never
+// changes it.
 #include <regex>
 #include <set>
 
@@ -29,7 +29,7 @@ bool shows(const Desk& desk, const char* syllable) {
     return true;
 }
 
-/// Every text of a lesson, in Korean where there is one.
+/// Every text of a lesson, in Korean where a translation exists.
 void collect(const Lesson& lesson, std::vector<LessonText>& texts) {
     texts.push_back(lesson.title);
     for (const LessonStep& step : lesson.steps) {
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-TEST_F(KoreanTest, EveryCharacterOfTheCatalogueAndTheLessonsIsDrawn) {
+TEST_F(KoreanTest, EveryCharacterOfTheCatalogAndTheLessonsIsDrawn) {
     std::set<ImWchar> needed;
     const auto need = [&needed](const std::string& text) {
         for (const char* at = text.c_str(); *at;) {
@@ -87,9 +87,9 @@ TEST_F(KoreanTest, EveryCharacterOfTheCatalogueAndTheLessonsIsDrawn) {
         }
 }
 
-TEST_F(KoreanTest, EverySyllableIsDrawnOrABox) {
+TEST_F(KoreanTest, EverySyllableIsDrawnOrShownAsABox) {
     for (ImWchar syllable = first_syllable; syllable <= last_syllable; ++syllable) desk.workbench.korean.want(syllable);
-    desk.workbench.korean.want("〄");  // no font of ours has it
+    desk.workbench.korean.want("〄");  // none of our fonts has it
     desk.apply_looks();
     for (ImFont* font : fonts_of(desk)) {
         int drawn = 0;
@@ -110,18 +110,18 @@ TEST_F(KoreanTest, EverySyllableIsDrawnOrABox) {
 TEST_F(KoreanTest, EveryTextOfTheLectureIsTranslated) {
     static const std::regex hangul("[\xEA-\xED]");
     for (const LessonText& text : lecture_texts()) {
-        // Formulas are the same in both.
+        // Formulas are the same in both languages.
         static const std::regex words("[a-z]{3,} [a-z]{2,} ");
         const bool is_sentence = std::regex_search(text.in_english(), words);
-        static const std::regex latin("[A-Za-z]");  // a number says the same in all languages
+        static const std::regex latin("[A-Za-z]");  // a number is the same in all languages
         const std::string korean = text.in(Language::ko);
         EXPECT_TRUE(!is_sentence || std::regex_search(korean, hangul) || !std::regex_search(korean, latin))
             << text.in_english();
     }
 }
 
-TEST_F(KoreanTest, NoParticleThatDependsOnTheSoundBeforeItFollowsAValue) {
-    // 은/는, 이/가, 을/를, 로/으로, 와/과 depend on whether the word before ends in a consonant.
+TEST_F(KoreanTest, ValuesAreNotFollowedBySoundDependentParticles) {
+    // 은/는, 이/가, 을/를, 로/으로, 와/과 depend on whether the preceding word ends in a consonant.
     static const std::regex after_place("\\}(은|는|이|가|을|를|으로|로|와|과|이며|이고|이나|나)($|[ .,:;!?)])");
     for (const PoEntry& entry : catalogue())
         EXPECT_FALSE(std::regex_search(entry.translation, after_place)) << entry.line << ": " << entry.translation;
@@ -158,10 +158,10 @@ TEST_F(EnglishTest, LoadsNoKorean) {
         for (const ImFontGlyph& glyph : font->Glyphs) EXPECT_LT(glyph.Codepoint, first_syllable);
 }
 
-TEST_F(EnglishTest, TheMenuSwitchesAtOnce) {
+TEST_F(EnglishTest, TheMenuSwitchesImmediately) {
     desk.click("top/Look");
     ui.frames(2);
-    EXPECT_TRUE(desk.workbench.korean.has_new()) << "한국어 stands in the menu";
+    EXPECT_TRUE(desk.workbench.korean.has_new()) << "한국어 is in the menu";
     desk.apply_looks();
     EXPECT_TRUE(shows(desk, "어"));
     ui.click("top/language/한국어");
@@ -171,14 +171,14 @@ TEST_F(EnglishTest, TheMenuSwitchesAtOnce) {
     EXPECT_TRUE(shows(desk, "면"));
 }
 
-TEST_F(EnglishTest, WhatOthersWroteInKoreanIsLoadedWhenItIsThere) {
+TEST_F(EnglishTest, ForeignKoreanTextIsLoadedOnDemand) {
     desk.clipboard = R"({"scene": {"objects": [{"name": "주전자", "shape": "teapot"}]}})";
     desk.press_with(Key::ctrl, Key::v);
     desk.settle();
     EXPECT_TRUE(desk.workbench.korean.has_new());
     desk.apply_looks();
     EXPECT_TRUE(shows(desk, "전"));
-    EXPECT_NE(desk.session.text().find("주전자"), std::string::npos) << "written back as it was";
+    EXPECT_NE(desk.session.text().find("주전자"), std::string::npos) << "written back unchanged";
     desk.session.message = {"파일.json: 열 수 없음", true};
     ui.frames(2);
     desk.apply_looks();

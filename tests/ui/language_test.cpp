@@ -1,7 +1,6 @@
-// Every text goes through the catalogue, and has room when it is longer. The window is drawn in the pseudo-language
-// (text/catalogue.h): each text of the catalogue is in brackets, stretched by 40 %, without one English letter. So a
-// word of English letters in the vertices that ImGui hands over was never looked up, and a "[" without its "]" is cut
-// off.
+// Every text goes through the catalog and fits when it is longer. The window is drawn in the pseudo-language
+// (text/catalogue.h), in which each text of the catalog is in brackets, 40 % longer and has no English letter. An
+// English word in ImGui's vertices was therefore never looked up, and a "[" without its "]" is cut off.
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -18,7 +17,7 @@ bool is_english(ImWchar c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// What is no text: the symbols of formulas, GL and its names, the lecture's functions, and the program's own name.
+/// Words that are not text: symbols of formulas, GL and its names, the lecture's functions, and the program's name.
 bool is_symbol(const std::string& word) {
     static const std::set<std::string> symbols{"GL",
                                                "BACK",
@@ -70,12 +69,12 @@ std::set<std::string> english_words(const std::vector<Letter>& letters) {
     return words;
 }
 
-/// The visible parts of texts that begin and do not end, but for those that are scrolled out at the bottom.
+/// The visible parts of texts that begin but do not end, except those scrolled out at the bottom.
 std::vector<std::string> cut_texts(const std::vector<Letter>& letters, bool scrolls) {
     struct Text {
         std::string shown;
         const Letter* last;
-        bool is_complete = false;  ///< another one has begun
+        bool is_complete = false;  ///< before another one begins
     };
     std::vector<Text> open;
     for (const Letter& letter : letters) {
@@ -106,7 +105,7 @@ protected:
     ~LanguageTest() override { speak_english(); }
 };
 
-TEST_P(LanguageTest, EveryTextIsLookedUpAndHasRoom) {
+TEST_P(LanguageTest, EveryTextIsLookedUpAndFits) {
     const auto [size, scale, theme] = GetParam();
     Desk desk(size);
     desk.params().ui = {theme, scale};
@@ -124,8 +123,7 @@ TEST_P(LanguageTest, EveryTextIsLookedUpAndHasRoom) {
             if (!desk.layout().panel.empty()) desk.fold_out_all();
             desk.ui.move_to({-1, -1});
             desk.ui.frames(3);
-            const widgets::Fonts& fonts =
-                desk.workbench.widgets.fonts;  // what is monospaced is numbers, code and paths
+            const widgets::Fonts& fonts = desk.workbench.widgets.fonts;  // monospaced text is numbers, code and paths
             const Page page{fonts.text, fonts.heading, fonts.note};
             const ImDrawData* data = ImGui::GetDrawData();
             for (int i = 0; i < data->CmdListsCount; ++i) {
@@ -137,7 +135,7 @@ TEST_P(LanguageTest, EveryTextIsLookedUpAndHasRoom) {
                 for (const std::string& text : cut_texts(letters, scrolls)) cut.emplace(text, where);
             }
         }
-    for (const auto& [word, where] : words) ADD_FAILURE() << word << " (" << where << ") is not in the catalogue";
+    for (const auto& [word, where] : words) ADD_FAILURE() << word << " (" << where << ") is not in the catalog";
     for (const auto& [text, where] : cut) ADD_FAILURE() << text << " (" << where << ") is cut off";
 }
 

@@ -1,6 +1,5 @@
-// Nothing covers anything else and nothing is cut off, at every size, in every theme, in every preset and view, also
-// with texts that are 40 % longer: judged by the letters that are drawn (letters.h) as well as by the items'
-// rectangles.
+// Nothing overlaps and nothing is cut off, at every size, in every theme, preset and view, and with texts 40 % longer.
+// Judged by the drawn letters (letters.h) as well as by the items' rectangles.
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -20,7 +19,7 @@ bool is_picture(const RecordedItem& item) {
 }
 
 bool overlap(const RecordedItem& a, const RecordedItem& b) {
-    constexpr float touch = 0.51F;  // neighbours share an edge; halves of a pixel are rounded away
+    constexpr float touch = 0.51F;  // neighbors share an edge; half pixels are rounded away
     return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && a.min.y + touch < b.max.y &&
            b.min.y + touch < a.max.y;
 }
@@ -32,12 +31,12 @@ std::string text_of(const RecordedItem& item) {
     return text.str();
 }
 
-/// Handles' labels stand on a picture; everything else keeps to itself.
+/// Handle labels are over a picture; all other items must not overlap.
 void expect_no_overlap(const std::vector<RecordedItem>& items) {
     for (std::size_t a = 0; a < items.size(); ++a)
         for (std::size_t b = a + 1; b < items.size(); ++b) {
             const bool is_sign = items[a].label.ends_with("/trouble") || items[b].label.ends_with("/trouble");
-            if (is_sign) continue;  // at the end of its section's headline
+            if (is_sign) continue;  // at the end of its section's heading
             if (items[a].window != items[b].window || is_picture(items[a]) != is_picture(items[b])) continue;
             EXPECT_FALSE(overlap(items[a], items[b])) << text_of(items[a]) << "\n" << text_of(items[b]);
         }
@@ -45,9 +44,9 @@ void expect_no_overlap(const std::vector<RecordedItem>& items) {
 
 void expect_inside_its_area(const Desk& desk) {
     for (const AreaFacts& area : desk.areas) {
-        EXPECT_LE(area.overflow_x, 0.0F) << area.name << " is too narrow for what it shows";
+        EXPECT_LE(area.overflow_x, 0.0F) << area.name << " is too narrow for its content";
         const bool scrolls = area.name == "panel" || area.name == "matrices";
-        EXPECT_LE(scrolls ? 0.0F : area.overflow_y, 0.0F) << area.name << " is too low for what it shows";
+        EXPECT_LE(scrolls ? 0.0F : area.overflow_y, 0.0F) << area.name << " is too low for its content";
         for (const RecordedItem& item : desk.recorded()) {
             if (item.window != area.name) continue;
             EXPECT_GE(item.min.x, area.rect.min.x) << text_of(item);
@@ -59,7 +58,7 @@ void expect_inside_its_area(const Desk& desk) {
     }
 }
 
-/// The wordiest states: long tables, further controls, sentences of trouble.
+/// The wordiest states: long tables, extra controls, trouble messages.
 const std::pair<const char*, void (*)(Params&)> moods[] = {{"opening", [](Params&) {}},
                                                            {"followed point",
                                                             [](Params& params) {
@@ -101,7 +100,7 @@ std::ostream& operator<<(std::ostream& out, const Case& shown) {
                << std::array{"", ", longer texts", ", Korean"}[static_cast<std::size_t>(shown.texts)];
 }
 
-/// Each size in each theme, every other one with longer texts; and each size and theme in Korean.
+/// Each size in each theme, every other one with longer texts; each size and theme also in Korean.
 const Case cases[] = {
     {{1600, 900}, 1.0, Theme::dark, Texts::english},     {{1600, 900}, 1.0, Theme::light, Texts::longer},
     {{1600, 900}, 1.0, Theme::projector, Texts::longer}, {{1280, 720}, 1.0, Theme::dark, Texts::longer},
@@ -127,7 +126,7 @@ protected:
         desk.ui.move_to({-1, -1});
         desk.ui.frames(2);
     }
-    /// Every preset, or every so-manieth from `first` on.
+    /// Every preset, or every `stride`-th one from `first` on.
     void expect_readable_presets(std::size_t first, std::size_t stride) {
         Desk desk(GetParam().size);
         desk.params().ui = GetParam().looks();
@@ -151,7 +150,7 @@ TEST_P(LayoutTest, PresetsAreReadable) {
     expect_readable_presets(place, std::size(cases));
 }
 
-/// A long run, by hand: --gtest_also_run_disabled_tests.
+/// Long; run by hand with --gtest_also_run_disabled_tests.
 TEST_P(LayoutTest, DISABLED_EveryPresetIsReadable) {
     expect_readable_presets(0, 1);
 }
@@ -198,9 +197,9 @@ TEST_P(LayoutTest, NothingOverlapsAndNothingIsCutOff) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest, ::testing::ValuesIn(cases));
 
-// ---- whether these tests see what is cut off ------------------------------------------------------------------------
+// ---- these tests detect cut-off text -------------------------------------------------------------------------------
 
-/// What is wrong where a column is so much narrower, and this English text stands in place of that one.
+/// The problems found when a column is `narrower` by this many pixels, with `texts` replacing English ones.
 std::vector<std::string> found_where(float Arrangement::*column, float narrower,
                                      const std::vector<PoEntry>& texts = {}) {
     speak(texts);
@@ -217,19 +216,19 @@ std::vector<std::string> found_where(float Arrangement::*column, float narrower,
     return found;
 }
 
-/// Columns give way: the narrowest that still has room for everything, and 20 pixels less.
-TEST(Layout, AColumnThatIsTwentyPixelsTooNarrowIsSeen) {
+/// Columns give way: take the narrowest width that still fits everything, and 20 pixels less.
+TEST(Layout, AColumnTwentyPixelsTooNarrowIsDetected) {
     for (float Arrangement::*const column : {&Arrangement::panel_width, &Arrangement::matrices_width}) {
         float narrower = 0.0F;
         while (narrower < 300.0F && found_where(column, narrower).empty()) narrower += 20.0F;
         SCOPED_TRACE(narrower);
-        EXPECT_GE(narrower, 20.0F) << "as it is everything has room";
-        EXPECT_LT(narrower, 150.0F) << "nothing is seen though the column is nearly gone";
+        EXPECT_GE(narrower, 20.0F) << "at its default width everything fits";
+        EXPECT_LT(narrower, 150.0F) << "nothing is detected though the column is nearly gone";
         EXPECT_FALSE(found_where(column, narrower + 20.0F).empty());
     }
 }
 
-TEST(Layout, AWordThatIsTooLongIsSeen) {
+TEST(Layout, AnOverlongWordIsDetected) {
     const std::string longer(70, 'm');
     for (const char* const word : {"Depth test", "Clear depth", "z-near", "Flip winding", "Show C"}) {
         SCOPED_TRACE(word);
@@ -265,14 +264,14 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
                 }
 }
 
-/// Tables below them have the width that they need on a projector of 1024×768.
-TEST(Layout, InFrontOfARoomFewControlsLeaveTheLowerViewsTheWholeWidth) {
+/// The tables below then have the width they need on a projector of 1024×768.
+TEST(Layout, WithFewControlsOnStageTheLowerViewsTakeTheWholeWidth) {
     const ImVec2 room(1024, 768);
     Arrangement arrangement;
     arrangement.matrices_folded = true;
     arrangement.telling.control_rows = 2;
     const Layout alone = lay_out(room, 1.25F, arrangement);
-    EXPECT_EQ(alone.panel.max.y, alone.lower_left.max.y) << "a student's panel goes down as far as the views";
+    EXPECT_EQ(alone.panel.max.y, alone.lower_left.max.y) << "a student's panel extends down as far as the views";
     arrangement.presents = true;
     const Layout few = lay_out(room, 1.25F, arrangement);
     EXPECT_TRUE(few.lower_are_wide);
@@ -286,19 +285,19 @@ TEST(Layout, InFrontOfARoomFewControlsLeaveTheLowerViewsTheWholeWidth) {
     EXPECT_GE(many.lower_left.min.x, many.panel.max.x);
 }
 
-TEST(Layout, TheTextOfAMaximisedViewGrowsWithIt) {
+TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {
     Arrangement arrangement;
-    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "nothing is maximised";
-    arrangement.maximised = ViewName::lower_left;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "nothing is maximized";
+    arrangement.maximized = ViewName::lower_left;
     EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.5F);
     EXPECT_EQ(enlargement({3840, 2160}, 2.0F, arrangement), 1.5F);
     EXPECT_NEAR(enlargement({1280, 720}, 1.0F, arrangement), 1.2F, 1e-6F);
-    EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "never smaller";
+    EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "the text never shrinks";
     arrangement.bare = true;
     EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
 }
 
-TEST(Layout, AtEightHundredBySixHundredOneColumnGivesWay) {
+TEST(Layout, OneColumnGivesWayAtEightHundredBySixHundred) {
     Desk desk({800, 600});
     EXPECT_FALSE(desk.layout().panel.empty());
     EXPECT_TRUE(desk.layout().matrices.empty());
@@ -311,7 +310,7 @@ TEST(Layout, AtEightHundredBySixHundredOneColumnGivesWay) {
     EXPECT_FALSE(desk.layout().panel.empty());
 }
 
-/// A telephone held across: the views stand side by side, and one button goes through what else there is.
+/// On a phone held sideways the views are side by side, and one button cycles through the rest.
 TEST(Layout, AShortWindowShowsTheViewsFirstAndAColumnOnRequest) {
     Desk desk({844, 390});
     const auto is_shown = [&](bool panel, bool matrices) {
@@ -320,7 +319,7 @@ TEST(Layout, AShortWindowShowsTheViewsFirstAndAColumnOnRequest) {
         EXPECT_TRUE(layout.is_short);
         EXPECT_FALSE(layout.camera.empty());
         EXPECT_FALSE(layout.lower_left.empty());
-        EXPECT_GE(layout.lower_left.min.x, layout.camera.max.x) << "beside it";
+        EXPECT_GE(layout.lower_left.min.x, layout.camera.max.x) << "2nd picture";
         EXPECT_EQ(!layout.panel.empty(), panel);
         EXPECT_EQ(!layout.matrices.empty(), matrices);
         desk.ui.move_to({-1, -1});
@@ -336,7 +335,7 @@ TEST(Layout, AShortWindowShowsTheViewsFirstAndAColumnOnRequest) {
     is_shown(false, false);
 }
 
-TEST(Layout, AProjectorsEightHundredBySixHundredIsNotShort) {
+TEST(Layout, EightHundredBySixHundredIsNotShort) {
     Desk desk({800, 600});
     desk.params().ui.theme = Theme::projector;
     desk.apply_looks();
@@ -345,7 +344,7 @@ TEST(Layout, AProjectorsEightHundredBySixHundredIsNotShort) {
     EXPECT_FALSE(desk.layout().panel.empty());
 }
 
-TEST(Layout, TheLookMenuChangesThemeAndScale) {
+TEST(Layout, TheLookMenuSetsThemeAndScale) {
     Desk desk;
     desk.click("top/Look");
     desk.ui.frames(2);

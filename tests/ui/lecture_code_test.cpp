@@ -1,5 +1,5 @@
-// The lecture's code on screen: each line and the matrix entry that it fills light up together, the switch shows the
-// slide's slip, and the observer's rays follow light, plane and scene.
+// The lecture's code on screen: each line lights up together with the matrix entry it fills, the switch shows the
+// mistake as printed on the slide, and the observer's rays follow light, plane and scene.
 #include "desk.h"
 #include "ui/parts/links.h"
 
@@ -13,11 +13,11 @@ protected:
     Params& params = desk.session.params;
 
     LectureCodeTest() {
-        desk.workbench.arrangement.lower_height = 1000.0F;  // both functions without scrolling
+        desk.workbench.arrangement.lower_height = 1000.0F;  // both functions fit without scrolling
         ui.frames(3);
     }
 
-    /// The entries, of both matrices, that are pointed at while the pointer is over an item.
+    /// The entries of both matrices that are highlighted while the pointer is over an item.
     widgets::Links entries_at(const std::string& label) {
         ui.hover(label);
         ui.frames(2);
@@ -29,7 +29,7 @@ protected:
     }
 };
 
-TEST_F(LectureCodeTest, EachLineAndItsEntryPointAtTheSame) {
+TEST_F(LectureCodeTest, EachLineAndItsEntryHighlightTheSameItems) {
     for (int index = 0; index < 16; ++index) {
         const int row = index % 4, column = index / 4;  // as GL reads the array
         const std::string element = "[" + std::to_string(index) + "]";
@@ -42,7 +42,7 @@ TEST_F(LectureCodeTest, EachLineAndItsEntryPointAtTheSame) {
     }
 }
 
-TEST_F(LectureCodeTest, ALinePointsAtTheControlsItComesFrom) {
+TEST_F(LectureCodeTest, ALineHighlightsTheControlsItDependsOn) {
     ui.hover("left/code/shadowMat[4]");  // 0.f - lightpos[0] * plane[1]
     ui.frames(2);
     const widgets::Links hovered = desk.workbench.widgets.hovered;
@@ -60,7 +60,7 @@ TEST_F(LectureCodeTest, TheSwitchShowsTheTranspose) {
     EXPECT_NE(ui.text_of("left/code/trouble").find("w is no longer 1"), std::string::npos);
     params.planes.front().equation.w = 0.0;
     ui.frames(2);
-    EXPECT_FALSE(ui.has("left/code/trouble")) << "right where d = 0";
+    EXPECT_FALSE(ui.has("left/code/trouble")) << "correct when d = 0";
     // The element that the slide fills with −2ad is entry (4, 1) for GL.
     EXPECT_EQ(entries_at("left/code/reflectionMat[3]"), link::mirror_entry(12));
 }
@@ -81,7 +81,7 @@ TEST_F(LectureCodeTest, IsDrawnInEveryWidthAndTheme) {
         }
 }
 
-TEST(LightRaysTest, AreFoundAnewWhereLightPlaneOrSceneIsAnother) {
+TEST(LightRaysTest, AreUpdatedWhenLightPlaneOrSceneChanges) {
     Session session = session_of("opening");
     LightRays rays;
     const auto count = [&] {

@@ -1,5 +1,5 @@
-// Lessons as the window shows them, and as a room sees them: every step can be read at the sizes of projectors, the
-// keys of a clicker do what the README says, and what is covered is nowhere.
+// Lessons in the window and on stage: every step is readable at projector sizes, the keys of a clicker do what the
+// README says, and covered parts appear nowhere.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -27,7 +27,7 @@ void begin(Desk& desk, const Lesson& lesson, std::size_t step, bool presents) {
 
 void show_answer(Desk& desk) {
     desk.workbench.guide.reveal(desk.session);
-    desk.workbench.guide.next(desk.session);  // at once
+    desk.workbench.guide.next(desk.session);  // without animation
     desk.settle();
 }
 
@@ -51,7 +51,7 @@ const Room rooms[] = {{{1280, 720}, Theme::dark},
 
 class StageSlowTest : public ::testing::TestWithParam<Room> {
 protected:
-    /// Every so-manieth step of the lecture from `first` on, before and after its answer.
+    /// Every `stride`-th step of the lecture from `first` on, before and after its answer.
     static void expect_readable(std::size_t first, std::size_t stride, bool presents) {
         Desk desk(GetParam().size);
         desk.params().ui.theme = GetParam().theme;
@@ -83,24 +83,24 @@ protected:
     }
 };
 
-/// Over the three sizes each step in each theme, and in Korean.
-TEST_P(StageSlowTest, WhatTheRoomSeesCanBeRead) {
+/// Spreads the steps over the three sizes in each theme, and also in Korean.
+TEST_P(StageSlowTest, TheStageIsReadable) {
     expect_readable(place() % 3, 3, true);
 }
 
-TEST_P(StageSlowTest, WhatOneSeesAloneCanBeRead) {
+TEST_P(StageSlowTest, TheWindowIsReadable) {
     expect_readable(place(), std::size(rooms), false);
 }
 
-/// A long run, by hand: --gtest_also_run_disabled_tests.
-TEST_P(StageSlowTest, DISABLED_EveryStepCanBeRead) {
+/// Long; run by hand with --gtest_also_run_disabled_tests.
+TEST_P(StageSlowTest, DISABLED_EveryStepIsReadable) {
     expect_readable(0, 1, true);
     expect_readable(0, 1, false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, StageSlowTest, ::testing::ValuesIn(rooms));
 
-/// Views and matrices have no switch but for what the step names and the number of a bar that goes through steps.
+/// Views and matrices have no switches, apart from those that the step names and the number field of a step bar.
 std::vector<std::string> switches(const Desk& desk) {
     const Stage& stage = desk.workbench.stage;
     const auto is_named = [&](const std::string& label) {
@@ -116,8 +116,8 @@ std::vector<std::string> switches(const Desk& desk) {
     return found;
 }
 
-/// Whether all of what a step shows is seen. The rest of a list that is gone through line by line is scrolled to, and
-/// the line at hand is in view: GL's calls, the lines of a derivation or of code, an order of polygons with its tests.
+/// Whether everything that a step shows is visible. Lists that are gone through line by line may scroll as long as the
+/// current line is in view: GL calls, lines of a derivation or of code, an order of polygons with its tests.
 bool is_all_seen(const Desk& desk) {
     const auto is_list = [&](Topic topic) { return is_shown(desk.session.params, topic); };
     const bool has_list = std::ranges::any_of(std::array{Topic::passes, Topic::lecture_code, Topic::shadow_derivation,
@@ -126,8 +126,8 @@ bool is_all_seen(const Desk& desk) {
     return has_list || desk.workbench.widgets.seen_share == 1.0F;
 }
 
-/// Over the whole lecture, before and after each answer.
-TEST_P(StageSlowTest, ARoomSeesNoSwitchAndAllThatAStepShows) {
+/// The whole lecture, before and after each answer.
+TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
     desk.params().ui.language = GetParam().language;
@@ -147,8 +147,8 @@ TEST_P(StageSlowTest, ARoomSeesNoSwitchAndAllThatAStepShows) {
     }
 }
 
-/// There is no button that leads from one to the other.
-TEST(OnStage, BothLowerViewsAreSeenOnSquareProjectors) {
+/// No button switches between the two.
+TEST(OnStage, BothLowerViewsAreVisibleOnSquareProjectors) {
     for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
         Desk desk(size);
         begin(desk, lesson_of("who-hides-whom"), 2, true);
@@ -165,23 +165,23 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
         begin(desk, lesson_of("depth-fighting"), 0, true);
         const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
         EXPECT_GE(fonts.caption->FontSize, std::floor(room.size.y / 36.0F)) << room;
-        // The type of a font of 16 pixels is 14 high: both stand in ImGui's line.
+        // The font of 16 pixels has a type height of 14; both fit ImGui's line.
         for (const ImFont* font : {fonts.number, fonts.small_number, fonts.note})
             EXPECT_GE(font->FontSize * 14.0F / 16.0F, std::floor(room.size.y / 48.0F)) << room;
     }
 }
 
-TEST(OnStage, F6GoesThroughTheThemes) {
+TEST(OnStage, F6CyclesThroughTheThemes) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("lens"), 0, true);
     for (const Theme theme : {Theme::light, Theme::projector, Theme::dark}) {
         desk.press(Key::f6);
         EXPECT_EQ(desk.params().ui.theme, theme);
     }
-    EXPECT_FALSE(desk.workbench.guide.departs(desk.session)) << "a theme is no improvising";
+    EXPECT_FALSE(desk.workbench.guide.departs(desk.session)) << "changing the theme does not count as improvising";
 }
 
-TEST(InALesson, HandlesThatAStepDoesNotNameWaitForItsAnswer) {
+TEST(InALesson, UnnamedHandlesAreLockedUntilTheAnswer) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("view-is-the-inverse"), 0, false);
     const auto drag_plane = [&desk] {
@@ -190,7 +190,7 @@ TEST(InALesson, HandlesThatAStepDoesNotNameWaitForItsAnswer) {
         desk.drag_from(desk.in_camera_view(patch.center), 0.0F, -30.0F);
         return desk.params().planes.front().equation != before;
     };
-    EXPECT_FALSE(drag_plane()) << "while it asks";
+    EXPECT_FALSE(drag_plane()) << "while the question is open";
     desk.workbench.guide.return_to_step(desk.session);
     desk.settle();
     desk.hold(Key::ctrl);
@@ -199,13 +199,13 @@ TEST(InALesson, HandlesThatAStepDoesNotNameWaitForItsAnswer) {
     desk.workbench.guide.return_to_step(desk.session);
     desk.settle();
     show_answer(desk);
-    EXPECT_TRUE(drag_plane()) << "afterwards";
+    EXPECT_TRUE(drag_plane()) << "after the answer";
     desk.workbench.guide.leave();
     desk.settle();
-    EXPECT_TRUE(drag_plane()) << "outside";
+    EXPECT_TRUE(drag_plane()) << "outside the lesson";
 }
 
-TEST(InALesson, AHandleThatAStepNamesMoves) {
+TEST(InALesson, HandlesNamedByTheStepMove) {
     Desk desk({1600, 900});
     const Lesson lesson = lesson_of("any-plane-any-light");
     for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
@@ -214,13 +214,13 @@ TEST(InALesson, AHandleThatAStepNamesMoves) {
         begin(desk, lesson, step, false);
         EXPECT_EQ(movable_handle(desk.workbench.views, Handle::light), Handle::light) << step;
         EXPECT_EQ(movable_handle(desk.workbench.views, Handle::near_plane), Handle::none) << step;
-        EXPECT_EQ(movable_handle(desk.workbench.views, Handle::camera), Handle::camera) << "flying stays free";
+        EXPECT_EQ(movable_handle(desk.workbench.views, Handle::camera), Handle::camera) << "flying is never locked";
         return;
     }
     FAIL() << "no step names the light";
 }
 
-TEST(OnStage, AClickerLeadsThroughALessonAndNeverSkipsAnAnswer) {
+TEST(OnStage, AClickerNeverSkipsAnAnswer) {
     Desk desk({1280, 720});
     const Lesson lesson = lesson_of("view-is-the-inverse");
     begin(desk, lesson, 0, true);
@@ -231,7 +231,7 @@ TEST(OnStage, AClickerLeadsThroughALessonAndNeverSkipsAnAnswer) {
         EXPECT_EQ(desk.params(), lesson.steps[step].start.params) << step;
         desk.press(Key::page_down);
         EXPECT_TRUE(guide.run()->is_revealed());
-        desk.press(Key::page_down);  // a double press shows at once what was to come slowly
+        desk.press(Key::page_down);  // a second press shows the rest of a slow reveal immediately
         desk.settle();
         if (guide.run()->index() == step) {
             EXPECT_EQ(desk.params(), lesson.steps[step].revealed) << step;
@@ -243,13 +243,13 @@ TEST(OnStage, AClickerLeadsThroughALessonAndNeverSkipsAnAnswer) {
     EXPECT_TRUE(guide.run()->is_revealed());
     desk.press(Key::page_up);
     desk.settle();
-    EXPECT_FALSE(guide.run()->is_revealed()) << "back to the question first";
+    EXPECT_FALSE(guide.run()->is_revealed()) << "goes back to the question first";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_EQ(guide.run()->index(), lesson.steps.size() - 2);
 }
 
-TEST(OnStage, MistakenKeysDoNothing) {
+TEST(OnStage, AccidentalKeysDoNothing) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("lens"), 1, true);
     const Params before = desk.params();
@@ -275,7 +275,7 @@ TEST(OnStage, WakingABlackScreenDoesNothingElse) {
     }
 }
 
-TEST(OnStage, HomeBringsTheStepBackAsOneStepOfUndo) {
+TEST(OnStage, HomeRestoresTheStepAsOneUndoStep) {
     Desk desk({1280, 720});
     const Lesson lesson = lesson_of("lens");
     begin(desk, lesson, 0, true);
@@ -291,7 +291,7 @@ TEST(OnStage, HomeBringsTheStepBackAsOneStepOfUndo) {
     EXPECT_EQ(desk.params(), improvised);
 }
 
-TEST(OnStage, TheStateBeforeTheAnswerIsThereWhileXIsHeld) {
+TEST(OnStage, HoldingXShowsTheStateBeforeTheAnswer) {
     Desk desk({1280, 720});
     const Lesson lesson = lesson_of("view-is-the-inverse");
     begin(desk, lesson, 0, true);
@@ -321,7 +321,7 @@ TEST(OnStage, TheOverviewJumpsAndBackspaceGoesBack) {
     EXPECT_FALSE(desk.workbench.presenter.shows_overview());
 }
 
-TEST(OnStage, HandsAreCountedByDigits) {
+TEST(OnStage, DigitsCountRaisedHands) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("view-is-the-inverse"), 0, true);
     const std::vector<int>& votes = desk.workbench.guide.run()->votes();
@@ -334,7 +334,7 @@ TEST(OnStage, HandsAreCountedByDigits) {
     EXPECT_EQ(votes, (std::vector{1, 1, 0, 0}));
 }
 
-TEST(LessonStrip, AWrongChoiceIsToldWhyAndARightOneAsksToBeJudged) {
+TEST(LessonStrip, AWrongChoiceIsExplainedAndARightOneIsJudged) {
     Desk desk({1600, 900});
     const Lesson lesson = lesson_of("view-is-the-inverse");
     begin(desk, lesson, 0, false);
@@ -345,7 +345,7 @@ TEST(LessonStrip, AWrongChoiceIsToldWhyAndARightOneAsksToBeJudged) {
     EXPECT_EQ(desk.workbench.guide.run()->answer().items, std::vector{static_cast<int>(index)});
 }
 
-TEST(LessonStrip, OneLeavesAndComesBackToTheStep) {
+TEST(LessonStrip, LeavingAndReturningKeepsTheStep) {
     Desk desk({1600, 900});
     const Lesson lesson = lesson_of("lens");
     begin(desk, lesson, 2, false);

@@ -1,5 +1,5 @@
-// The letters that ImGui hands over to be drawn, read back from a frame's vertices: which characters stand where, and
-// inside which rectangle they are clipped. What a person sees, whatever the code meant.
+// The letters that ImGui draws, read back from a frame's vertices: each visible character, its position and its clip
+// rectangle. They show what the user sees, independent of the code that drew it.
 #pragma once
 
 #include <imgui.h>
@@ -18,12 +18,12 @@ namespace viewing::test {
 /// A visible character on the screen.
 struct Letter {
     ImWchar character;
-    ImVec2 pen;  ///< where it was set, on the top of its line
-    float end;   ///< where the next one of its word is set
+    ImVec2 pen;  ///< its origin, at the top of its line
+    float end;   ///< where the next letter of its word starts
     float line_height;
     ImVec2 min, max;  ///< of its ink
     ImVec4 clip;
-    bool is_shaved;  ///< ImGui itself has left a part of it out
+    bool is_shaved;  ///< ImGui itself clipped part of it
     float baseline;
     ImU32 color;
 };
@@ -41,7 +41,7 @@ public:
     explicit Page(std::initializer_list<const ImFont*> fonts) { add(fonts); }
     explicit Page(const ImVector<ImFont*>& fonts) { add(fonts); }
 
-    /// In the order in which they are drawn.
+    /// In drawing order.
     std::vector<Letter> letters(const ImDrawList& list) const {
         std::vector<Letter> letters;
         for (const ImDrawCmd& command : list.CmdBuffer)
@@ -70,7 +70,7 @@ private:
         const auto found = glyphs_.find({corner.uv.x, corner.uv.y});
         if (found == glyphs_.end()) return std::nullopt;
         const auto [glyph, font] = found->second;
-        // Shaved letters keep their upper left corner's place in the font, not the opposite one's.
+        // A shaved letter keeps the position of its upper left corner in the font, not that of the opposite corner.
         const float across = (opposite.pos.x - corner.pos.x) / (glyph->X1 - glyph->X0);
         const float along = (opposite.pos.y - corner.pos.y) / (glyph->Y1 - glyph->Y0);
         const float scale = std::max(across, along);
@@ -91,14 +91,14 @@ private:
     std::map<std::pair<float, float>, std::pair<const ImFontGlyph*, const ImFont*>> glyphs_;
 };
 
-/// Whether a letter goes on the word, or the number, of the one before.
+/// Whether a letter continues the word or number of the previous one.
 inline bool goes_on(const Letter& before, const Letter& letter) {
     const float room = 0.5F * before.line_height;  // a blank between words of one text
     return std::abs(letter.pen.y - before.pen.y) < 0.5F && letter.pen.x > before.end - 1.5F &&
            letter.pen.x - before.end < room && std::abs(letter.line_height - before.line_height) < 0.5F;
 }
 
-/// Letters that stand behind each other: a text, or a line of it.
+/// Consecutive letters: a text, or a line of it.
 struct Line {
     std::string text;
     ImVec2 min, max;
@@ -124,8 +124,8 @@ inline std::vector<Line> lines_of(const std::vector<Letter>& letters) {
     return lines;
 }
 
-/// Texts whose ink is cut by their clip rectangle at its left or right, and at its lower or upper edge where nothing
-/// can be scrolled to.
+/// Texts whose ink is cut by their clip rectangle at the left or right, and also at the top or bottom unless the window
+/// scrolls.
 inline std::vector<std::string> cut_lines(const std::vector<Line>& lines, bool scrolls) {
     constexpr float rounding = 1.0F;
     std::vector<std::string> cut;

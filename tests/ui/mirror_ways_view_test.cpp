@@ -1,4 +1,4 @@
-// The mirror image in four ways as a person compares them: what stands on the pictures, and which way a click takes.
+// The comparison of four ways to draw a mirror image: captions on the pictures, and the way that a click selects.
 #include "ui/planes/mirror_ways_view.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ protected:
                 if (vertex.col == palette().text) corners.push_back(vertex.pos);
         return corners;
     }
-    /// Where something is painted in a colour, within a picture.
+    /// How often this color is painted within a picture.
     int painted(std::string_view label, ImU32 color) const {
         const RecordedItem& item = ui.find(label);
         int count = 0;
@@ -74,7 +74,7 @@ protected:
     }
 };
 
-TEST_F(MirrorWaysView, HasAPictureOfEachWayInTheCamerasShapeAndNoneOverAnother) {
+TEST_F(MirrorWaysView, HasOnePicturePerWayInTheCamerasShapeWithoutOverlap) {
     report(1440, 500);
     ui.frames(3);
     for (const char* name : names) {
@@ -93,7 +93,7 @@ TEST_F(MirrorWaysView, HasAPictureOfEachWayInTheCamerasShapeAndNoneOverAnother) 
     }
 }
 
-TEST_F(MirrorWaysView, AClickTakesTheWayOverAndNothingElse) {
+TEST_F(MirrorWaysView, AClickAppliesTheWayAndNothingElse) {
     report(1440, 500);
     ui.frames(3);
     const Params before = session.params;
@@ -113,14 +113,14 @@ TEST_F(MirrorWaysView, AClickTakesTheWayOverAndNothingElse) {
         ui.click(names[way]);
         EXPECT_EQ(session.params, wanted) << "again";
         ui.right_click(names[(way + 1) % 4]);
-        EXPECT_EQ(session.params, wanted) << "by the left button alone";
+        EXPECT_EQ(session.params, wanted) << "only by the left button";
         ui.frames(2);
         for (std::size_t other = 0; other < 4; ++other)
             EXPECT_EQ(painted(names[other], palette().mirror) > 0, other == way) << names[other];
     }
 }
 
-TEST_F(MirrorWaysView, NoWayIsFramedWhereTheStatesIsNone) {
+TEST_F(MirrorWaysView, FramesNoWayIfTheStateUsesNoneOfThem) {
     session.params.reflection.clip = MirrorClip::oblique;
     session.params.reflection.mirrored = MirroredThing::camera;
     ui.frames(3);
@@ -138,7 +138,7 @@ TEST_F(MirrorWaysView, SaysThatReflectionIsOff) {
     EXPECT_LT(ImGui::GetDrawData()->TotalVtxCount, letters_on);
 }
 
-TEST_F(MirrorWaysView, WritesNumbersOnlyOnceThereAreSome) {
+TEST_F(MirrorWaysView, ShowsNumbersOnlyOnceMeasured) {
     ui.frames(3);
     const int without = painted(names[0], palette().text);
     report(1440, 500);
@@ -147,11 +147,11 @@ TEST_F(MirrorWaysView, WritesNumbersOnlyOnceThereAreSome) {
     EXPECT_GT(with, without + 4 * 20) << "the reference, and its depths";
     report(1440, 0);
     ui.frames(3);
-    EXPECT_LT(painted(names[0], palette().text), with - 4 * 15) << "an image without depths has none to write";
+    EXPECT_LT(painted(names[0], palette().text), with - 4 * 15) << "an image without depths shows none";
 }
 
-/// Every letter stays on a picture, and a quarter of each picture's height is free of them, whatever the size.
-TEST_F(MirrorWaysView, CaptionsStayOnTheirPicturesAndLeaveSomethingOfThem) {
+/// Every letter stays on a picture, and a quarter of each picture's height stays free of letters, at any size.
+TEST_F(MirrorWaysView, CaptionsStayOnTheirPicturesAndLeaveRoom) {
     const struct {
         ImVec2 size;
         glm::ivec2 picture_px{160, 90};
@@ -180,7 +180,7 @@ TEST_F(MirrorWaysView, CaptionsStayOnTheirPicturesAndLeaveSomethingOfThem) {
     }
 }
 
-TEST_F(MirrorWaysView, IsDefinedInTheSmallestPlace) {
+TEST_F(MirrorWaysView, IsDefinedInTheSmallestView) {
     for (const bool has_report : {false, true}) {
         if (has_report) report(0, 0);
         for (const ImVec2 size : {ImVec2{6, 6}, ImVec2{5, 100}, ImVec2{100, 5}, ImVec2{1, 1}, ImVec2{0, 0}}) {
@@ -196,7 +196,7 @@ TEST_F(MirrorWaysView, IsDefinedInTheSmallestPlace) {
     ui.frames(3);
 }
 
-TEST(MirrorWaysTopic, IsOneOfTheLowerViewsAndLeavesAStateAsItIs) {
+TEST(MirrorWaysTopic, IsALowerViewThatLeavesTheStateUnchanged) {
     Desk desk({1600, 900}, "mirror-unclipped");
     for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{800, 600}, ImVec2{250, 200}, ImVec2{2, 2}}) {
         ImGui::GetIO().DisplaySize = size;

@@ -1,4 +1,4 @@
-// Every control of the panel: it changes its own field and nothing else, and what it can reach is in range.
+// Every control of the panel changes its own field and nothing else, and reaches only values in range.
 #include <set>
 
 #include "desk.h"
@@ -9,10 +9,10 @@ namespace {
 struct Control {
     const char* label;
     const char* field;
-    Navigation mode = Navigation::fly;  ///< in which it is enabled
+    Navigation mode = Navigation::fly;  ///< the mode in which it is enabled
 };
 
-/// All controls of the panel that hold a value while everything is folded out, in the opening state.
+/// All controls of the panel that hold a value, with every section folded out in the opening state.
 constexpr Control controls[] = {
     {"camera/navigation/Fly (6 DOF)", "camera.navigation"},
     {"camera/navigation/Walk (2 DOF)", "camera.navigation"},
@@ -29,7 +29,7 @@ constexpr Control controls[] = {
     {"camera/walking slows (walk)", "slips.walk_slows", Navigation::walk},
     {"camera/creeping roll (walk, orbit)", "slips.creeping_roll", Navigation::walk},
     {"camera/flip at the pole (orbit)", "slips.pole_flip", Navigation::orbit},
-    {"camera/R·T in place of T·R", "slips.swapped_order"},
+    {"camera/R·T instead of T·R", "slips.swapped_order"},
     {"camera/C sent as V", "slips.camera_as_view"},
     {"projection/aspect, 0: the view's", "projection.aspect"},
     {"projection/degrees given as radians", "slips.degrees_as_radians"},
@@ -46,16 +46,16 @@ constexpr Control controls[] = {
     {"depth/Cull face", "cull.enabled"},
     {"depth/face", "cull.face"},
     {"depth/front_face", "cull.front_face"},
-    {"buffer/The window has one", "depth.buffer"},
+    {"buffer/Window has a buffer", "depth.buffer"},
     {"buffer/depth format", "depth.format"},
     {"buffer/depth mapping", "depth.mapping"},
     {"buffer/Mask on while clearing", "depth.write_while_clearing"},
     {"buffer/scale/Window", "view.depth_scale"},
     {"buffer/scale/Linear", "view.depth_scale"},
-    {"buffer/colors/Grey", "view.depth_colors"},
+    {"buffer/colors/Gray", "view.depth_colors"},
     {"buffer/colors/Bands", "view.depth_colors"},
-    {"buffer/beside it", "view.beside.shows"},
-    {"buffer/Jiggle the camera", "animation.jiggle"},
+    {"buffer/2nd picture", "view.beside.shows"},
+    {"buffer/Jitter the camera", "animation.jiggle"},
     {"light/position/point", "light.position"},
     {"light/position/parallel", "light.position"},
     {"light/position/x", "light.position"},
@@ -79,7 +79,7 @@ constexpr Control controls[] = {
     {"shadow/opacity", "shadow.opacity"},
     {"shadow/style/Blend", "shadow.style"},
     {"shadow/style/Missing light", "shadow.style"},
-    {"shadow/shadow colour", "shadow.color"},
+    {"shadow/shadow color", "shadow.color"},
     {"shadow/offset", "shadow.offset"},
     {"shadow/factor", "shadow.offset_factor"},
     {"shadow/units", "shadow.offset_units"},
@@ -96,7 +96,7 @@ constexpr Control controls[] = {
     {"reflection/clip at the plane", "reflection.clip"},
     {"reflection/mirrored/Mirror the scene", "reflection.mirrored"},
     {"reflection/mirrored/the camera", "reflection.mirrored"},
-    {"reflection/Side of the eye", "reflection.side_of_eye"},
+    {"reflection/Eye's side", "reflection.side_of_eye"},
     {"reflection/Shadows inside", "reflection.shadows"},
     {"reflection/Mask writes depth", "reflection.mask_writes_depth"},
     {"reflection/Mirror last", "reflection.after_objects"},
@@ -125,7 +125,7 @@ bool holds_value(const RecordedItem& item) {
            item.label.find("degrees of freedom") == std::string::npos;
 }
 
-/// Uses a control as a person would, so that its value changes; false where it is a choice that holds already.
+/// Operates a control as a user would, so that its value changes; false for a choice that is already selected.
 bool use(Desk& desk, const RecordedItem& item) {
     if (is_switch(item)) {
         desk.click(item.label);
@@ -147,19 +147,19 @@ bool use(Desk& desk, const RecordedItem& item) {
                 break;
             }
     }
-    desk.click_at({1.0F, desk.layout().status_bar.min.y + 5.0F});  // closes what is still open
+    desk.click_at({1.0F, desk.layout().status_bar.min.y + 5.0F});  // closes an open list
     desk.ui.frames(2);
     return true;
 }
 
-TEST(Panel, EveryControlChangesItsOwnFieldAndOneUndoStepTakesItBack) {
+TEST(Panel, EveryControlChangesItsOwnFieldInOneUndoStep) {
     Desk desk;
-    desk.params().cull.enabled = desk.params().animation.light_orbit = true;  // what belongs to them has an effect
+    desk.params().cull.enabled = desk.params().animation.light_orbit = true;  // make the dependent controls effective
     desk.fold_out_all();
     for (const Control& control : controls) {
         SCOPED_TRACE(control.label);
         if (control.mode != Navigation::fly) {
-            EXPECT_FALSE(desk.ui.find(control.label).enabled);  // it cannot show in fly
+            EXPECT_FALSE(desk.ui.find(control.label).enabled);  // not available in fly mode
         }
         desk.session.params.camera.navigation = control.mode;
         desk.ui.frames(2);
@@ -182,7 +182,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     desk.fold_out_all();
     std::set<std::string> known;
     for (const Control& control : controls) known.insert(control.label);
-    known.insert("camera/speed");  // of the session, not of the state
+    known.insert("camera/speed");  // part of the session, not of the state
     for (const RecordedItem& item : desk.recorded()) {
         if (holds_value(item) && item.enabled) {
             EXPECT_TRUE(known.contains(item.label)) << item.label << " shows " << item.text;
@@ -193,7 +193,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
 TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
     std::set<std::string> reached;
     for (const Control& control : controls) reached.insert(control.field);
-    // Shown in other states or other places; each has a test of its own in this folder.
+    // Shown in other states or places; each has its own test in this folder.
     reached.insert({"scene",
                     "projection.height",
                     "depth.offset.factor",
@@ -247,7 +247,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "visibility.exact_curves",
                     "visibility.compare_with",
                     "visibility.numbers"});
-    // There is only one version; a layout and a pin by object are written, not dragged.
+    // There is only one version; a layout and a pin by object are written in files, not dragged.
     const std::set<std::string> without = {
         "version", "view.pin", "view.layout.big", "view.layout.matrices", "view.layout.controls", "view.layout.folded"};
     for (const Field& field : fields()) {
@@ -258,7 +258,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
 
 class PanelTest : public UiTest {};
 
-TEST_F(PanelTest, WhatIsHiddenInTheOpeningStateHasItsControl) {
+TEST_F(PanelTest, FieldsHiddenInTheOpeningStateHaveControls) {
     params.camera.navigation = Navigation::orbit;
     params.projection.type = ProjectionType::orthographic;
     params.shadow.offset = ShadowOffset::lift;
@@ -274,8 +274,8 @@ TEST_F(PanelTest, WhatIsHiddenInTheOpeningStateHasItsControl) {
     }
 }
 
-// Both show only with a plane that they change.
-TEST_F(PanelTest, TheSlipsOfRAreSwitchesWhereTheyShow) {
+// Both appear only with a plane that they affect.
+TEST_F(PanelTest, TheMistakesOfRHaveSwitchesIfTheyAffectThePlane) {
     desk.fold_out_all();
     EXPECT_FALSE(ui.find("reflection/+2ab in R").enabled);
     EXPECT_FALSE(ui.find("reflection/n not unit").enabled);
@@ -290,7 +290,7 @@ TEST_F(PanelTest, TheSlipsOfRAreSwitchesWhereTheyShow) {
     }
 }
 
-TEST_F(PanelTest, DecalsHaveTheirOffset) {
+TEST_F(PanelTest, DecalsHaveTheirOwnOffset) {
     for (const NamedFile& scene : scenes()) {
         params.scene = scene.name;
         desk.settle();
@@ -366,7 +366,7 @@ TEST_F(PanelTest, RightClickResets) {
 }
 
 TEST_F(PanelTest, CombosChooseByName) {
-    params.cull.enabled = true;  // else its faces are of no use
+    params.cull.enabled = true;  // otherwise its faces have no effect
     desk.fold_out_all();
     desk.choose("depth/func", "depth/func/GL_GEQUAL");
     EXPECT_EQ(params.depth.func, CompareFunc::gequal);
@@ -384,7 +384,7 @@ TEST_F(PanelTest, CombosChooseByName) {
     EXPECT_EQ(params.reflection.clip, MirrorClip::oblique);
 }
 
-TEST_F(PanelTest, PlaneButtonsAndNormalise) {
+TEST_F(PanelTest, PlaneButtonsAndNormalize) {
     desk.enter("plane/equation/d", "2");
     desk.click("plane/equation/yz");
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(1, 0, 0, 0));
@@ -392,12 +392,12 @@ TEST_F(PanelTest, PlaneButtonsAndNormalise) {
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 0, 1, 0));
     desk.click("plane/equation/xz");
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
-    EXPECT_FALSE(ui.find("plane/equation/Normalise").enabled);
+    EXPECT_FALSE(ui.find("plane/equation/Normalize").enabled);
 
     desk.enter("plane/equation/a", "3");
     desk.enter("plane/equation/b", "4");
     desk.enter("plane/equation/d", "10");
-    desk.click("plane/equation/Normalise");
+    desk.click("plane/equation/Normalize");
     EXPECT_NEAR(params.planes.front().equation.x, 0.6, 1e-15);
     EXPECT_NEAR(params.planes.front().equation.y, 0.8, 1e-15);
     EXPECT_NEAR(params.planes.front().equation.w, 2.0, 1e-15);
@@ -419,7 +419,7 @@ TEST_F(PanelTest, LightIsPointOrParallel) {
     EXPECT_EQ(params.lights.front().position, glm::dvec4(2.6, 5.2, 2.2, 1.0));
 }
 
-TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
+TEST_F(PanelTest, LightsCanBeAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 3; ++count) {
         desk.click("light/Add a light");
         ASSERT_EQ(params.lights.size(), count + 1);
@@ -441,7 +441,7 @@ TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
     EXPECT_EQ(params.lights.size(), 4U);
 }
 
-TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
+TEST_F(PanelTest, PlanesCanBeAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 7; ++count) {
         desk.click("plane/Add a plane");
         ASSERT_EQ(params.planes.size(), count + 1);
@@ -466,7 +466,7 @@ TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
     EXPECT_EQ(params.planes[2].equation, glm::dvec4(-1, 0, 0, 3));
 }
 
-TEST_F(PanelTest, TheMirroredCamerasProjectionIsChosenWhereThereIsOne) {
+TEST_F(PanelTest, TheMirroredCamerasProjectionIsOfferedWhenUsed) {
     desk.fold_out_all();
     EXPECT_FALSE(ui.find("reflection/Same projection").enabled);
     desk.click("reflection/mirrored/the camera");
@@ -474,7 +474,7 @@ TEST_F(PanelTest, TheMirroredCamerasProjectionIsChosenWhereThereIsOne) {
     EXPECT_FALSE(params.reflection.same_projection);
 }
 
-TEST_F(PanelTest, ABrokenSwitchIsToldWhereItIs) {
+TEST_F(PanelTest, ABrokenSwitchIsReportedBesideIt) {
     ASSERT_FALSE(ui.has("Shadow and reflection/trouble"));
     desk.click("shadow/Stencil once");
     EXPECT_TRUE(ui.has("Shadow and reflection/trouble"));
@@ -483,7 +483,7 @@ TEST_F(PanelTest, ABrokenSwitchIsToldWhereItIs) {
     EXPECT_NE(both.find('\n'), std::string::npos) << both;
 }
 
-TEST_F(PanelTest, ALightInThePlaneIsToldWhereItsCauseIs) {
+TEST_F(PanelTest, ALightInThePlaneIsReportedBesideItsCause) {
     ASSERT_FALSE(ui.has("Light  l/trouble"));
     desk.enter("light/position/y", "0");
     ASSERT_FALSE(desk.problems.empty());
@@ -499,7 +499,7 @@ TEST_F(PanelTest, TypingAPositionMovesTheCamera) {
     EXPECT_EQ(ui.text_of("matrices/V/r3c3"), "1.000");
 }
 
-TEST_F(PanelTest, HoveringAParameterLightsItsMatrixEntriesAndTheOtherWayRound) {
+TEST_F(PanelTest, HoveringHighlightsParametersAndMatrixEntriesBothWays) {
     const auto vertices_in = [](const RecordedItem& item) {
         int count = 0;
         const ImDrawData& data = *ImGui::GetDrawData();
@@ -527,10 +527,10 @@ TEST_F(PanelTest, HoveringAParameterLightsItsMatrixEntriesAndTheOtherWayRound) {
 }
 
 }  // namespace
-TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
+TEST(Matrices, AMatrixEnteredByHandOverridesUntilReleased) {
     Desk desk;
     const glm::dmat4 derived = desk.derived.planes[0].shadows[0].shadowed_world_from_world;
-    desk.ui.click("matrices/Edit");  // the first one is S's
+    desk.ui.click("matrices/Edit");  // the first Edit button is S's
     desk.ui.frames(3);
     ASSERT_TRUE(desk.params().overrides[0].shadowed_world_from_world[0]);
     EXPECT_EQ(*desk.params().overrides[0].shadowed_world_from_world[0], derived);
@@ -543,7 +543,7 @@ TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
     EXPECT_EQ(desk.derived.planes[0].shadows[0].shadowed_world_from_world, derived);
 }
 
-TEST(Matrices, EachPlaneAndLightHasItsOwn) {
+TEST(Matrices, EachPlaneAndLightHasItsOwnMatrices) {
     Desk desk({1600, 1500}, "opening");
     EXPECT_FALSE(desk.ui.has("matrices/plane"));
     desk.click("plane/Add a plane");
@@ -557,7 +557,7 @@ TEST(Matrices, EachPlaneAndLightHasItsOwn) {
     EXPECT_EQ(desk.params().view.plane, 2);
     desk.choose("matrices/light", "matrices/light/light 2");
     EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "2.600");
-    desk.click("matrices/Edit");  // the first one is S's
+    desk.click("matrices/Edit");  // the first Edit button is S's
     desk.ui.frames(3);
     PlaneOverrides wall;
     wall.shadowed_world_from_world[1] = desk.derived.planes[1].shadows[1].shadowed_world_from_world;

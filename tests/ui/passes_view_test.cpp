@@ -1,5 +1,5 @@
-// The frame pass by pass as a person steps through it: the bar, the list, and what view.pass becomes. Read
-// gl/pass_limit_test.cpp for what GL then draws.
+// Stepping through the frame pass by pass: the bar, the list, and the value of view.pass. Read gl/pass_limit_test.cpp
+// for what GL then draws.
 #include "ui/planes/passes_view.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace viewing::test {
 namespace {
 
-/// In a window so high that all passes are seen at once.
+/// The window is so tall that all passes are visible.
 class PassesView : public ::testing::Test {
 protected:
     PassesView() {
@@ -32,7 +32,7 @@ protected:
         ui.click(title(pass));
         desk.settle();
     }
-    /// The strongest that something is painted within an item, but for the scrollbar.
+    /// The highest opacity painted within an item, without the scrollbar.
     int strongest_alpha(std::string_view label) const {
         const RecordedItem& item = ui.find(label);
         int strongest = 0;
@@ -46,7 +46,7 @@ protected:
     }
 };
 
-TEST_F(PassesView, HasAHeadlineForEachPassInOrder) {
+TEST_F(PassesView, HasAHeadingForEachPassInOrder) {
     ASSERT_GE(count(), 4);
     float last = -1e9F;
     for (int pass = 0; pass < count(); ++pass) {
@@ -55,7 +55,7 @@ TEST_F(PassesView, HasAHeadlineForEachPassInOrder) {
         last = item.max.y;
     }
     EXPECT_EQ(ui.text_of("lower/passes/text"), "all " + std::to_string(count()) + " steps");
-    for (const char* buffer : {"lower/colour", "lower/depth", "lower/stencil"}) EXPECT_TRUE(ui.has(buffer)) << buffer;
+    for (const char* buffer : {"lower/color", "lower/depth", "lower/stencil"}) EXPECT_TRUE(ui.has(buffer)) << buffer;
 }
 
 TEST_F(PassesView, StepsEditThePassAndNothingElse) {
@@ -125,7 +125,7 @@ TEST_F(PassesView, PlayingAFrameOfOnePassEnds) {
     EXPECT_EQ(params.view.pass, -1);
 }
 
-TEST_F(PassesView, AClickStopsThereAndASecondOneReleases) {
+TEST_F(PassesView, AClickStopsAtAPassAndASecondOneReleases) {
     const Params before = params;
     click_pass(1);
     EXPECT_EQ(params.view.pass, 1);
@@ -141,7 +141,7 @@ TEST_F(PassesView, AClickStopsThereAndASecondOneReleases) {
     EXPECT_EQ(params.view.pass, 0);
 }
 
-TEST_F(PassesView, WhatIsNotDrawnIsDimmed) {
+TEST_F(PassesView, PassesNotDrawnAreDimmed) {
     for (const int stop : {0, 1, count() - 2, -1}) {
         stop_after(stop);
         ui.move_to({-1, -1});
@@ -168,11 +168,11 @@ TEST_F(PassesView, TheListFollowsTheSteps) {
     }
 }
 
-TEST_F(PassesView, APassBeyondTheLastIsTheWholeFrame) {
+TEST_F(PassesView, APassPastTheLastOneShowsTheWholeFrame) {
     for (const int pass : {count() - 1, count(), 1000, 1'000'000}) {
         stop_after(pass);
         ui.frames(3);
-        EXPECT_EQ(params.view.pass, pass) << "nobody has changed it";
+        EXPECT_EQ(params.view.pass, pass) << "the state keeps its value";
         EXPECT_EQ(ui.text_of("lower/passes/text"),
                   "step " + std::to_string(count()) + " of " + std::to_string(count()));
         ui.click("lower/passes/Back");
@@ -181,11 +181,11 @@ TEST_F(PassesView, APassBeyondTheLastIsTheWholeFrame) {
 }
 
 /// Their frames are drawn whole, and the view says so.
-TEST_F(PassesView, OfAHiddenSurfaceMethodStopNowhere) {
+TEST_F(PassesView, HiddenSurfaceMethodsHaveNoStops) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                           VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast}) {
         params.visibility.method = method;
-        ui.frame();  // another method brings its own topic
+        ui.frame();  // changing the method selects its topic
         params.view.lower_right = Topic::passes;
         params.view.pass = 1;
         desk.settle();
@@ -220,7 +220,7 @@ TEST_F(PassesView, FitsEverywhereAndChangesNothing) {
                 ui.frames(4);
                 EXPECT_EQ(params, before);
                 const Rect place = desk.layout().lower_right;
-                for (const char* name : {"lower/colour", "lower/depth", "lower/stencil"}) {
+                for (const char* name : {"lower/color", "lower/depth", "lower/stencil"}) {
                     const RecordedItem* picture = ui.try_find(name);
                     EXPECT_EQ(picture != nullptr, !place.empty()) << size.x;
                     if (!picture || place.width() < 60 || place.height() < 60) continue;
@@ -241,7 +241,7 @@ TEST_F(PassesView, FitsEverywhereAndChangesNothing) {
     }
 }
 
-TEST(PassPictureSize, IsOfTheCamerasShapeAndAtLeastAPixel) {
+TEST(PassPictureSize, HasTheCamerasShapeAndAtLeastOnePixel) {
     for (const double aspect : {0.2, 1.0, 1.78, 5.0})
         for (const ImVec2 size : {ImVec2{600, 300}, ImVec2{300, 300}, ImVec2{300, 900}, ImVec2{3, 2}, ImVec2{0, 0}}) {
             const Rect rect{{10, 20}, {10 + size.x, 20 + size.y}};

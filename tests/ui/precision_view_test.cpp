@@ -1,4 +1,4 @@
-// The views of the depth buffer's precision as a person meets them: near and far on the chart, the advice, the codes.
+// The views of the depth buffer's precision in use: near and far on the chart, the advice, the codes.
 #include <algorithm>
 
 #include "desk.h"
@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(PrecisionView, NearIsDraggedOnTheChartInOneStep) {
+TEST_F(PrecisionView, DraggingNearOnTheChartIsOneUndoStep) {
     show(Topic::precision);
     const Params before = params;
     ui.drag("lower/precision/near", 60.0F, 0.0F);
@@ -41,10 +41,10 @@ TEST_F(PrecisionView, NearIsDraggedOnTheChartInOneStep) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(PrecisionView, RaisingNearIsOneClick) {
+TEST_F(PrecisionView, RaisingNearTakesOneClick) {
     show(Topic::precision);
     const Params before = params;
-    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.8: with near = 3.4 the safe gap")) << trouble();
+    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.8: with near = 3.4, the safe gap")) << trouble();
     ui.click("lower/Raise near");
     desk.settle();
     EXPECT_EQ(differing_fields(before, params), (Paths{"projection.near"}));
@@ -62,8 +62,8 @@ TEST_F(PrecisionView, RaisingNearIsOneClick) {
     EXPECT_EQ(params.projection.near, 3.4);
 }
 
-TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {
-    desk.params().view.layout.big = BigView::lower_right;  // where there is room for names
+TEST_F(PrecisionView, MarksNearFarAndVisibleObjects) {
+    desk.params().view.layout.big = BigView::lower_right;  // large enough for names
     show(Topic::precision);
     EXPECT_TRUE(std::ranges::any_of(desk.recorded(), [](const RecordedItem& item) {
         return item.label.starts_with("lower/precision/mark/") && item.label.find("quad at 4") != std::string::npos;
@@ -72,29 +72,29 @@ TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {
     EXPECT_TRUE(has("lower/precision/name/far"));
 }
 
-TEST_F(PrecisionView, CodesAreToldInASentence) {
+TEST_F(PrecisionView, CodesAreSummarizedInASentence) {
     show(Topic::codes);
     const auto says = [&](std::string_view start) {
         return std::ranges::any_of(desk.recorded(), [&](const RecordedItem& item) {
             return std::string_view(item.label).starts_with("lower/" + std::string(start));
         });
     };
-    EXPECT_TRUE(says("A tick stands for 262,144 codes. Half of all codes lie between near and z = 0.002."));
+    EXPECT_TRUE(says("One tick every 262,144 codes. Half of all codes lie between near and z = 0.002."));
     EXPECT_TRUE(has("lower/codes/tick/64"));
     params.depth.format = DepthFormat::d4;
     desk.settle();
-    EXPECT_TRUE(says("Every code has its tick."));
+    EXPECT_TRUE(says("Every code has a tick."));
     EXPECT_TRUE(has("lower/codes/tick/15"));
     EXPECT_FALSE(has("lower/codes/tick/16"));
     params.depth.format = DepthFormat::d32f;
     desk.settle();
-    EXPECT_TRUE(says("A tick stands for"));
+    EXPECT_TRUE(says("One tick every"));
 }
 
-/// Whatever the state, in the smallest view there is.
-TEST_F(PrecisionView, HoldsInSmallViewsAndForAnyLens) {
+/// In any state, in the smallest view there is.
+TEST_F(PrecisionView, WorksInSmallViewsAndForAnyLens) {
     ImGui::GetIO().DisplaySize = {700, 480};
-    params.view.lower_left = Topic::automatic;  // there is room for one of the two
+    params.view.lower_left = Topic::automatic;  // only one of the two fits
     for (const Topic topic : {Topic::precision, Topic::codes}) {
         for (const char* format : {"d4", "d16", "d24", "d32f"}) {
             for (const char* mapping : {"standard", "reversed", "logarithmic"}) {
@@ -110,7 +110,7 @@ TEST_F(PrecisionView, HoldsInSmallViewsAndForAnyLens) {
                     params.projection = state->projection;
                     show(topic);
                     EXPECT_TRUE(has(topic == Topic::precision ? "lower/precision/chart" : "lower/codes/ticks"));
-                    EXPECT_EQ(params.projection, state->projection) << "showing it changes nothing";
+                    EXPECT_EQ(params.projection, state->projection) << "drawing changes no state";
                 }
             }
         }

@@ -1,5 +1,5 @@
-// What the window says of the open preset: its caption, what the list is called, the way back, the list with its
-// search, and the next one.
+// The window around the open preset: its caption, its title in the list, the way back, the list with its search, and
+// the next preset.
 #include <filesystem>
 
 #include "desk.h"
@@ -21,18 +21,18 @@ protected:
     }
 };
 
-TEST_F(PresetsTest, TheCaptionStandsBelowThePictureAndNotOverIt) {
+TEST_F(PresetsTest, TheCaptionIsBelowThePicture) {
     const Layout layout = desk.layout();
     ASSERT_FALSE(layout.caption.empty());
     EXPECT_GE(layout.caption.min.y, layout.camera.max.y);
     EXPECT_LE(layout.caption.max.y, layout.lower_left.min.y - layout.header_height);
     EXPECT_FALSE(layout.caption_is_folded);
     EXPECT_TRUE(ui.has("caption/text"));
-    EXPECT_FALSE(ui.has("caption/as it was"));
+    EXPECT_FALSE(ui.has("caption/restore"));
 }
 
-/// From the last row of a hall of 200 one reads what is at least a fiftieth of the picture's height.
-TEST_F(PresetsTest, TheCaptionIsReadFromTheBackRow) {
+/// To be readable from the last row of a hall of 200, text needs at least a fiftieth of the picture's height.
+TEST_F(PresetsTest, TheCaptionIsReadableFromTheBackRow) {
     params.ui.theme = Theme::projector;
     desk.apply_looks();
     ui.frames(3);
@@ -40,57 +40,57 @@ TEST_F(PresetsTest, TheCaptionIsReadFromTheBackRow) {
     EXPECT_FALSE(desk.layout().caption_is_folded);
 }
 
-TEST_F(PresetsTest, ChangedAsSoonAsAnythingDepartsAndAsItWasBringsItBack) {
+TEST_F(PresetsTest, AnyEditMarksThePresetAsChangedAndResetRestoresIt) {
     const Params as_opened = params;
-    EXPECT_EQ(shown(), "Walking with the head bowed");
+    EXPECT_EQ(shown(), "Walking while looking down");
     const float top = desk.layout().camera.max.y;
     desk.click("depth/Cull face");
     EXPECT_TRUE(desk.session.departs_from_preset());
-    EXPECT_EQ(shown(), "Walking with the head bowed (changed)");
-    EXPECT_EQ(desk.layout().camera.max.y, top) << "the mark has its room already";
-    ui.click("caption/as it was");
+    EXPECT_EQ(shown(), "Walking while looking down (changed)");
+    EXPECT_EQ(desk.layout().camera.max.y, top) << "the mark moves nothing";
+    ui.click("caption/restore");
     EXPECT_EQ(params, as_opened);
-    EXPECT_EQ(shown(), "Walking with the head bowed");
-    EXPECT_FALSE(ui.has("caption/as it was"));
+    EXPECT_EQ(shown(), "Walking while looking down");
+    EXPECT_FALSE(ui.has("caption/restore"));
     desk.undo();
     EXPECT_TRUE(params.cull.enabled);
     EXPECT_TRUE(desk.session.departs_from_preset());
 }
 
-TEST_F(PresetsTest, ThemeAndScaleAreThePersonsAndChangeNoPreset) {
+TEST_F(PresetsTest, ThemeAndScaleBelongToTheUser) {
     params.ui = {Theme::light, 1.2};
     ui.frames(2);
     EXPECT_FALSE(desk.session.departs_from_preset());
     params.cull.enabled = true;
     ui.frames(2);
-    ui.click("caption/as it was");
+    ui.click("caption/restore");
     EXPECT_EQ(params.ui.theme, Theme::light);
     EXPECT_EQ(params.ui.scale, 1.2);
     EXPECT_FALSE(params.cull.enabled);
 }
 
-TEST_F(PresetsTest, MendingMarksTheSentenceAsChanged) {
+TEST_F(PresetsTest, FixingMarksThePresetAsChanged) {
     Desk broken({1600, 900}, "shadow-anti");
     ASSERT_FALSE(broken.session.departs_from_preset());
-    broken.ui.click("view/Mend");
+    broken.ui.click("view/Fix");
     broken.ui.frames(2);
-    EXPECT_TRUE(broken.ui.has("caption/as it was"));
+    EXPECT_TRUE(broken.ui.has("caption/restore"));
 }
 
-TEST_F(PresetsTest, UndoAndRedoBringThePresetAlong) {
+TEST_F(PresetsTest, UndoAndRedoRestoreThePreset) {
     desk.click("depth/Cull face");
     desk.press(Key::page_down);
     desk.settle();
     EXPECT_EQ(desk.session.preset()->name, "walk-slows");
     desk.undo();
     desk.settle();
-    EXPECT_EQ(shown(), "Walking with the head bowed (changed)");
+    EXPECT_EQ(shown(), "Walking while looking down (changed)");
     desk.redo();
     desk.settle();
     EXPECT_EQ(shown(), "Walking slows");
 }
 
-TEST_F(PresetsTest, WhatIsNoPresetHasNoSentence) {
+TEST_F(PresetsTest, StatesWithoutAPresetHaveNoCaption) {
     desk.clipboard = "{}";
     desk.press_with(Key::ctrl, Key::v);
     desk.settle();
@@ -114,7 +114,7 @@ TEST_F(PresetsTest, TheCaptionFoldsWithAKeyAndAClick) {
     EXPECT_TRUE(desk.layout().caption_is_folded);
 }
 
-TEST(Caption, TakesAtMostAThirdOfThePictureUnlessAskedFor) {
+TEST(Caption, TakesAtMostAThirdOfThePictureUnlessUnfolded) {
     for (const char* preset : {"fighting-offset", "opening", "mirror-oblique-depth"})
         for (const ImVec2 size : {ImVec2(800, 600), ImVec2(1280, 720), ImVec2(1600, 900)}) {
             const Desk desk(size, preset);
@@ -127,7 +127,7 @@ TEST(Caption, TakesAtMostAThirdOfThePictureUnlessAskedFor) {
     EXPECT_FALSE(small.layout().caption_is_folded);
 }
 
-TEST_F(PresetsTest, NextAndPreviousGoThroughAllThatLeaveTheLooksAlone) {
+TEST_F(PresetsTest, NextAndPreviousSkipPresetsThatSetTheLooks) {
     std::vector<NamedFile> all = presets();
     const std::size_t setting_looks =
         std::erase_if(all, [](const NamedFile& preset) { return load_state(preset.name)->params.ui != UiParams{}; });
@@ -150,8 +150,8 @@ TEST_F(PresetsTest, NextAndPreviousGoThroughAllThatLeaveTheLooksAlone) {
     EXPECT_FALSE(ui.find("top/next preset").enabled);
 }
 
-/// Chosen from the list, the projector's looks are shown as long as that preset is.
-TEST_F(PresetsTest, LooksThatAPresetSetsGoWithIt) {
+/// After choosing from the list, the projector's looks last as long as its preset is shown.
+TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     desk.session.open("projector");
     desk.settle();
     ASSERT_EQ(params.ui.theme, Theme::projector);
@@ -172,7 +172,7 @@ TEST_F(PresetsTest, TheListOpensAtTheCurrentOne) {
     EXPECT_LT(row.max.y, 900.0F);
 }
 
-TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpens) {
+TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpensIt) {
     desk.press_with(Key::ctrl, Key::p);
     ui.frames(3);
     ui.type("polygon OFFSET");
@@ -192,24 +192,25 @@ TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpens) {
     EXPECT_EQ(desk.workbench.wanted_preset_picture(), "");
 }
 
-TEST(PresetList, ATitleThatIsTooLongForItsRowTakesTwoLines) {
-    Desk desk({800, 600}, "mirror-other-projection");
+TEST(PresetList, ALongTitleTakesTwoLines) {
+    Desk desk({800, 600}, "fighting-reversed-clip-range");
     desk.params().ui.theme = Theme::projector;
+    desk.params().ui.scale = 1.2;
     desk.apply_looks();
     desk.press_with(Key::ctrl, Key::p);
     desk.ui.frames(3);
-    const RecordedItem list = desk.ui.find("top/search"), row = desk.ui.find("top/mirror-other-projection"),
-                       brief = desk.ui.find("top/mirror-from-behind");
+    const RecordedItem list = desk.ui.find("top/search"), row = desk.ui.find("top/fighting-reversed-clip-range"),
+                       brief = desk.ui.find("top/fighting-offset");
     EXPECT_GT(row.max.y - row.min.y, 1.5F * (brief.max.y - brief.min.y));
     EXPECT_LE(row.max.x, list.max.x + 1.0F);
 }
 
-TEST_F(PresetsTest, TitlesCountBeforeSentences) {
+TEST_F(PresetsTest, TitlesRankBeforeSentences) {
     desk.press_with(Key::ctrl, Key::p);
     ui.frames(3);
     ui.type("mirror");
     ui.frames(2);
-    EXPECT_TRUE(ui.has("top/opening")) << "its sentence says mirrors";
+    EXPECT_TRUE(ui.has("top/room")) << "its sentence mentions mirrors";
     EXPECT_EQ(desk.workbench.wanted_preset_picture(), "mirror-derivation");
 }
 
@@ -226,7 +227,7 @@ TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {
     EXPECT_EQ(desk.session.preset()->name, "walk");
 }
 
-TEST_F(PresetsTest, NothingFoundIsSaidAndEnterDoesNothing) {
+TEST_F(PresetsTest, AnEmptyResultIsReportedAndEnterDoesNothing) {
     desk.press_with(Key::ctrl, Key::p);
     ui.frames(3);
     ui.type("qqq");
@@ -236,7 +237,7 @@ TEST_F(PresetsTest, NothingFoundIsSaidAndEnterDoesNothing) {
     EXPECT_EQ(desk.session.preset()->name, "walk");
 }
 
-TEST_F(PresetsTest, CtrlZCountsWhileAListIsOpen) {
+TEST_F(PresetsTest, CtrlZWorksWhileAListIsOpen) {
     for (const char* list : {"top/scene", "top/preset"}) {
         SCOPED_TRACE(list);
         params.cull.enabled = true;
@@ -252,7 +253,7 @@ TEST_F(PresetsTest, CtrlZCountsWhileAListIsOpen) {
     params.cull.enabled = true;
     ui.type("mirror");
     desk.undo();
-    EXPECT_TRUE(params.cull.enabled) << "what is typed is undone by its field";
+    EXPECT_TRUE(params.cull.enabled) << "the field undoes its own typing";
 }
 
 TEST(PresetSearch, FindsWordsOfTitleSentenceNameAndTopicInAnyOrder) {
@@ -262,9 +263,9 @@ TEST(PresetSearch, FindsWordsOfTitleSentenceNameAndTopicInAnyOrder) {
     for (const char* search : {"mirror", "anti mirror"}) EXPECT_FALSE(is_found(preset, search)) << search;
 }
 
-// ---- what else the window says and remembers ------------------------------------------------------------------------
+// ---- notices and the scale of the window ----------------------------------------------------------------------------
 
-TEST_F(PresetsTest, GoodNewsEndByThemselvesAndBadOnesStay) {
+TEST_F(PresetsTest, NoticesExpireAndErrorsStay) {
     desk.press_with(Key::ctrl, Key::c);
     EXPECT_FALSE(desk.session.message.text.empty());
     EXPECT_GT(Workbench::message_ends_in_s(desk.session.message), 0.0);
@@ -274,7 +275,7 @@ TEST_F(PresetsTest, GoodNewsEndByThemselvesAndBadOnesStay) {
     EXPECT_TRUE(desk.session.message.text.empty());
     desk.session.message = {"saved, after the window slept for long"};
     ui.frame(50.0F);
-    EXPECT_FALSE(desk.session.message.text.empty()) << "it is seen for the first time";
+    EXPECT_FALSE(desk.session.message.text.empty()) << "it has just been shown";
     ui.frame(50.0F);
     EXPECT_TRUE(desk.session.message.text.empty());
     desk.session.message = {"broken", true};

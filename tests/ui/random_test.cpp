@@ -1,4 +1,4 @@
-// Whatever a person does, the state stays one that the reader accepts, and no number on show is NaN.
+// Whatever the user does, the reader still accepts the state, and no displayed number is NaN.
 #include <unistd.h>
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class Person {
 public:
     Person(Desk& desk, unsigned seed) : desk_(desk), random_(seed) {}
 
-    /// Does one thing and says what.
+    /// Does one thing and returns its description.
     std::string act() {
         const std::vector<RecordedItem> items = desk_.recorded();
         const RecordedItem& item = items[pick(items.size())];
@@ -93,7 +93,7 @@ private:
     std::mt19937 random_;
 };
 
-TEST(RandomActions, LeaveAStateThatCanBeReadBack) {
+TEST(RandomActions, KeepTheStateReadable) {
     const auto start = std::filesystem::current_path();
     const auto folder = std::filesystem::temp_directory_path() / ("viewing-random-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
@@ -116,7 +116,7 @@ TEST(RandomActions, LeaveAStateThatCanBeReadBack) {
                   desk.derived.clip_from_world, desk.derived.planes[0].shadows[0].shadowed_world_from_world,
                   desk.derived.planes[0].mirrored_world_from_world})
                 ASSERT_FALSE(has_nan(matrix));
-            // A dialog would swallow everything that follows.
+            // An open dialog would swallow everything that follows.
             if (action % 10 == 9) desk.press(Key::escape);
         }
     }

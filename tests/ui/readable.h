@@ -1,5 +1,4 @@
-// Whether what a frame has drawn can be read: letters that are cut, and letters over each other, found in what ImGui
-// was told to draw.
+// Whether a drawn frame is readable: finds cut-off letters and overlapping letters in ImGui's draw data.
 #pragma once
 
 #include <algorithm>
@@ -11,31 +10,31 @@
 
 namespace viewing::test {
 
-/// A child window's name has its parent's before it; what has a bar to scroll with may go on below.
+/// Whether a window may scroll, so that content may continue below. A child window's name begins with its parent's.
 inline bool scrolls(const std::string& window) {
     return window != "top" && window != "status" && window != "views" && window != "lower views" &&
            window != "message" && window != "lesson";
 }
 
-/// Of what is left of them where a window scrolls.
+/// Compares the parts left after clipping by a scrolling window.
 inline bool overlap(const Line& a, const Line& b) {
     constexpr float touch = 1.5F;
-    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // reach into the line above
+    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // these reach into the line above
     const auto top = [](const Line& line) { return std::max(line.min.y, line.clip.y); };
     const auto bottom = [](const Line& line) { return std::min(line.max.y, line.clip.w); };
     return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && top(a) + accents < bottom(b) &&
            top(b) + accents < bottom(a);
 }
 
-/// A halo is the same text, a little beside itself; what stands close to it may be read as one with it.
+/// A halo is the same text, slightly offset; adjacent text may be read as part of it.
 inline bool is_halo(const Line& a, const Line& b) {
     const bool same_line = std::abs(a.min.y - b.min.y) <= 0.2F * a.line_height;
     const bool is_part = a.text.find(b.text) != std::string::npos || b.text.find(a.text) != std::string::npos;
     return a.text == b.text || (same_line && is_part);
 }
 
-/// Whether a text ends with the sign of what is left out and has none of its own, after a blank or in the catalogue.
-/// Stretched texts may: that is how they give way.
+/// Whether a text ends with an ellipsis that is not its own, after a blank or in the catalog. Stretched texts may end
+/// like that when there is too little room.
 inline bool is_shortened(const std::string& text) {
     if (!text.ends_with("…") || text.ends_with(" …") || text.starts_with('[')) return false;
     static const std::vector<PoEntry> all = catalogue();
@@ -45,7 +44,7 @@ inline bool is_shortened(const std::string& text) {
     });
 }
 
-/// Where letters are cut, texts are shortened, and where they stand over each other.
+/// The places where letters are cut, texts are shortened, or letters overlap.
 inline std::vector<std::string> unreadable(const Desk& desk) {
     const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
     const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};

@@ -1,6 +1,5 @@
-// Whether a figure has every letter that Dear ImGui hands over, once, in its place and its colour, and nothing else.
-// The letters are read from the latest frame's vertices (letters.h), so that the recorder's own way to find them is not
-// asked.
+// Whether a figure contains every letter that Dear ImGui draws, once, in its place and color, and nothing else. The
+// letters are read from the latest frame's vertices (letters.h), independent of the recorder's own method.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,7 +35,7 @@ inline std::string described(char32_t character, float x, float y) {
     return "'" + utf8(static_cast<ImWchar>(character)) + "' at (" + std::to_string(x) + ", " + std::to_string(y) + ")";
 }
 
-/// What is in the frame and not in the recording, and the other way round.
+/// Differences between the frame and the recording, in both directions.
 class Accounts {
 public:
     Accounts(const std::vector<Letter>& letters, const Drawing& drawing) {
@@ -61,7 +60,8 @@ private:
                letter.max.y > std::max(letter.clip.y, 0.0F) && letter.min.y < std::min(letter.clip.w, screen.y);
     }
 
-    /// Each letter itself, or the copies around it that are its halo. Those of two letters may lie among each other.
+    /// Matches the letter itself, or the copies around it that form its halo. The copies of two letters may be
+    /// interleaved.
     void account(const viewing::Line& line, bool is_halo) {
         for (std::size_t i = 0; i < line.characters.size(); ++i) {
             const char32_t character = line.characters[i];
@@ -94,7 +94,7 @@ private:
     std::size_t copies_ = 0, copies_due_ = 0;
 };
 
-/// What stands in the text elements of an SVG document.
+/// The contents of the text elements of an SVG document.
 inline std::vector<std::string> lines_in(const std::string& svg) {
     std::vector<std::string> texts;
     for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
@@ -119,7 +119,7 @@ inline std::vector<std::string> lines_in(const Drawing& drawing) {
     return texts;
 }
 
-/// The drawing and its SVG document against the frame that it was recorded from.
+/// Compares the drawing and its SVG document with the frame that it was recorded from.
 inline void expect_all_letters(const Drawing& drawing, const std::string& what) {
     const std::vector<Letter> letters = letters_of_frame();
     EXPECT_FALSE(letters.empty()) << what;

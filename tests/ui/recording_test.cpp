@@ -1,4 +1,4 @@
-// What becomes of a frame in a figure, without GL: tables made at random, halos, and the windows of all presets.
+// A frame recorded as a figure, without GL: random tables, halos, and the windows of all presets.
 #include <cstdlib>
 #include <random>
 
@@ -19,7 +19,7 @@ class RecordingTest : public UiTest {
 protected:
     static void expect_whole(const std::string& what) { expect_all_letters(recorded_frame(), what); }
 
-    /// A frame with one window in it.
+    /// A frame with one window.
     template <typename Draw>
     void frame(const Draw& draw) {
         ImGui::GetIO().DeltaTime = 1.0F / 60.0F;
@@ -34,7 +34,7 @@ protected:
     }
 };
 
-/// Their columns are drawn one after the other, though their corners were made row by row.
+/// Their columns are drawn one after the other, though their vertices were made row by row.
 TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     constexpr unsigned seed = 20261126;
     std::mt19937 random(seed);
@@ -78,8 +78,8 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     }
 }
 
-/// A halo is eight copies around a text; eight equal texts that lie elsewhere are none.
-TEST_F(RecordingTest, OnlyAHaloIsTakenForOne) {
+/// A halo is eight copies around a text; eight equal texts elsewhere are not a halo.
+TEST_F(RecordingTest, OnlyHalosAreRecordedAsHalos) {
     constexpr float r = 2.0F;
     std::vector<ImVec2> sides(std::begin(widgets::halo_sides), std::end(widgets::halo_sides));
     const auto lines_with = [&](const std::vector<ImVec2>& places, ImU32 first) {
@@ -93,7 +93,7 @@ TEST_F(RecordingTest, OnlyAHaloIsTakenForOne) {
     };
     const ImU32 halo = IM_COL32(9, 9, 9, 200);
     EXPECT_EQ(lines_with(sides, halo), 1U);
-    EXPECT_EQ(lines_with(sides, IM_COL32(200, 9, 9, 200)), 9U) << "one copy has a colour of its own";
+    EXPECT_EQ(lines_with(sides, IM_COL32(200, 9, 9, 200)), 9U) << "one copy has its own color";
     std::vector<ImVec2> moved = sides;
     moved[4] = {0.0F, -4.0F};
     EXPECT_EQ(lines_with(moved, halo), 9U);
@@ -104,8 +104,8 @@ TEST_F(RecordingTest, OnlyAHaloIsTakenForOne) {
     EXPECT_EQ(lines_with(sides, halo), 9U);
 }
 
-/// Every fifth of them, all with VIEWING_LONG_TESTS.
-TEST_F(RecordingTest, TheWindowsOfPresetsAreWhole) {
+/// Every fifth preset; all of them with VIEWING_LONG_TESTS.
+TEST_F(RecordingTest, TheWindowsOfPresetsAreComplete) {
     const std::size_t step = std::getenv("VIEWING_LONG_TESTS") ? 1 : 5;
     const std::vector<NamedFile> all = presets();
     for (std::size_t i = 0; i < all.size(); i += step) {
@@ -120,7 +120,7 @@ TEST_F(RecordingTest, TheWindowsOfPresetsAreWhole) {
 
 class RecordedLooksTest : public RecordingTest, public ::testing::WithParamInterface<std::pair<Theme, Language>> {};
 
-TEST_P(RecordedLooksTest, EveryTopicIsWhole) {
+TEST_P(RecordedLooksTest, EveryTopicIsComplete) {
     for (const char* preset : {"newell-cycle", "shadow-derivation"}) {
         params = load_state(preset)->params;
         params.ui.theme = GetParam().first;

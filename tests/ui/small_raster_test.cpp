@@ -1,5 +1,5 @@
-// A method taken apart in a small raster: the click chooses the pixel under the pointer at any size and scale, rows
-// become steps, and the two levels of steps go where they say.
+// A method at work in a small raster: a click selects the pixel under the pointer at any size and scale, rows become
+// steps, and both levels of steps lead to the right place.
 #include <algorithm>
 
 #include "frame/hidden/step_groups.h"
@@ -10,7 +10,7 @@ namespace {
 
 class SmallRaster : public ::testing::Test {
 protected:
-    /// The middle of a pixel's square, in the window: the squares are as large as the view has room for.
+    /// The center of a pixel's square in the window; the squares are as large as the view allows.
     static ImVec2 square(const Desk& desk, glm::ivec2 pixel, glm::ivec2 raster) {
         const Rect view = desk.layout().camera;
         const float side =
@@ -43,17 +43,17 @@ TEST_F(SmallRaster, AClickChoosesThePixelUnderThePointerAtAnySizeAndScale) {
         }
         const glm::ivec2 last = *desk.params().visibility.pixel;
         desk.click_at(square(desk, last, each.raster));
-        EXPECT_FALSE(desk.params().visibility.pixel) << "once more lets it go";
+        EXPECT_FALSE(desk.params().visibility.pixel) << "a second click deselects it";
         EXPECT_FALSE(desk.params().follow);
     }
 }
 
-TEST_F(SmallRaster, OfRaysAClickShowsTheRayOrGoesToIt) {
+TEST_F(SmallRaster, ForRaysAClickShowsTheRayOrGoesToIt) {
     Desk desk({1600, 900}, "rays-small");
     desk.settle();
     desk.click_at(square(desk, {5, 3}, {24, 16}));
     desk.settle();
-    EXPECT_EQ(desk.params().visibility.step, -1) << "the picture stays whole";
+    EXPECT_EQ(desk.params().visibility.step, -1) << "the picture stays complete";
     ASSERT_TRUE(desk.answer()->camera->traced);
     EXPECT_EQ(desk.answer()->camera->traced->pixel, glm::ivec2(5, 3));
     desk.params().visibility.step = 7;
@@ -74,7 +74,7 @@ protected:
         return std::to_string(touch + 1) + " " +
                desk.session.scene().objects[static_cast<std::size_t>(object)].description.name;
     }
-    /// The first row that is called so: the pixel's fragments stand before the order.
+    /// The first row with this name: the pixel's fragments come before the order.
     void click_row(const std::string& start) {
         for (const RecordedItem& item : desk.recorded())
             if (item.label.starts_with("left/" + start)) {
@@ -85,7 +85,7 @@ protected:
     }
 };
 
-TEST_F(SmallZBuffer, ARowOfThePixelsFragmentsIsItsStep) {
+TEST_F(SmallZBuffer, ClickingAFragmentRowGoesToItsStep) {
     ASSERT_GT(result().touches.size(), 2U);
     for (std::size_t touch = 0; touch < result().touches.size(); ++touch) {
         const int step = result().touches[touch].step;
@@ -95,7 +95,7 @@ TEST_F(SmallZBuffer, ARowOfThePixelsFragmentsIsItsStep) {
     }
 }
 
-TEST_F(SmallZBuffer, ARowOfTheOrderIsTheStepAtWhichItsTriangleIsDrawn) {
+TEST_F(SmallZBuffer, ClickingARowOfTheOrderGoesToTheStepOfItsTriangle) {
     params.visibility.pixel.reset();
     desk.settle();
     click_row("2 ");
@@ -103,10 +103,10 @@ TEST_F(SmallZBuffer, ARowOfTheOrderIsTheStepAtWhichItsTriangleIsDrawn) {
     params.visibility.step = -1;
     desk.settle();
     click_row("3 ");
-    EXPECT_EQ(params.visibility.step, -1) << "the whole picture stays whole";
+    EXPECT_EQ(params.visibility.step, -1) << "the picture stays complete";
 }
 
-TEST_F(SmallZBuffer, ButtonsGoByTriangleAndByTouch) {
+TEST_F(SmallZBuffer, ButtonsStepByTriangleAndByTouch) {
     params.visibility.step = 0;
     desk.settle();
     const std::vector<int> ends = result().group_ends;
@@ -129,7 +129,7 @@ TEST_F(SmallZBuffer, ButtonsGoByTriangleAndByTouch) {
     expect_forth_and_back(touches, "depth/levels/next touch", "depth/levels/touch before");
 }
 
-TEST_F(SmallZBuffer, TheOrdersOwnButtonsGoWhereThePanelsDo) {
+TEST_F(SmallZBuffer, TheOrdersButtonsMatchThePanels) {
     params.visibility.step = 100;
     desk.settle();
     const HiddenResult& now = result();
@@ -148,14 +148,14 @@ TEST_F(SmallZBuffer, TheOrdersOwnButtonsGoWhereThePanelsDo) {
     }
 }
 
-TEST_F(SmallZBuffer, ColumnsAndRowsAreChosenAndTheViewsOwnPixelsComeBack) {
+TEST_F(SmallZBuffer, ColumnsAndRowsCanBeSetAndReset) {
     desk.enter("depth/columns", "9");
     desk.enter("depth/rows", "5");
     desk.settle();
     EXPECT_EQ(params.visibility.raster, glm::ivec2(9, 5));
     EXPECT_EQ(result().image.ids.size(), 45U);
     desk.enter("depth/columns", "9999");
-    EXPECT_EQ(params.visibility.raster->x, 256) << "what can be typed is what the state may hold";
+    EXPECT_EQ(params.visibility.raster->x, 256) << "typed values stay in the range of the state";
     desk.click("depth/Small raster");
     desk.settle();
     EXPECT_FALSE(params.visibility.raster);

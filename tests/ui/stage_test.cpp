@@ -1,5 +1,5 @@
-// What a lesson covers is nowhere to be read, what it points out is found and brought into view, and what it marks is
-// there. Judged by the letters that are drawn (letters.h), by what is recorded, and by the clipboard.
+// Lesson covers hide their content everywhere, pointed-out parts are framed and scrolled into view, and marks appear.
+// Judged by the drawn letters (letters.h), the recorded items and the clipboard.
 #include <algorithm>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace viewing::test {
 namespace {
 
-/// Of fields without a control so far.
+/// Fields without a control so far.
 bool is_new_field(const std::string& name) {
     return name == "control:projection.aspect" || name == "control:depth.buffer" ||
            name == "control:slips.degrees_as_radians" || name == "control:slips.plus_2ab" ||
@@ -53,7 +53,7 @@ protected:
         return std::ranges::any_of(
             desk.recorded(), [&text](const RecordedItem& item) { return item.text.find(text) != std::string::npos; });
     }
-    /// Rests on an item as long as it takes a tooltip to come: what it says, or "".
+    /// Rests on an item until a tooltip may appear; returns its text, or "".
     std::string tooltip_at(ImVec2 place) {
         ui.move_to(place);
         for (int i = 0; i < 4; ++i) ui.frame(1.0F);
@@ -82,8 +82,8 @@ TEST_F(StageTest, WithoutALessonNothingIsCoveredOrFramed) {
     EXPECT_FALSE(draws("?\n?"));
 }
 
-/// R of this plane has −0.571 in row 2, column 4, and nothing else of the state is that number.
-TEST_F(StageTest, ACoveredMatrixIsNowhereToBeRead) {
+/// R of this plane has −0.571 in row 2, column 4, and no other number of the state is the same.
+TEST_F(StageTest, ACoveredMatrixIsReadableNowhere) {
     for (const Topic topic : {Topic::mirror_derivation, Topic::lecture_code, Topic::passes}) {
         open("mirror-derivation");
         params.view.lower_right = topic;
@@ -92,7 +92,7 @@ TEST_F(StageTest, ACoveredMatrixIsNowhereToBeRead) {
         cover({});
         const std::string entry = number_text(desk.derived.chosen_plane().mirrored_world_from_world[3][1], 3);
         EXPECT_EQ(entry, "−0.571");
-        EXPECT_TRUE(draws(entry) && records(entry)) << "it is there to be covered";
+        EXPECT_TRUE(draws(entry) && records(entry)) << "the entry is visible before it is covered";
         cover({"matrix:R"});
         EXPECT_FALSE(draws(entry)) << name_of(topic);
         EXPECT_FALSE(records(entry)) << name_of(topic);
@@ -101,7 +101,7 @@ TEST_F(StageTest, ACoveredMatrixIsNowhereToBeRead) {
     }
 }
 
-TEST_F(StageTest, ACoveredMatrixIsNotCopiedAndTellsNoTooltipOrLink) {
+TEST_F(StageTest, ACoveredMatrixHasNoCopyTooltipOrLink) {
     open("mirror-derivation");
     cover({"matrix:R"});
     for (const RecordedItem& item : desk.recorded()) {
@@ -121,7 +121,7 @@ TEST_F(StageTest, ACoveredMatrixIsNotCopiedAndTellsNoTooltipOrLink) {
         }
 }
 
-TEST_F(StageTest, ACoveredEntryIsAPlateAndTheOthersAreThere) {
+TEST_F(StageTest, ACoveredEntryIsAPlateAndTheOthersStayVisible) {
     cover({"matrix:V[2][3]", "matrix:S[3]"});
     EXPECT_EQ(ui.text_of("matrices/V/r2c3"), "?");
     EXPECT_NE(ui.text_of("matrices/V/r2c2"), "?");
@@ -133,7 +133,7 @@ TEST_F(StageTest, ACoveredEntryIsAPlateAndTheOthersAreThere) {
     EXPECT_NE(tooltip_of("matrices/V/r2c2"), "");
 }
 
-TEST_F(StageTest, ACoveredControlShowsNothingAndTakesNoHand) {
+TEST_F(StageTest, ACoveredControlShowsNothingAndIgnoresInput) {
     const Params before = params;
     cover({"control:camera", "control:light.position[3]", "control:plane.equation"});
     EXPECT_EQ(ui.text_of("camera/position"), "?");
@@ -161,14 +161,14 @@ TEST_F(StageTest, TheStateIsNotCopiedWhileAControlIsCovered) {
     EXPECT_NE(desk.clipboard.find("\"camera\""), std::string::npos);
 }
 
-TEST_F(StageTest, CoveredCodeAndButtonsAndViewsAreGone) {
+TEST_F(StageTest, CoveredCodeButtonsAndViewsAreGone) {
     cover({"code:display.translate", "button:show C", "view:observer"});
     EXPECT_FALSE(draws("translate("));
     EXPECT_TRUE(draws("rotate("));
     EXPECT_EQ(ui.text_of("matrices/Show C"), "?");
     const ImVec2 button = ui.find("matrices/Show C").min;
     desk.click_at({button.x + 5.0F, button.y + 5.0F});
-    EXPECT_TRUE(ui.has("matrices/V/r0c0")) << "C does not come";
+    EXPECT_TRUE(ui.has("matrices/V/r0c0")) << "C does not open the code";
     EXPECT_FALSE(ui.has("left/observer/observer view"));
     const ObserverParams before = params.observer;
     const Rect view = desk.layout().lower_left;
@@ -178,7 +178,7 @@ TEST_F(StageTest, CoveredCodeAndButtonsAndViewsAreGone) {
     EXPECT_FALSE(draws("rotate(") || draws("perspective("));
 }
 
-TEST_F(StageTest, TheImageOfTheFollowedPointIsCoveredWhereverItIsTold) {
+TEST_F(StageTest, TheImageOfTheFollowedPointIsCoveredEverywhere) {
     open("mirror-derivation");
     params.follow = Follow{"box", 7};
     desk.settle();
@@ -192,15 +192,15 @@ TEST_F(StageTest, TheImageOfTheFollowedPointIsCoveredWhereverItIsTold) {
     EXPECT_FALSE(records(y));
 }
 
-TEST_F(StageTest, WhileAskedNeitherRedSentencesNorAdviceNorFormulasTellTheAnswer) {
+TEST_F(StageTest, OpenQuestionsHideWarningsAdviceAndFormulas) {
     open("depth-test-off");
     stage.asks = false;
     cover({});
-    ASSERT_TRUE(ui.has("view/Mend"));
+    ASSERT_TRUE(ui.has("view/Fix"));
     EXPECT_NE(tooltip_of("projection/z-near").find("f/(f−n)"), std::string::npos);
     stage.asks = true;
     cover({});
-    EXPECT_FALSE(ui.has("view/Mend"));
+    EXPECT_FALSE(ui.has("view/Fix"));
     for (const RecordedItem& item : desk.recorded()) EXPECT_FALSE(item.label.ends_with("/trouble")) << item.label;
     EXPECT_EQ(tooltip_of("projection/z-near").find("f/(f−n)"), std::string::npos);
     EXPECT_NE(tooltip_of("projection/z-near"), "");
@@ -208,7 +208,7 @@ TEST_F(StageTest, WhileAskedNeitherRedSentencesNorAdviceNorFormulasTellTheAnswer
 
 // ---- pointed out -------------------------------------------------------------------------------------
 
-TEST_F(StageTest, WhatIsPointedOutIsFramedInItsPlaceAndTheRestIsDimmed) {
+TEST_F(StageTest, PointedOutPartsAreFramedAndTheRestIsDimmed) {
     highlight({"matrix:V[2][3]"});
     const RecordedItem frame = ui.find("highlight"), cell = ui.find("matrices/V/r2c3");
     EXPECT_LE(frame.min.x, cell.min.x);
@@ -232,9 +232,9 @@ TEST(StageAtSmallSizes, AControlIsScrolledIntoViewAndAFoldedSectionOpens) {
         const Rect panel = desk.layout().panel;
         EXPECT_GE(found[0].min.y, panel.min.y) << name;
         EXPECT_LE(found[0].max.y, panel.max.y) << name;
-        EXPECT_GE(found[0].max.y - found[0].min.y, 12.0F) << name << " is seen wholly";
+        EXPECT_GE(found[0].max.y - found[0].min.y, 12.0F) << name << " is completely visible";
     }
-    // It is the person's to scroll away again.
+    // The user may scroll away again.
     const float before = desk.ui.find("camera/position/x").min.y;
     desk.ui.move_to({60.0F, 400.0F});
     ImGui::GetIO().MouseWheel = -4.0F;
@@ -244,14 +244,14 @@ TEST(StageAtSmallSizes, AControlIsScrolledIntoViewAndAFoldedSectionOpens) {
     EXPECT_LT(desk.ui.find("camera/position/x").min.y, before - 20.0F);
 }
 
-TEST_F(StageTest, ANameOfNothingOnTheScreenBreaksNothing) {
+TEST_F(StageTest, UnknownNamesAreIgnored) {
     highlight({"view:growth", "matrix:C"});
     EXPECT_EQ(missing(), (std::vector<std::string>{"view:growth", "matrix:C"}));
     EXPECT_FALSE(ui.has("highlight"));
 }
 
-/// But for what needs a GL context: tables of what was counted and read back.
-TEST_F(StageTest, EveryNameOfTheVocabularyIsFoundSomewhere) {
+/// Except for parts that need a GL context: tables of counted and read-back values.
+TEST_F(StageTest, EveryNameOfTheVocabularyExistsOnScreen) {
     std::set<std::string> left;
     for (const std::string& name : target_names()) left.insert(name);
     for (const char* name : {"matrix:V[2][3]", "matrix:S[3]", "control:light.position[3]", "control:plane.equation[1]",
@@ -265,7 +265,7 @@ TEST_F(StageTest, EveryNameOfTheVocabularyIsFoundSomewhere) {
         desk.settle();
         ui.frames(8);
         for (const auto& found : desk.workbench.widgets.targets.found) left.erase(found.name);
-        // What has to be scrolled to is sought by itself.
+        // Items that may need scrolling are checked one by one.
         const std::set<std::string> all = left;
         for (const std::string& name : all) {
             if (!name.starts_with("code:") && !name.starts_with("text:") && !name.starts_with("button:")) continue;
@@ -316,7 +316,7 @@ TEST_F(StageTest, ATargetIsMarkedInTheCamerasAndTheObserversView) {
 
 // ---- laid out ----------------------------------------------------------------------------------------
 
-TEST_F(StageTest, ALayoutShowsTheListedMatricesAndControlsAlone) {
+TEST_F(StageTest, ALayoutShowsOnlyTheListedMatricesAndControls) {
     params.view.layout = {BigView::camera, {"C", "V", "follow"}, {"camera.position", "slips.swapped_order"}, {}};
     desk.settle();
     EXPECT_LT(ui.find("matrices/C/r0c0").min.y, ui.find("matrices/V/r0c0").min.y) << "in their order";
@@ -332,7 +332,7 @@ TEST_F(StageTest, ALayoutShowsTheListedMatricesAndControlsAlone) {
     EXPECT_NE(params.camera.position.x, CameraParams{}.position.x);
 }
 
-TEST_F(StageTest, WhereNothingIsListedThereIsNoColumn) {
+TEST_F(StageTest, AnEmptyListHidesTheColumn) {
     params.view.layout = {BigView::camera, {"R"}, {}, {}};
     desk.settle();
     EXPECT_TRUE(desk.layout().panel.empty());
@@ -347,13 +347,13 @@ TEST_F(StageTest, WhereNothingIsListedThereIsNoColumn) {
     EXPECT_TRUE(desk.layout().panel.empty() && desk.layout().matrices.empty());
 }
 
-TEST_F(StageTest, EveryControlThatCanBeListedIsThere) {
+TEST_F(StageTest, EveryListableControlExists) {
     std::string none;
     for (const std::string& name : target_names()) {
         constexpr std::string_view control = "control:";
         if (!name.starts_with(control) || !find_field(name.substr(control.size()))) continue;
         const std::string path = name.substr(control.size());
-        if (path == "view.shows") continue;  // on the view's headline
+        if (path == "view.shows") continue;  // in the view's heading
         if (is_new_field(name)) continue;
         params = Params{};
         if (path == "projection.height") params.projection.type = ProjectionType::orthographic;
@@ -370,7 +370,7 @@ TEST_F(StageTest, EveryControlThatCanBeListedIsThere) {
     EXPECT_EQ(none, "");
 }
 
-TEST_F(StageTest, KeysChangeTheLayoutOfTheStateAndUndoTakesItBack) {
+TEST_F(StageTest, KeysChangeTheStatesLayoutAndUndoRestoresIt) {
     desk.press(Key::f2);
     EXPECT_EQ(params.view.layout.folded, std::vector<std::string>{"panel"});
     EXPECT_TRUE(desk.layout().panel.empty());
@@ -386,13 +386,13 @@ TEST_F(StageTest, KeysChangeTheLayoutOfTheStateAndUndoTakesItBack) {
     EXPECT_EQ(params.view.layout.folded, std::vector<std::string>{"matrices"});
 }
 
-TEST_F(StageTest, APresetThatSaysNothingOfTheLayoutKeepsIt) {
+TEST_F(StageTest, APresetWithoutALayoutKeepsTheCurrentOne) {
     params.view.layout = {BigView::camera, {"V"}, {}, {}};
     const LayoutParams chosen = params.view.layout;
     desk.session.open("tilted-plane");
     desk.settle();
     EXPECT_EQ(params.view.layout, chosen);
-    EXPECT_FALSE(desk.session.departs_from_preset()) << "the layout is no change of it";
+    EXPECT_FALSE(desk.session.departs_from_preset()) << "the layout does not count as a change";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Nothing jumps: whatever is switched, told or followed, each control stays where it is, so that the next click lands
-// on what the eye has aimed at.
+// Nothing jumps: whatever is switched, reported or followed, each control stays in place, so that the next click lands
+// where the user aimed.
 #include <map>
 
 #include "desk.h"
@@ -8,7 +8,7 @@ namespace viewing::test {
 namespace {
 
 struct Steady : UiTest {
-    /// Where each item of the columns stands.
+    /// The top of each item in the columns.
     std::map<std::string, float> tops() const {
         std::map<std::string, float> found;
         for (const RecordedItem& item : desk.recorded()) {
@@ -18,7 +18,7 @@ struct Steady : UiTest {
         }
         return found;
     }
-    /// All controls are still there, at the same height.
+    /// Expects all controls at the same height.
     void expect_as_before(const std::map<std::string, float>& before, const std::string& what) const {
         const std::map<std::string, float> now = tops();
         for (const auto& [label, top] : before) {
@@ -31,7 +31,7 @@ struct Steady : UiTest {
     }
 };
 
-TEST_F(Steady, TheControlsStayWhereTheyAreInEveryModeAndTrouble) {
+TEST_F(Steady, ControlsStayInPlaceInEveryModeAndWithEveryWarning) {
     ImGui::GetIO().DisplaySize = {1600, 3000};
     desk.settle();
     desk.fold_out_all();
@@ -39,8 +39,8 @@ TEST_F(Steady, TheControlsStayWhereTheyAreInEveryModeAndTrouble) {
     ASSERT_GT(before.size(), 80U);
     const Params opening = params;
     const std::pair<const char*, void (*)(Params&)> changes[] = {
-        {"trouble of the shadow", [](Params& p) { p.shadow.stencil_once = false; }},
-        {"trouble of the light",
+        {"shadow problem", [](Params& p) { p.shadow.stencil_once = false; }},
+        {"light problem",
          [](Params& p) {
              p.lights.front().position = {1, 0, 1, 1};
          }},
@@ -48,7 +48,7 @@ TEST_F(Steady, TheControlsStayWhereTheyAreInEveryModeAndTrouble) {
          [](Params& p) {
              p.planes.front().equation = {0, 3, 0, 1};
          }},
-        {"a slip", [](Params& p) { p.slips.camera_as_view = true; }},
+        {"a mistake", [](Params& p) { p.slips.camera_as_view = true; }},
         {"orbit", [](Params& p) { p.camera.navigation = Navigation::orbit; }},
         {"missing light", [](Params& p) { p.shadow.style = ShadowStyle::missing_light; }},
         {"lifted", [](Params& p) { p.shadow.offset = ShadowOffset::lift; }},
@@ -70,13 +70,13 @@ TEST_F(Steady, TheControlsStayWhereTheyAreInEveryModeAndTrouble) {
     }
 }
 
-TEST_F(Steady, TheMatricesStayWhereTheyAreWhenOneIsEditedOrAPointFollowed) {
+TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     std::map<std::string, float> before = tops();
     std::erase_if(before, [](const auto& item) { return item.first.find("Edit") != std::string::npos; });
     params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(2.0);
     desk.settle();
     for (auto& [label, top] : before)
-        if (label.find("matrices/S/") != std::string::npos) top = tops()[label];  // its own numbers are boxes now
+        if (label.find("matrices/S/") != std::string::npos) top = tops()[label];  // the matrix now has fields
     expect_as_before(before, "S by hand");
     params.overrides[0] = {};
     params.follow = Follow{"box", 3};

@@ -1,6 +1,5 @@
-// Every field for text of the window against every way of leaving it: what was typed is its value afterwards, whatever
-// led away; Escape alone takes it back. Fields that are left by what they do (the search of the presets) are at the
-// end.
+// Every text field of the window with every way of leaving it: the typed text becomes its value, however the field is
+// left; only Escape discards it. Fields that act when they are left (the search of the presets) come last.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,15 +15,15 @@
 namespace viewing::test {
 namespace {
 
-/// A window in which one of the fields can be typed in.
+/// A window with an editable instance of the field.
 using FieldDesk = ExerciseSheetDesk;
 
 struct FieldOfText {
     const char* name;
-    std::function<void(FieldDesk&)> begin;  ///< until it has the keyboard, with all of its text selected
+    std::function<void(FieldDesk&)> begin;  ///< until it has the keyboard focus, with all of its text selected
     const char* typed;
     std::function<std::string(const FieldDesk&)> value;
-    bool is_on_page = false;  ///< over the whole window: there is nothing beside it that keys would change
+    bool is_on_page = false;  ///< covers the whole window, so keys have nothing beside it to change
 };
 
 void open_page(FieldDesk& desk) {
@@ -62,7 +61,7 @@ FieldOfText number_field(const char* name, const char* exercise, const char* lab
 std::vector<FieldOfText> all_fields() {
     const auto answer = [](std::size_t place) {
         return [place](const FieldDesk& desk) {
-            // Of the step that it was typed at, wherever one is now.
+            // Returns the answer of the step where it was typed, whichever step is current.
             const LessonRun& run = *desk.workbench.guide.run();
             const ExerciseDesk& exercises = desk.workbench.exercises;
             for (const char* id : {"E16-shadow-matrix", "E06-radians"})
@@ -76,15 +75,15 @@ std::vector<FieldOfText> all_fields() {
             student_field("Name", &Student::name),
             number_field("a number of the panel", "", "projection/z-near",
                          [](const FieldDesk& desk) { return desk.session.params.projection.near; }),
-            number_field("an entry of a matrix that is asked for", "E16-shadow-matrix",
-                         "lesson strip/answers/answer/r1c2", answer(6)),
-            number_field("a number that is asked for", "E06-radians", "lesson strip/answers/answer/x", answer(0))};
+            number_field("an entry of an answer matrix", "E16-shadow-matrix", "lesson strip/answers/answer/r1c2",
+                         answer(6)),
+            number_field("a number of an answer", "E06-radians", "lesson strip/answers/answer/x", answer(0))};
 }
 
 struct WayOut {
     const char* name;
     std::function<void(FieldDesk&)> leave;
-    bool goes_on = false;     ///< into the next number, where typing begins
+    bool goes_on = false;     ///< to the next number, which starts editing
     bool turns_page = false;  ///< of an exercise; elsewhere the field stays
 };
 
@@ -100,7 +99,7 @@ std::vector<WayOut> all_ways_out() {
              [](FieldDesk& desk) {
                  desk.click_at({800.0F, 3.0F});
              }},
-            {"Tab, and on at once",
+            {"Tab twice",
              [](FieldDesk& desk) {
                  desk.ui.key(ImGuiKey_Tab);
                  desk.ui.key(ImGuiKey_Tab);
@@ -129,13 +128,13 @@ std::vector<WayOut> all_ways_out() {
              }}};
 }
 
-TEST(TextFields, WhicheverWayOneIsLeftWhatWasTypedCounts) {
+TEST(TextFields, KeepTypedTextHoweverTheyAreLeft) {
     for (const FieldOfText& field : all_fields())
         for (const WayOut& way : all_ways_out()) {
             SCOPED_TRACE(std::string(field.name) + ", left by " + way.name);
             FieldDesk desk({1600, 1100});
             field.begin(desk);
-            ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "it has no keyboard";
+            ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "the field has no keyboard focus";
             ASSERT_NE(field.value(desk), field.typed);
             desk.ui.type(field.typed);
             ASSERT_TRUE(widgets::IsTyping(desk.workbench.widgets));
@@ -143,11 +142,11 @@ TEST(TextFields, WhicheverWayOneIsLeftWhatWasTypedCounts) {
             way.leave(desk);
             desk.ui.frames(3);
             EXPECT_EQ(field.value(desk), field.typed);
-            EXPECT_TRUE(way.goes_on || !widgets::IsTyping(desk.workbench.widgets)) << "something still does not count";
+            EXPECT_TRUE(way.goes_on || !widgets::IsTyping(desk.workbench.widgets)) << "the field is still being edited";
         }
 }
 
-TEST(TextFields, EscapeTakesBackWhatWasTypedAndNothingElse) {
+TEST(TextFields, EscapeDiscardsTheTypedTextAndNothingElse) {
     for (const FieldOfText& field : all_fields()) {
         SCOPED_TRACE(field.name);
         FieldDesk desk({1600, 1100});
@@ -158,12 +157,12 @@ TEST(TextFields, EscapeTakesBackWhatWasTypedAndNothingElse) {
         desk.ui.frames(3);
         EXPECT_EQ(field.value(desk), before);
         EXPECT_FALSE(widgets::IsTyping(desk.workbench.widgets));
-        EXPECT_EQ(desk.workbench.exercise_page.is_open(), field.is_on_page) << "the page went with it";
+        EXPECT_EQ(desk.workbench.exercise_page.is_open(), field.is_on_page) << "Escape also closed the page";
     }
 }
 
-/// From one field into the next and back, as one types three texts in a row.
-TEST(TextFields, ThreeFieldsInARowAreFilledByTab) {
+/// Through three fields and back, as when typing three texts in a row.
+TEST(TextFields, TabFillsThreeFieldsInARow) {
     FieldDesk desk({1600, 900}, Student{});
     open_page(desk);
     desk.ui.click("exercises/Student number");
@@ -182,7 +181,7 @@ TEST(TextFields, ThreeFieldsInARowAreFilledByTab) {
     EXPECT_EQ(desk.workbench.exercises.student(), (Student{"v2", "32201234", "Lee"}));
 }
 
-TEST(TextFields, APageThatIsLeftByAClickHasHeardWhatWasTyped) {
+TEST(TextFields, LeavingAPageByAClickKeepsTheTypedText) {
     for (const char* const button : {"exercises/Close", "exercises/Open answers…", "exercises/card 2"}) {
         SCOPED_TRACE(button);
         FieldDesk desk({1600, 900}, Student{});
@@ -197,10 +196,10 @@ TEST(TextFields, APageThatIsLeftByAClickHasHeardWhatWasTyped) {
     }
 }
 
-/// The fields of dialogs and lists act on what is in them; the text is there at once.
+/// The fields of dialogs and lists act on their content, which is available immediately.
 class ActingFields : public testing::ScratchFolder {};
 
-TEST_F(ActingFields, TheNameOfAFileIsWhatIsInItsField) {
+TEST_F(ActingFields, AFileNameIsTheTextOfItsField) {
     for (const auto& [name, leave] : {std::pair<const char*, std::function<void(FieldDesk&)>>{
                                           "Enter", [](FieldDesk& desk) { desk.ui.key(ImGuiKey_Enter); }},
                                       {"a click on Save", [](FieldDesk& desk) { desk.ui.click("file/Save"); }},

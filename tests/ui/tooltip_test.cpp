@@ -1,5 +1,5 @@
-// What a tooltip of the panel says: under the label that is shown, with the path that --set takes, and with formulas
-// whose words keep their spaces and whose signs are all in the fonts.
+// The tooltips of the panel: titled with the shown label, with the path that --set takes, and with formulas whose words
+// keep their spaces and whose signs exist in the fonts.
 #include <regex>
 
 #include "desk.h"
@@ -17,7 +17,7 @@ std::string tooltip_of(Desk& desk, const char* label) {
     return {};
 }
 
-TEST(Tooltips, TitleIsTheLabelThatIsShownAndThePathStandsBelow) {
+TEST(Tooltips, ShowTheLabelAsTitleAndThePathBelow) {
     Desk desk;
     struct Expected {
         const char *item, *title, *path;
@@ -38,8 +38,8 @@ const RecordedItem* shown_tooltip(const Desk& desk) {
     return found == desk.recorded().end() ? nullptr : &*found;
 }
 
-/// Neither what is operated nor what is operated next is covered: in a column, nothing of it.
-TEST(Tooltips, StandBesideTheirColumn) {
+/// A tooltip covers neither the control nor the next one; in a column it covers nothing of the column.
+TEST(Tooltips, AppearBesideTheirColumn) {
     Desk desk({1600, 900});
     for (const char* label :
          {"camera/navigation/Orbit", "projection/z-near", "depth/Depth test", "matrices/S/r0c0", "matrices/V/r2c3"}) {
@@ -52,7 +52,7 @@ TEST(Tooltips, StandBesideTheirColumn) {
         EXPECT_LE(tooltip->max.x, 1600.0F) << label;
         EXPECT_LE(tooltip->max.y, 900.0F) << label;
     }
-    // Also where the column takes nearly half of the window.
+    // Also when the column takes nearly half of the window.
     Desk small({800, 600});
     small.params().ui.theme = Theme::projector;
     small.apply_looks();
@@ -63,8 +63,7 @@ TEST(Tooltips, StandBesideTheirColumn) {
     EXPECT_LE(shown_tooltip(small)->max.x, 800.0F);
 }
 
-/// A bar is no column.
-TEST(Tooltips, StandBelowWhatIsInABar) {
+TEST(Tooltips, AppearBelowTheItemsOfABar) {
     Desk desk({1600, 900});
     tooltip_of(desk, "top/next preset");
     const RecordedItem* below = shown_tooltip(desk);
@@ -73,7 +72,7 @@ TEST(Tooltips, StandBelowWhatIsInABar) {
     desk.ui.frames(2);
 }
 
-TEST(Tooltips, WaitForAPointerAtRestAndGoWithAClickUntilItLeaves) {
+TEST(Tooltips, AppearAtRestAndStayAwayAfterAClick) {
     Desk desk({1600, 900});
     desk.ui.hover("depth/Depth test");
     desk.ui.frames(20);
@@ -85,14 +84,14 @@ TEST(Tooltips, WaitForAPointerAtRestAndGoWithAClickUntilItLeaves) {
     desk.ui.press();
     desk.ui.release();
     desk.ui.frames(60);
-    EXPECT_FALSE(shown_tooltip(desk)) << "it was clicked";
+    EXPECT_FALSE(shown_tooltip(desk)) << "a click hides it";
     desk.ui.hover("depth/Cull face");
     desk.ui.hover("depth/Depth test");
     desk.ui.frames(60);
     EXPECT_TRUE(shown_tooltip(desk));
 }
 
-TEST(Tooltips, AreAwayWhileTextIsTyped) {
+TEST(Tooltips, AreHiddenWhileTyping) {
     Desk desk({1600, 900});
     desk.ui.double_click("projection/z-near");
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
@@ -105,8 +104,8 @@ TEST(Tooltips, AreAwayWhileTextIsTyped) {
     EXPECT_TRUE(shown_tooltip(desk));
 }
 
-/// Whatever is greyed, in states that grey much.
-TEST(Tooltips, WhatIsGreyedSaysWhy) {
+/// Every disabled control, in states that disable many.
+TEST(Tooltips, DisabledControlsSayWhy) {
     int greyed = 0;
     for (const char* state : {"opening", "painter-cycle", "depth-cells"}) {
         Desk desk({1600, 1500}, state);
@@ -125,11 +124,11 @@ TEST(Tooltips, WhatIsGreyedSaysWhy) {
     EXPECT_GT(greyed, 4);
 }
 
-TEST(Tooltips, SegmentsAndThePlanesButtonsHaveOne) {
+TEST(Tooltips, SegmentsAndPlaneButtonsHaveOne) {
     Desk desk;
     for (const char* item : {"projection/type/Perspective", "projection/type/Orthographic", "light/position/point",
                              "light/position/parallel", "plane/equation/yz", "plane/equation/xz", "plane/equation/xy",
-                             "plane/equation/Normalise"}) {
+                             "plane/equation/Normalize"}) {
         EXPECT_FALSE(tooltip_of(desk, item).empty()) << item;
     }
 }
@@ -150,7 +149,7 @@ TEST(Tooltips, WordsInFormulasKeepTheirSpaces) {
     }
 }
 
-/// The characters of a text that the font has no glyph for.
+/// The characters of a text for which the font has no glyph.
 std::string missing_in(ImFont& font, std::string_view text) {
     std::string missing;
     for (std::size_t i = 0; i < text.size();) {
@@ -164,7 +163,7 @@ std::string missing_in(ImFont& font, std::string_view text) {
     return missing;
 }
 
-TEST(Tooltips, EverySignOfAFieldAndOfANumberIsInTheFonts) {
+TEST(Tooltips, TheFontsHaveEverySignOfFieldsAndNumbers) {
     Desk desk;
     const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
     for (const Field& field : fields()) {

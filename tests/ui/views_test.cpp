@@ -1,4 +1,4 @@
-// What the mouse does in the views: handles, looking, the observer, picking a vertex.
+// The mouse in the views: handles, looking around, the observer, picking a vertex.
 #include "desk.h"
 
 namespace viewing::test {
@@ -16,8 +16,7 @@ protected:
     }
     glm::dvec3 light() const { return glm::dvec3(params.lights.front().position); }
 
-    /// The vertex of an object that is nearest to the eye: visible when the object is convex and nothing stands before
-    /// it.
+    /// The vertex of an object nearest to the eye; visible if the object is convex and nothing is in front of it.
     glm::dvec3 nearest_vertex(const SceneObject& object) const {
         glm::dvec3 nearest(0.0);
         double distance = 1e300;
@@ -51,7 +50,7 @@ TEST_F(ViewsTest, TheLightFollowsItsHandleAndTheNumbersFollowTheLight) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ViewsTest, HandlesBelongToTheChosenLightAndPlane) {
+TEST_F(ViewsTest, HandlesBelongToTheSelectedLightAndPlane) {
     params.lights.push_back({{-1.2, 1.8, 0.4, 1.0}});
     params.planes.push_back({.equation = {0.0, 0.0, 1.0, 1.0}});
     params.view.light = params.view.plane = 2;
@@ -66,7 +65,7 @@ TEST_F(ViewsTest, HandlesBelongToTheChosenLightAndPlane) {
     EXPECT_NE(params.planes[1].equation.w, before.planes[1].equation.w);
 }
 
-TEST_F(ViewsTest, ShiftDragsTheLightUpAndDownOnly) {
+TEST_F(ViewsTest, ShiftDragsTheLightOnlyVertically) {
     const glm::dvec3 before = light();
     const ImVec2 from = desk.in_camera_view(before);
     desk.hold(Key::shift);
@@ -99,7 +98,7 @@ TEST_F(ViewsTest, ThePlaneMovesAlongItsNormal) {
     EXPECT_NEAR(*widgets::ParseNumber(ui.text_of("plane/equation/d")), params.planes.front().equation.w, 0.006);
 }
 
-TEST_F(ViewsTest, TiltingKeepsTheNormalsLengthAndThePatchsCentre) {
+TEST_F(ViewsTest, TiltingKeepsTheNormalsLengthAndThePatchsCenter) {
     params.planes.front().equation = {0.0, 2.0, 0.0, -1.0};  // y = 0.5
     params.lights.front().position = {3.0, 6.0, 3.0, 1.0};
     desk.settle();
@@ -120,7 +119,7 @@ TEST_F(ViewsTest, AFlippedPlaneKeepsItsSignWhenTilted) {
     EXPECT_NE(params.planes.front().equation.x, 0.0);
 }
 
-TEST_F(ViewsTest, WithoutHandlesTheMouseLooks) {
+TEST_F(ViewsTest, WithoutHandlesTheMouseLooksAround) {
     desk.press(Key::h);
     ASSERT_FALSE(desk.workbench.views.handles);
     const Params before = params;
@@ -147,7 +146,7 @@ TEST_F(ViewsTest, TheObserverOrbitsAlone) {
     EXPECT_LT(params.observer.distance, shifted.observer.distance);
 }
 
-TEST_F(ViewsTest, HandlesWorkInTheObserverToo) {
+TEST_F(ViewsTest, HandlesAlsoWorkInTheObserver) {
     const Params before = params;
     const ImVec2 from = desk.in_observer_view(light());
     desk.drag_from(from, 25.0F, -15.0F);
@@ -155,7 +154,7 @@ TEST_F(ViewsTest, HandlesWorkInTheObserverToo) {
     expect_near(desk.in_observer_view(light()), {from.x + 25.0F, from.y - 15.0F}, 0.5F);
 }
 
-TEST_F(ViewsTest, AMaximisedObserverLetsGoOfItsHandle) {
+TEST_F(ViewsTest, MaximizingTheObserverReleasesItsHandle) {
     ui.hover("left/observer/observer view");
     desk.press(Key::m);
     ASSERT_EQ(desk.params().view.layout.big, BigView::lower_left);
@@ -166,7 +165,7 @@ TEST_F(ViewsTest, AMaximisedObserverLetsGoOfItsHandle) {
     EXPECT_EQ(differing_fields(before, params), (Paths{"observer.yaw", "observer.pitch"}));
 }
 
-/// Where a point is seen in a picture of the camera's, whatever its aspect: the angle of view is the vertical one.
+/// The position of a point in any camera picture, whatever its aspect ratio: the angle of view is vertical.
 ImVec2 seen_in(const Rect& rect, const Desk& desk, const glm::dvec3& point_world) {
     const glm::dvec3 view = desk.derived.view_from_world * glm::dvec4(point_world, 1.0);
     const double scale =
@@ -175,7 +174,7 @@ ImVec2 seen_in(const Rect& rect, const Desk& desk, const glm::dvec3& point_world
             0.5F * (rect.min.y + rect.max.y) - static_cast<float>(scale * view.y)};
 }
 
-TEST_F(ViewsTest, DepthPicturesAnswerThePointerWithTheCamerasPixel) {
+TEST_F(ViewsTest, DepthPicturesReportTheCamerasPixelUnderThePointer) {
     const glm::dvec3 point(0.9, 0.4, 1.3);
     const auto expect_pixel = [&](const Rect& rect, const char* what) {
         ASSERT_FALSE(rect.empty()) << what;
@@ -189,7 +188,7 @@ TEST_F(ViewsTest, DepthPicturesAnswerThePointerWithTheCamerasPixel) {
         EXPECT_NEAR(told->x + 0.5, there.x - camera.min.x, a_pixel_there + 0.5) << what;
         EXPECT_NEAR(told->y + 0.5, there.y - camera.min.y, a_pixel_there + 0.5) << what;
     };
-    expect_pixel(desk.layout().camera, "the camera's picture");
+    expect_pixel(desk.layout().camera, "the camera view");
     expect_pixel(desk.layout().lower_right, "the depth buffer below");
     params.view.beside.shows = Beside::depth;
     params.view.beside.layout = BesideLayout::halves;
@@ -215,17 +214,17 @@ TEST_F(ViewsTest, AClickFollowsTheNearestVertexUntilItIsCleared) {
     EXPECT_FALSE(params.follow);
 }
 
-TEST_F(ViewsTest, ADragPicksNothing) {
+TEST_F(ViewsTest, DraggingPicksNothing) {
     const SceneObject& box = *desk.session.scene().find("small box");
     desk.drag_from(desk.in_camera_view(glm::dvec3(box.world_from_model[3])), 40.0F, 0.0F);
     EXPECT_FALSE(params.follow);
 }
 
-TEST_F(ViewsTest, HeaderChoosesWhatTheCameraShows) {
+TEST_F(ViewsTest, TheHeaderSelectsWhatTheCameraShows) {
     for (const auto& [label, shows] : {std::pair{"view/depth", Shows::depth},
                                        {"view/facing", Shows::facing},
                                        {"view/stencil", Shows::stencil},
-                                       {"view/colour", Shows::color}}) {
+                                       {"view/color", Shows::color}}) {
         desk.click(label);
         EXPECT_EQ(params.view.shows, shows);
     }
@@ -237,15 +236,15 @@ TEST_F(ViewsTest, HeaderChoosesWhatTheCameraShows) {
     EXPECT_EQ(params.view.depth_scale, DepthScale::window);
 }
 
-TEST_F(ViewsTest, ABrokenSwitchIsMendedOverThePicture) {
+TEST_F(ViewsTest, ABrokenSwitchCanBeFixedOverThePicture) {
     params.shadow.stencil_once = false;
     desk.settle();
     const Params broken = params;
-    desk.click("view/Mend");
+    desk.click("view/Fix");
     EXPECT_EQ(differing_fields(broken, params), Paths{"shadow.stencil_once"});
     EXPECT_TRUE(params.shadow.stencil_once);
     desk.settle();
-    EXPECT_FALSE(ui.has("view/Mend"));
+    EXPECT_FALSE(ui.has("view/Fix"));
     desk.undo();
     EXPECT_EQ(params, broken);
 }
@@ -261,7 +260,7 @@ protected:
     }
 };
 
-TEST_F(WheelTest, GoesForwardInFlightAndNearerInOrbit) {
+TEST_F(WheelTest, MovesForwardInFlightAndCloserInOrbit) {
     const glm::dvec3 forward = -glm::dvec3(desk.derived.world_from_view[2]);
     const Params before = params;
     wheel();
@@ -294,7 +293,7 @@ TEST_F(WheelTest, EnlargesAnOrthographicPicture) {
     EXPECT_NEAR(params.projection.height, before.projection.height * 0.88, 1e-9);
 }
 
-TEST_F(WheelTest, WithCtrlChangesTheSpeedAlone) {
+TEST_F(WheelTest, WithCtrlChangesOnlyTheSpeed) {
     const Params before = params;
     const double speed = desk.session.speed();
     desk.hold(Key::ctrl);
@@ -307,7 +306,7 @@ TEST_F(WheelTest, WithCtrlChangesTheSpeedAlone) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ViewsTest, MiddleAndRightDragShiftThePictureWithWhatWasTaken) {
+TEST_F(ViewsTest, MiddleAndRightDragMoveThePictureWithThePointer) {
     for (const int button : {1, 2}) {
         const ImVec2 from = desk.in_camera_view({1.4, 1.3, 0.0});  // on the blue box, or near it
         const Params before = params;
@@ -322,7 +321,7 @@ TEST_F(ViewsTest, MiddleAndRightDragShiftThePictureWithWhatWasTaken) {
     }
 }
 
-TEST_F(ViewsTest, AClickIntoTheBackgroundLetsTheFollowedPointGo) {
+TEST_F(ViewsTest, ClickingTheBackgroundReleasesTheFollowedPoint) {
     params.follow = Follow{"box", 0};
     desk.settle();
     const Rect rect = desk.layout().camera;
@@ -378,7 +377,7 @@ protected:
     void drag(const glm::dvec3& from, float dx, float dy) { desk.drag_from(desk.in_observer_view(from), dx, dy); }
 };
 
-TEST_F(ObserverHandles, TheCameraIsMoved) {
+TEST_F(ObserverHandles, MoveTheCamera) {
     const Params before = params;
     const ImVec2 at = desk.in_observer_view(places().eye);
     drag(places().eye, -60.0F, 25.0F);
@@ -390,7 +389,7 @@ TEST_F(ObserverHandles, TheCameraIsMoved) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ObserverHandles, ItsDirectionIsTurned) {
+TEST_F(ObserverHandles, TurnItsDirection) {
     params.camera.roll = 5.0;
     desk.settle();
     const Params before = params;
@@ -401,7 +400,7 @@ TEST_F(ObserverHandles, ItsDirectionIsTurned) {
     EXPECT_LT(desk.in_observer_view(places().direction_tip).y, at.y - 5.0F);
 }
 
-TEST_F(ObserverHandles, NearAndFarArePulledAlongTheView) {
+TEST_F(ObserverHandles, MoveNearAndFarAlongTheView) {
     params.projection.far = 12.0;
     params.projection.near = 2.0;
     desk.settle();
@@ -420,7 +419,7 @@ TEST_F(ObserverHandles, NearAndFarArePulledAlongTheView) {
     EXPECT_GT(params.projection.far, 4.0);
 }
 
-/// What was drawn last over a place of the window, by its colour; 0: nothing.
+/// The color drawn last over a place of the window; 0 for none.
 ImU32 color_at(ImVec2 at) {
     const auto side = [&](const ImVec2& a, const ImVec2& b) {
         return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
@@ -444,12 +443,12 @@ ImU32 color_at(ImVec2 at) {
     return color;
 }
 
-TEST_F(ViewsTest, ALegendLiesOverAHandle) {
+TEST_F(ViewsTest, ALegendIsDrawnOverAHandle) {
     params.view.shows = Shows::facing;
     desk.settle();
     const Rect view = desk.layout().camera;
     const ImVec2 at(view.min.x + 12.5F, view.max.y - 14.5F);  // on the legend's plate, beside its letters
-    const ImVec2 beside(at.x + 1.3F, at.y + 0.6F);            // not where triangles of a disc meet
+    const ImVec2 beside(at.x + 1.3F, at.y + 0.6F);            // away from the seams between a disk's triangles
     const ImU32 plate = color_at(beside);
     EXPECT_EQ(plate >> IM_COL32_A_SHIFT, 225U);
     const glm::dvec4 clip(2.0 * (at.x - view.min.x) / view.width() - 1.0,
@@ -464,7 +463,7 @@ TEST_F(ViewsTest, ALegendLiesOverAHandle) {
     EXPECT_NE(color_at(beside), plate) << "the lamp's";
 }
 
-TEST_F(ViewsTest, ALampOutsideThePictureIsAnArrowAtItsEdge) {
+TEST_F(ViewsTest, ALightOutsideThePictureIsAnArrowAtItsEdge) {
     const Rect rect{{100.0F, 50.0F}, {500.0F, 350.0F}};
     const glm::dmat4 clip_from_world = clip_from_view({}, 4.0 / 3.0);  // looks along −z
     const auto edge_of = [&](const glm::dvec3& point) -> std::optional<ImVec2> {
@@ -486,7 +485,7 @@ TEST_F(ViewsTest, ALampOutsideThePictureIsAnArrowAtItsEdge) {
     ASSERT_TRUE(above && right_behind);
     EXPECT_NEAR(above->x, 300.0F, 3.0F);
     EXPECT_LT(above->y, 70.0F);
-    EXPECT_GT(right_behind->x, 480.0F) << "what is behind the eye on the right is to the right";
+    EXPECT_GT(right_behind->x, 480.0F) << "a light behind the eye on the right is to the right";
     EXPECT_NEAR(right_behind->y, 200.0F, 3.0F);
     EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "straight behind";
 }

@@ -1,7 +1,7 @@
 """A headless Chromium with the page in it, driven through the DevTools protocol: real mouse, keys and fingers.
 
-Nothing here waits for a time. What was done is shown as soon as the page has drawn it and asks for no further frame;
-settle() waits for that, and a busy machine only makes it longer. Read Page first, then a test.
+Nothing here waits for a fixed time. An action is complete as soon as the page has drawn it and requests no more frames;
+settle() waits for that, so a busy machine only takes longer. Read Page first, then a test.
 """
 import base64
 import contextlib
@@ -25,16 +25,16 @@ from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 
 FOLDER = pathlib.Path(os.environ.get("WEB_PAGE", pathlib.Path(__file__).parents[2] / "build/web"))
-PATIENCE_S = 60  # until something has failed to come
+PATIENCE_S = 60  # before something counts as missing
 
-MESA, SWIFTSHADER = "gl-egl", "swiftshader"  # ANGLE's ways to GL: Mesa's llvmpipe as natively, and Chromium's own
+MESA, SWIFTSHADER = "gl-egl", "swiftshader"  # ANGLE's backends: Mesa's llvmpipe as on the desktop, and Chromium's own
 
-# What Chromium says that is nobody's fault, with the reason. Everything else of level WARNING or SEVERE is a failure.
+# Chromium's harmless messages, with the reason. Every other message of level WARNING or SEVERE is a failure.
 HARMLESS = {
     r"GPU stall due to ReadPixels": "a note on speed: pictures are read here on purpose",
 }
 
-# Runs before the page's own scripts: counts frames and turns of work, and keeps errors that nobody caught.
+# Runs before the page's own scripts: counts frames and work items, and keeps uncaught errors.
 WATCH = """
 (() => {
   const watched = window.watched = {frames: 0, asked: 0, turns: 0, last: performance.now(), first: 0, errors: []};
@@ -61,25 +61,25 @@ WATCH = """
 })();
 """
 
-# Resolves as soon as nothing has been drawn or worked on for `quiet_ms` and the program says that it rests.
+# Resolves when nothing has been drawn or worked on for `quiet_ms` and the program reports that it rests.
 SETTLE = """
 const [quiet_ms, limit_ms, done] = arguments, begun = performance.now();
 const look = () => {
   const now = performance.now();
   const is_there = typeof Module !== 'undefined' && Module.calledRun && Module._page_is_open && Module._page_is_open();
   const is_quiet = is_there && !watched.asked && now - watched.last >= quiet_ms && watched.frames > 0;
-  // A caret that blinks and the clock of a stage want a frame now and then for ever.
+  // A blinking caret and the clock of a stage request a frame now and then forever.
   const rests = is_quiet && (Module._page_rests() || now - begun > 1500);
   if (rests) done('');
   else if (now - begun > limit_ms) done(is_there ? 'frames: ' + watched.frames + ', asked: ' + watched.asked : 'never open');
   else setTimeout(look, 25);
 };
-// Input that is on its way comes before the browser's next frames, which are asked for behind the page's back.
+// Pending input arrives before the browser's next frames, which are requested without the page's counter.
 const ask = window.watched ? watched.ask : requestAnimationFrame;
 ask(() => ask(look));
 """
 
-KEYS = {  # code: (key, Windows' number of it)
+KEYS = {  # code: (key, Windows key code)
     "Enter": ("Enter", 13), "Escape": ("Escape", 27), "Tab": ("Tab", 9), "Backspace": ("Backspace", 8), "Home": ("Home", 36),
     "End": ("End", 35), "PageDown": ("PageDown", 34), "PageUp": ("PageUp", 33), "F1": ("F1", 112), "F12": ("F12", 123),
     "Minus": ("-", 189), "Period": (".", 190), "ControlLeft": ("Control", 17), "ShiftLeft": ("Shift", 16),
@@ -88,7 +88,7 @@ CTRL, SHIFT = 2, 8
 
 
 class Server:
-    """The folder on 127.0.0.1, as any static server gives it."""
+    """Serves the folder on 127.0.0.1, like any static server."""
 
     def __init__(self, folder):
         class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -105,14 +105,14 @@ class Server:
 
 
 class Checked(unittest.TestCase):
-    """Ends with nothing that self.page complains of."""
+    """Fails if self.page has complaints at the end."""
 
     def tearDown(self):
         self.assertEqual(self.page.complaints(), [])
 
 
 class Test(Checked):
-    """All of one page, made with these `options` of Page."""
+    """All tests share one page, made with these `options` of Page."""
     options = {}
 
     @classmethod
@@ -122,8 +122,8 @@ class Test(Checked):
 
 
 class Page:
-    """One Chromium with a profile of its own. `size` in units of the page, `scale` pixels in each of them; `may_keep`: its
-    person lets sites keep data."""
+    """One Chromium with its own profile. `size` in page units of `scale` pixels each; `may_keep`: the user lets sites store
+    data."""
 
     def __init__(self, angle=MESA, size=(1280, 720), scale=1, touch=False, folder=None, may_keep=True):
         self.size, self.scale = size, scale
@@ -168,11 +168,11 @@ class Page:
         return self.driver.execute_cdp_cmd(command, values)
 
     def js(self, script, *values):
-        """The value of an expression, in which `arguments` are the values."""
+        """Returns the value of an expression, in which `arguments` are the values."""
         return self.driver.execute_script("return " + script, *values)
 
     def ask(self, name, *values):
-        """What a function of app/browser gives as a text."""
+        """Returns the text from a function of app/browser."""
         return self.js("page.ask(arguments[0], ...arguments[1])", name, list(values))
 
     def resize(self, size, scale=1):
@@ -180,13 +180,13 @@ class Page:
         self.cdp("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=scale, mobile=False)
 
     def open(self, fragment="", address=None):
-        """A fresh page, also where only the fragment differs from the present one's."""
+        """Opens a fresh page, even if only the fragment differs."""
         self.driver.get("about:blank")
         self.driver.get((address or self.server.address) + fragment)
         self.settle()
 
     def open_link(self, fragment):
-        """Another link in the same page, as when somebody types it into the address."""
+        """Opens another link in the same page, as when it is typed into the address bar."""
         self.driver.execute_async_script("""
             const [fragment, done] = arguments;
             if (location.hash === fragment) return done();
@@ -194,10 +194,10 @@ class Page:
             location.hash = fragment;""", fragment)
 
     def travel(self, steps):
-        """Back, negative, or forward."""
+        """Goes back (negative) or forward."""
         self.driver.execute_async_script("""
             const [steps, done] = arguments, before = location.hash;
-            window.addEventListener('popstate', () => {  // where the page opens what the address names now, that comes later
+            window.addEventListener('popstate', () => {  // if the page opens the new address, that happens later
                 if (location.hash === before) setTimeout(done);
                 else window.addEventListener('hashchange', () => setTimeout(done), {once: true});
             }, {once: true});
@@ -214,16 +214,16 @@ class Page:
             raise AssertionError(f"the page does not come to rest: {trouble}; {self.complaints() or self.notice()}")
 
     def until(self, what, condition):
-        """Waits for what comes in its own time: a download, a window of the browser."""
+        """Waits for asynchronous results: a download, a browser window."""
         end = time.monotonic() + PATIENCE_S
         while not (found := condition()):
             if time.monotonic() > end:
-                raise AssertionError(f"{what} does not come")
+                raise AssertionError(f"{what} does not appear")
             time.sleep(0.05)
         return found
 
     def complaints(self):
-        """What the console, WebGL and uncaught errors said since the last call."""
+        """Returns messages of the console, WebGL errors and uncaught errors since the last call."""
         said = [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("WARNING", "SEVERE")]
         with contextlib.suppress(JavascriptException):
             said += self.js("window.watched ? watched.errors.splice(0) : []")
@@ -232,7 +232,7 @@ class Page:
             said += [f"gl.getError() is {error:#x}"] if error else []
         return [line for line in said if not any(re.search(pattern, line) for pattern in HARMLESS)]
 
-    # ---- what the program is at
+    # ---- the program's state
 
     def state(self):
         return json.loads(self.ask("page_state"))
@@ -244,7 +244,7 @@ class Page:
         return value
 
     def told(self):
-        """What a screen reader is given."""
+        """Returns the text for screen readers."""
         return self.ask("page_told")
 
     def link(self):
@@ -263,11 +263,11 @@ class Page:
         return self.js("watched.frames")
 
     def camera(self):
-        """The camera's picture as PNG with its state, without what the window draws over it."""
+        """Returns the camera's picture as PNG with its state, without the window's overlays."""
         return self.bytes_of(self.ask("page_picture", "camera", 0, 0, -1))
 
     def bytes_of(self, path):
-        """A file of the page's own file system."""
+        """Returns a file of the page's own file system."""
         return base64.b64decode(self.js("""(() => {
             const bytes = FS.readFile(arguments[0]), parts = [];
             for (let i = 0; i < bytes.length; i += 32768) parts.push(String.fromCharCode(...bytes.subarray(i, i + 32768)));
@@ -275,23 +275,23 @@ class Page:
         })()""", path))
 
     def screen(self):
-        """What is on screen, as a picture in pixels."""
+        """Returns a screenshot in pixels."""
         data = self.cdp("Page.captureScreenshot", format="png")["data"]
         return Image.open(io.BytesIO(base64.b64decode(data))).convert("RGB")
 
     # ---- places
 
     def places(self):
-        """Every control on screen by window and label, with the rectangle around it in units of the page."""
+        """Returns every control on screen by window and label, with its rectangle in page units."""
         self.js("Module._page_note_places()")
         self.settle(0.05)
         found = json.loads(self.ask("page_places"))
-        above = self.js("document.getElementById('view').getBoundingClientRect().top")  # the bar, where there is one
+        above = self.js("document.getElementById('view').getBoundingClientRect().top")  # the height of the bar, if there is one
         return {name: (x / self.scale, y / self.scale + above, width / self.scale, height / self.scale)
                 for name, (x, y, width, height) in found.items()}
 
     def place(self, label):
-        """The middle of the control whose name ends so."""
+        """Returns the center of the control whose name ends with `label`."""
         places = self.places()
         found = [box for name, box in places.items() if name == label or name.endswith("/" + label)]
         if not found:
@@ -324,7 +324,7 @@ class Page:
         self.settle()
 
     def wheel(self, at, notches):
-        """Away from oneself is positive."""
+        """Positive turns the wheel away from the user."""
         self.mouse("mouseMoved", at)
         self.cdp("Input.dispatchMouseEvent", type="mouseWheel", x=at[0], y=at[1], deltaX=0, deltaY=-100 * notches)
         self.settle()
@@ -351,7 +351,7 @@ class Page:
         self.cdp("Input.dispatchKeyEvent", type="keyUp", modifiers=modifiers, **self.key_event(code))
 
     def press(self, code, modifiers=0, **more):
-        """`more`: commands, what the browser itself does on these keys: paste."""
+        """`more`: commands that the browser itself runs on these keys, such as paste."""
         for bit, held in ((CTRL, "ControlLeft"), (SHIFT, "ShiftLeft")):
             if modifiers & bit:
                 self.key_down(held, modifiers)
@@ -366,7 +366,7 @@ class Page:
         self.settle()
 
     def strike(self, text):
-        """Figures, letters, minus and point, as fast as it goes."""
+        """Types digits, letters, minus and period, as fast as possible."""
         for sign in text:
             self.press({"-": "Minus", ".": "Period"}.get(sign) or ("Digit" if sign.isdigit() else "Key") + sign.upper())
 
@@ -375,7 +375,7 @@ class Page:
         self.settle()
 
     def enter(self, label, text):
-        """Types over a number."""
+        """Replaces a number by typing."""
         self.click(label, count=2)
         self.type(text)
         self.key("Enter")
@@ -383,14 +383,14 @@ class Page:
     # ---- fingers
 
     def fingers(self, kind, *places):
-        """kind: touchStart, touchMove, touchEnd; where all fingers are that touch."""
+        """kind: touchStart, touchMove, touchEnd; `places` of all touching fingers."""
         points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
         self.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=points)
 
     # ---- files and clipboard
 
     def downloaded(self, pattern):
-        """The file that has come under this name, whole; it is taken away."""
+        """Returns the complete download with this name and removes it."""
         def whole():
             files = [file for file in self.downloads.glob(pattern) if file.suffix != ".crdownload"]
             return files[0] if files and not list(self.downloads.glob("*.crdownload")) else None
@@ -399,7 +399,7 @@ class Page:
         return file.rename(self.home / file.name)
 
     def drop(self, file):
-        """A file let fall upon the middle of the page."""
+        """Drops a file onto the center of the page."""
         data = {"items": [], "files": [str(file)], "dragOperationsMask": 1}
         for kind in ("dragEnter", "dragOver", "drop"):
             self.cdp("Input.dispatchDragEvent", type=kind, x=self.size[0] / 2, y=self.size[1] / 2, data=data)

@@ -1,4 +1,4 @@
-"""The sandbox as a part of somebody else's page, which asks and sets by messages."""
+"""The sandbox embedded in another page, which queries and sets values by messages."""
 import base64
 import io
 import json
@@ -38,7 +38,7 @@ const ask = (what) => new Promise((done) => {{
 
 
 class Host(browser.Test):
-    """A page of another origin than the sandbox, with the sandbox in it."""
+    """A page of another origin that embeds the sandbox."""
     fragment = "#embed&preset=teapot&matrices=V"
     def setUp(self):
         self.show(self.fragment)
@@ -51,7 +51,7 @@ class Host(browser.Test):
         self.rest()
 
     def inside(self, script, *values):
-        """An expression in the sandbox's own frame."""
+        """Evaluates an expression in the sandbox's own frame."""
         self.page.driver.switch_to.frame("sandbox")
         try:
             return self.page.js(script, *values)
@@ -81,7 +81,7 @@ class Host(browser.Test):
 
 
 class Embedded(Host):
-    def test_it_tells_its_state_its_matrices_and_its_link(self):
+    def test_it_reports_its_state_matrices_and_link(self):
         state = self.get("state")
         self.assertEqual(state["scene"], native.state("teapot")["scene"])
         self.assertEqual(state["camera"], native.state("teapot")["camera"])
@@ -93,7 +93,7 @@ class Embedded(Host):
                     self.assertAlmostEqual(number, expected_number, delta=1e-12, msg=name)
         self.assertRegex(self.get("link"), "^#1")
 
-    def test_it_greets_when_what_the_address_names_is_shown(self):
+    def test_it_greets_when_the_addressed_state_is_shown(self):
         first = self.page.js("said.find((data) => data.id === 'first')")["answer"]
         self.assertEqual(first["scene"], native.state("teapot")["scene"])
         self.assertEqual(first["view"]["layout"]["matrices"], ["V"])
@@ -117,7 +117,7 @@ class Embedded(Host):
         self.assertEqual(state["projection"]["fovy"], 60)
         self.assertNotEqual(self.picture(), before)
 
-    def test_what_is_wrong_is_a_sentence(self):
+    def test_errors_are_sentences(self):
         before = self.get("state")
         for wrong in ({"set": {"light.positon": [1, 2, 3, 1]}}, {"set": {"projection.near": "here"}}, {"set": {"": 1}},
                       {"set": {"light.position": None}}, {"set": {}}, {"set": 5}, {"set": {"projection.fovy": 33, "projection.nera": 1}},
@@ -128,7 +128,7 @@ class Embedded(Host):
                 self.assertRegex(self.ask(**wrong).get("error", ""), r"^\S[^\n]{10,}$")
         self.assertEqual(self.get("state"), before)
 
-    def test_what_is_allowed_is_named(self):
+    def test_errors_list_the_allowed_values(self):
         for wrong, named in (({"get": "everything"}, ["state", "matrices", "link", "rests", "picture"]), ({}, ["set", "open", "get"]),
                              ({"get": "picture", "wide": 5}, ["view", "size", "samples", "wide"]),
                              ({"get": "picture", "view": "codes"}, ["camera", "depth", "stencil", "window"]),
@@ -137,7 +137,7 @@ class Embedded(Host):
                 for name in named:
                     self.assertIn(name, self.ask(**wrong).get("error", ""))
 
-    def test_open_says_true_when_it_is_there(self):
+    def test_open_answers_when_the_state_is_loaded(self):
         before = self.get("state")
         wrong_field = dict(native.state("curved"), projection={"near": "here"})
         no_mesh = dict(native.state("curved"), scene="nowhere.obj")
@@ -154,7 +154,7 @@ class Embedded(Host):
                 self.assertEqual(self.get("state")["scene"], native.state("curved")["scene"])
                 self.assertEqual(self.get("state")["view"]["layout"]["matrices"], ["V"], "the embedding page's layout")
 
-    def test_a_state_longer_than_the_stack_is_opened_and_one_beyond_the_limit_refused(self):
+    def test_states_beyond_the_stack_open_up_to_the_limit(self):
         text, limit = json.dumps(native.state("curved")), 16 << 20
         for blanks in (1_400_000, limit + 1 - len(text.encode())):
             reply = self.page.driver.execute_async_script(
@@ -166,7 +166,7 @@ class Embedded(Host):
                 self.assertIn(f"{limit:,}", reply["error"])
         self.assertEqual(self.get("state")["scene"], native.state("curved")["scene"])
 
-    def test_a_picture_of_no_size_is_a_sentence(self):
+    def test_an_empty_picture_is_an_error_sentence(self):
         before = self.picture()
         for size in ([20000, 20000], [16385, 1], [1e9, 1e9], [4294967297, 200], [8000, 8000], [0, 10], [0, 0], [-5, 5], [1.5, 2], [5], [1, 2, 3], 5, "x", None,
                      ["a", "b"]):
@@ -179,17 +179,17 @@ class Embedded(Host):
         size = [4096, 4096]
         image = Image.open(io.BytesIO(self.picture(size=size, samples=4)))
         self.assertEqual(list(image.size), size)
-        self.assertEqual(image.convert("RGBA").getextrema()[3], (255, 255), "nothing is transparent")
+        self.assertEqual(image.convert("RGBA").getextrema()[3], (255, 255), "the picture is opaque")
         self.assertGreater(len(image.convert("RGB").resize((256, 256)).getcolors(1 << 20)), 100)
 
-    def test_the_end_of_the_program_is_an_answer(self):
+    def test_the_end_of_the_program_is_reported(self):
         self.inside("setTimeout(() => Module._page_set(0xfffffff0))")
         self.page.until("the message", lambda: self.said("ended"))
         self.assertRegex(self.said("ended")[0]["error"], r"stopped .*\.$")
         self.assertEqual(self.ask(get="state")["error"], self.said("ended")[0]["error"])
-        self.page.complaints()  # the error that was asked for
+        self.page.complaints()  # the expected error
 
-    def test_messages_of_others_are_nobodys_business(self):
+    def test_foreign_messages_are_ignored(self):
         self.page.js("""(() => {
             const there = document.getElementById('sandbox').contentWindow;
             for (const data of [null, 1, 'text', [], {}, {get: 'state'}, {to: 'somebody else', id: 1, get: 'state'}])
@@ -201,7 +201,7 @@ class Embedded(Host):
 
 
 class Address(Host):
-    """What is wrong in it is said in the sandbox and to the host, and what is usual is shown in its place."""
+    """Errors in the address are reported in the sandbox and to the host, and defaults are used instead."""
 
     def test_every_part_is_checked(self):
         for wrong, named in (("big=nonsense", "nonsense"), ("matrices=nonsense", "nonsense"), ("controls=light.positon", "light.positon"),
@@ -217,14 +217,14 @@ class Address(Host):
                 self.rest()
                 places = json.loads(self.inside("page.ask('page_places')"))
                 [(x, y, width, height)] = [box for name, box in places.items() if name.endswith("/Dismiss")]
-                self.assertTrue(0 <= x and x + width <= 800 and 0 <= y and y + height <= 450, "said within the frame")
+                self.assertTrue(0 <= x and x + width <= 800 and 0 <= y and y + height <= 450, "the message fits the frame")
 
 
 class Keyboard(Host):
-    """An embed never takes it unasked, and hands on what it does not use."""
+    """An embed never takes the keyboard focus by itself, and passes on keys that it does not use."""
 
     def strike(self, kind, code, key, number):
-        """In the sandbox's frame, which is a process of its own: DevTools' keys do not find their way into it."""
+        """Strikes a key in the sandbox's frame, a separate process that DevTools' keys do not reach."""
         self.inside("void window.dispatchEvent(new KeyboardEvent(...arguments))", kind,
                     {"code": code, "key": key, "keyCode": number, "bubbles": True, "cancelable": True})
 
@@ -238,7 +238,7 @@ class Keyboard(Host):
         self.page.press("KeyM")
         self.assertEqual(self.page.js("document.getElementById('note').value"), "m")
 
-    def test_keys_of_the_window_are_the_hosts(self):
+    def test_window_keys_belong_to_the_host(self):
         self.point(300, 60)
         before = self.get("state")
         keys = ["PageDown"] * 5 + ["KeyM", "KeyG", "Home", "F1", "Escape", "ArrowRight"]
@@ -252,7 +252,7 @@ class Keyboard(Host):
         self.assertEqual([data["event"]["code"] for data in self.said("key") if data["type"] == "keydown"], keys)
         self.assertEqual(self.said("key")[0]["event"]["keyCode"], 34)
 
-    def test_flying_over_the_picture_and_typing_are_its_own(self):
+    def test_it_keeps_keys_for_flying_and_typing(self):
         self.point(300, 60)
         before = self.get("state")["camera"]["position"]
         self.strike("keydown", "KeyW", "w", 87)
@@ -263,14 +263,14 @@ class Keyboard(Host):
         self.rest()
         self.assertEqual(self.said("key"), [])
         self.strike("keydown", "KeyW", "w", 87)  # the pointer is elsewhere
-        self.page.until("the key that is handed on", lambda: self.said("key"))
+        self.page.until("the key that is passed on", lambda: self.said("key"))
         self.assertEqual({data["event"]["code"] for data in self.said("key")}, {"KeyW"})
 
 
 class KeyboardOfOneOrigin(browser.Checked):
-    """Where the host is of the sandbox's own origin its listeners hear the keys as if they were pressed in it."""
+    """If the host has the sandbox's own origin, its listeners receive the keys as if they were pressed in it."""
 
-    def test_slides_turn_without_a_line_of_script(self):
+    def test_slides_turn_without_a_script(self):
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "viewing").symlink_to(browser.FOLDER)
             pathlib.Path(folder, "index.html").write_text(HOST.format(address="viewing/index.html#embed&preset=teapot"), encoding="utf-8")
@@ -288,7 +288,7 @@ class KeyboardOfOneOrigin(browser.Checked):
 
 
 class Opener(browser.Checked):
-    """A page of another site that has opened the sandbox in a window is not heard."""
+    """A page of another site that opened the sandbox in a window is ignored."""
 
     def test_it_gets_no_answer(self):
         self.page = browser.Page()
@@ -313,12 +313,12 @@ class Opener(browser.Checked):
 
 
 class InTheReadme(browser.Checked):
-    """Its example, put into a page as it is printed, beside the folder that it names."""
+    """The README's example, copied verbatim into a page beside the folder that it names."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        readme = (native.ROOT / "README.md").read_text(encoding="utf-8")
+        readme = (native.ROOT / "sandbox/app/browser/README.md").read_text(encoding="utf-8")
         example = re.search(r"```html\n(<iframe.*?)```", readme, re.DOTALL).group(1)
         pathlib.Path(folder.name, "index.html").write_text("<!DOCTYPE html><title>Slides</title><link rel=icon href=data:,>\n" + example,
                                                          encoding="utf-8")
@@ -329,7 +329,7 @@ class InTheReadme(browser.Checked):
                       source="window.logged = []; console.log = (what) => logged.push(what);")
 
     def logged(self, key):
-        """The first of what the page has logged that has this key."""
+        """Returns the first logged object with this key."""
         return self.page.until(key, lambda: self.page.js("logged.find((what) => what?.[arguments[0]])", key))
 
     def test_the_example_shows_the_matrices_and_turns_the_camera(self):
@@ -352,7 +352,7 @@ class WithoutBars(browser.Checked):
         self.page = browser.Page(size=(800, 450))
         self.addCleanup(self.page.close)
 
-    def test_only_the_view_and_the_chosen_controls(self):
+    def test_only_the_view_and_the_chosen_controls_show(self):
         self.page.open("#embed&preset=teapot")
         self.page.settle(0.5)
         names = self.page.places()
@@ -367,7 +367,7 @@ class WithoutBars(browser.Checked):
         for other in ("fovy", "matrices/R/", "top/"):
             self.assertNotIn(other, names)
 
-    def test_the_address_stays_the_hosts(self):
+    def test_the_address_stays_unchanged(self):
         self.page.open("#embed&preset=teapot")
         self.page.drag((400, 60), (460, 70))
         self.page.settle(0.8)

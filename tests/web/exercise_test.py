@@ -6,7 +6,7 @@ import native
 import student
 
 def shadow_matrix(plane, light):
-    """S = (P·L) I − L Pᵀ, as the lecture has it."""
+    """S = (P·L) I − L Pᵀ, as in the lecture."""
     factor = sum(p * l for p, l in zip(plane, light))
     return [[(factor if row == column else 0) - light[row] * plane[column] for column in range(4)] for row in range(4)]
 
@@ -18,7 +18,7 @@ class Exercise(student.Student, browser.Test):
         header, line = native.run("grade", file, "--set", "E16", "--format", "csv", status=status).decode().splitlines()[:2]
         return dict(zip(header.split(","), line.split(",")))
 
-    def test_what_is_typed_last_is_kept_though_the_page_goes(self):
+    def test_the_last_input_is_saved_when_the_page_closes(self):
         self.page.open()
         self.page.js("localStorage.clear()")  # as another student's browser
         self.open_exercise()

@@ -1,5 +1,5 @@
-"""Times and sizes of the page in both drivers, as a table: nothing here passes or fails. The machine should have nothing
-else to do. Run by tests/web/run --figures."""
+"""Times and sizes of the page in both drivers, as a table: nothing here passes or fails. The machine should be idle.
+Run by tests/web/run --figures."""
 import gzip
 import math
 import pathlib
@@ -11,8 +11,8 @@ import time
 import browser
 import native
 
-# Counts how long the main thread stands still: between two turns of a chain of timers. How much of each gap the page spent
-# in frames, and of that in calls of GL that wait for what was drawn (here a processor draws), is counted beside it.
+# Measures stalls of the main thread: the gaps between consecutive turns of a chain of timers. Beside each gap it counts
+# the time that the page spent in frames, and of that in GL calls that wait for drawing (here a processor draws).
 MEASURE = """(() => {
   const kept = window.kept = {gaps: [], frames: [], frame_ms: 0, gl_ms: 0, draws: 0};
   const timed = (object, name, note) => {
@@ -87,7 +87,7 @@ def in_flight(page, name, act):
     if not frames:
         return row(name, "no frames")
     waits = sum(gl for _, _, gl in measured["gaps"]) / len(frames)
-    row(name, f"{statistics.median(frames):.1f} ms a frame", f"95 %: {frames[int(0.95 * (len(frames) - 1))]:.1f} ms; of it waiting for GL "
+    row(name, f"{statistics.median(frames):.1f} ms a frame", f"95%: {frames[int(0.95 * (len(frames) - 1))]:.1f} ms; of it waiting for GL "
         f"{waits:.1f} ms on average; {len(frames) / took:.1f} frames/s")
 
 
@@ -105,7 +105,7 @@ def hover(page):
 
 
 def stalls(page, name, fragment, act_at):
-    """`act_at`, a function of the page, gets ready and gives the one that acts."""
+    """`act_at`, a function of the page, prepares and returns the function that acts."""
     page.open(fragment)
     act = act_at(page)
     page.js(MEASURE)
@@ -130,7 +130,7 @@ def clicking(label):
 
 
 def dropping_torus(around, along):
-    """A mesh of twice so many triangles as around × along."""
+    """A mesh of 2 × around × along triangles."""
     def act_at(page):
         file = page.home / "torus.obj"
         angles = [[2 * math.pi * i / count for i in range(count)] for count in (around, along)]
@@ -149,8 +149,8 @@ def dropping_torus(around, along):
     return act_at
 
 
-# One mesh that turns, by a well-known library: what a page with a picture costs at the least here.
-THREE = pathlib.Path("/usr/share/javascript/three/three.min.js")  # of Debian's libjs-three
+# One rotating mesh by a well-known library: the least that a page with a picture costs here.
+THREE = pathlib.Path("/usr/share/javascript/three/three.min.js")  # from Debian's libjs-three
 THREE_PAGE = """<!DOCTYPE html><title>one mesh</title><style>body { margin: 0 } canvas { display: block }</style>
 <script src="three.min.js"></script><script>
   const canvas = document.body.appendChild(document.createElement('canvas'));
@@ -174,7 +174,7 @@ THREE_PAGE = """<!DOCTYPE html><title>one mesh</title><style>body { margin: 0 } 
 
 
 def one_mesh_by_three(driver):
-    """The same figures of a page of one mesh of 4,096 triangles."""
+    """The same figures for a page with one mesh of 4,096 triangles."""
     with tempfile.TemporaryDirectory() as folder:
         shutil.copy(THREE, folder)
         pathlib.Path(folder, "index.html").write_text(THREE_PAGE.replace("<script>", "<body><script>"), encoding="utf-8")
@@ -192,7 +192,7 @@ def one_mesh_by_three(driver):
             time.sleep(3)
             frames = sorted(page.js("frames"))
             row("three.js, one mesh: turning", f"{statistics.median(frames):.1f} ms a frame",
-                f"95 %: {frames[int(0.95 * (len(frames) - 1))]:.1f} ms; {len(frames) / 3:.1f} frames/s")
+                f"95%: {frames[int(0.95 * (len(frames) - 1))]:.1f} ms; {len(frames) / 3:.1f} frames/s")
 
 
 def main():

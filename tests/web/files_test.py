@@ -1,4 +1,4 @@
-"""Files in and out: dropped, chosen, downloaded; and what the browser keeps for the next time."""
+"""Files in and out: dropped, chosen, downloaded; and data that the browser keeps between visits."""
 import json
 import unittest
 
@@ -32,7 +32,7 @@ class Files(browser.Test):
         self.assertRegex(self.page.field("scene"), r"tetrahedron 네 면\.obj$")
         self.assertGreater(native.share_beyond(30, before, self.page.screen()), 0.01)
 
-    def test_a_broken_file_is_one_sentence(self):
+    def test_a_broken_file_is_reported_in_one_sentence(self):
         before, silence = self.page.state(), self.page.told()
         self.page.drop(self.file("broken.json", '{"camera": '))
         said = self.page.told().replace(silence, "").strip()
@@ -45,7 +45,7 @@ class Files(browser.Test):
         self.page.cdp("Page.setInterceptFileChooserDialog", enabled=True)
         self.page.click("top/File")
         self.page.click("Open…")
-        self.page.until("the browser's question for a file", lambda: self.page.js("window.is_asked === true"))
+        self.page.until("the browser's file dialog", lambda: self.page.js("window.is_asked === true"))
         self.page.cdp("Page.setInterceptFileChooserDialog", enabled=False)
         path = self.file("chosen.json", json.dumps(native.state("curved")))
         self.page.driver.find_element("id", "file").send_keys(str(path))
@@ -67,7 +67,7 @@ class Files(browser.Test):
         self.page.click("Save")
         self.assertEqual(native.state(self.page.downloaded("*.json")), self.page.state())
 
-    def test_a_link_is_copied_that_leads_to_this_page(self):
+    def test_a_copied_link_leads_to_this_page(self):
         self.page.enter("projection/fovy", "55")
         self.page.click("top/File")
         self.page.click("Copy link")
@@ -75,14 +75,14 @@ class Files(browser.Test):
 
 
 class Kept(browser.Checked):
-    """What is there again after the page was closed: looks and progress, in this browser alone."""
+    """Data that survives closing the page: looks and progress, only in this browser."""
 
     def setUp(self):
         self.page = browser.Page()
         self.addCleanup(self.page.close)
         self.page.open()
 
-    def test_theme_and_language(self):
+    def test_theme_and_language_are_kept(self):
         self.page.click("top/Look")
         self.page.click("Light")
         self.page.click("한국어")
@@ -94,7 +94,7 @@ class Kept(browser.Checked):
         self.assertEqual((looks["theme"], looks["language"]), ("light", "ko"))
         self.assertEqual(self.page.js("document.documentElement.lang"), "ko")
 
-    def test_how_far_one_is_in_a_lesson(self):
+    def test_progress_in_a_lesson_is_kept(self):
         self.page.open("#lesson=lens")
         for _ in range(4):
             self.page.key("PageDown")
@@ -104,7 +104,7 @@ class Kept(browser.Checked):
         self.page.click("card 3")
         self.assertEqual(self.page.opened(), "#lesson=lens&step=3")
 
-    def test_nothing_is_kept_elsewhere_and_nothing_is_fetched_from_elsewhere(self):
+    def test_nothing_is_kept_or_fetched_elsewhere(self):
         self.assertEqual(self.page.js("document.cookie"), "")
         places = self.page.js("performance.getEntriesByType('resource').map((entry) => entry.name)")
         self.assertEqual([place for place in places if not place.startswith((self.page.server.address, "data:", "blob:"))], [])

@@ -1,5 +1,5 @@
-"""A Firefox over Marionette, its own protocol on a socket: Debian 12 packages Firefox, but no geckodriver. It gives
-WebGL 2 on a display alone, so Xvfb is one; headless it has none."""
+"""A Firefox over Marionette, its own protocol on a socket: Debian 12 packages Firefox, but no geckodriver. It has
+WebGL 2 only with a display, not headless, so Xvfb provides one."""
 import base64
 import io
 import json
@@ -15,8 +15,8 @@ from PIL import Image
 
 PATIENCE_S = 120
 SETTINGS = {
-    "marionette.port": 0,  # any that is free
-    "webgl.force-enabled": True,  # with a software driver too
+    "marionette.port": 0,  # any free port
+    "webgl.force-enabled": True,  # even with a software driver
     "browser.shell.checkDefaultBrowser": False, "datareporting.policy.dataSubmissionEnabled": False, "app.update.enabled": False,
     "network.captive-portal-service.enabled": False, "network.connectivity-service.enabled": False,
     "browser.startup.homepage_override.mstone": "ignore", "browser.newtabpage.enabled": False,
@@ -24,7 +24,7 @@ SETTINGS = {
 
 
 class Firefox:
-    """One Firefox on a display of its own, with a profile of its own."""
+    """One Firefox with its own display and profile."""
 
     def __init__(self, size=(1280, 720)):
         self.home = pathlib.Path(tempfile.mkdtemp(prefix="web-test-firefox-"))
@@ -49,7 +49,7 @@ class Firefox:
                                                stderr=subprocess.DEVNULL, **more))
 
     def display(self):
-        """Xvfb chooses a number that is free and writes it."""
+        """Xvfb chooses a free number and writes it."""
         ours, its = os.pipe()
         self.begin("Xvfb", "-displayfd", str(its), "-screen", "0", "1600x1000x24", "-nolisten", "tcp", pass_fds=[its])
         os.close(its)
@@ -60,7 +60,7 @@ class Firefox:
 
     def connected(self):
         end = time.monotonic() + PATIENCE_S
-        while True:  # the port is written as soon as it is listened to
+        while True:  # the port is written once Firefox listens to it
             try:
                 port = int((self.home / "MarionetteActivePort").read_text())
                 return socket.create_connection(("127.0.0.1", port), timeout=PATIENCE_S + 10)
@@ -93,12 +93,12 @@ class Firefox:
         self.call("WebDriver:Navigate", url=address)
 
     def js(self, expression):
-        """Its value, with all that the page's scripts have declared: of a const a script of Marionette's knows nothing."""
+        """Returns the expression's value in the page's own scope, since Marionette's scripts do not see the page's constants."""
         script = "return window.eval(arguments[0])"
         return self.call("WebDriver:ExecuteScript", script=script, args=[expression], sandbox=None)["value"]
 
     def wait(self, script, *values):
-        """The value that a script gives to its last argument, in its own time."""
+        """Returns the value that a script passes to its last argument asynchronously."""
         return self.call("WebDriver:ExecuteAsyncScript", script=script, args=list(values), sandbox=None)["value"]
 
     def screen(self):

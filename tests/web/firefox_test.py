@@ -1,4 +1,4 @@
-"""The page in another browser: Firefox opens it, draws presets as natively, and takes a key."""
+"""The page in another browser: Firefox opens it, draws presets like the desktop program, and accepts a key."""
 import base64
 import json
 import shutil
@@ -10,13 +10,13 @@ import browser
 import firefox
 import native
 
-BEYOND = 8, 0.01  # levels, share: antialiased edges are another driver's
+BEYOND = 8, 0.01  # levels, share: another driver's antialiasing
 
 OPEN = """
 const [fragment, done] = arguments;
-if (location.hash === fragment) return done();
-window.addEventListener('hashchange', () => setTimeout(done), {once: true});  // the page's own comes before
+const look = () => UTF8ToString(Module._page_opened()) === fragment ? done() : setTimeout(look, 20);
 location.hash = fragment;
+look();
 """
 SETTLE = """
 const [done] = arguments;
@@ -27,7 +27,7 @@ const look = (times) => {
 };
 look(0);
 """
-# The page's own script: timers of Marionette's end with its call.
+# Inserted into the page, since timers of Marionette's scripts end with the call.
 TURNS = "var turns = 0; (function turn() { ++turns; setTimeout(turn); })();"
 PICTURE = """(() => {
   const picture = page.ask('page_picture', 'camera', 0, 0, -1);
@@ -50,7 +50,7 @@ class Firefox(unittest.TestCase):
             raise unittest.SkipTest("Firefox gives no WebGL 2 here")
         cls.firefox.wait(SETTLE)
 
-    def test_presets_are_as_natively(self):
+    def test_presets_match_the_desktop_program(self):
         for name in ("teapot", "curved", "mirrors-facing"):
             with self.subTest(name):
                 self.firefox.wait(OPEN, f"#preset={name}")
@@ -76,7 +76,7 @@ class Firefox(unittest.TestCase):
         after = json.loads(self.firefox.js("UTF8ToString(Module._page_state())"))["camera"]
         self.assertNotEqual(after["position"], before["position"])
 
-    def test_long_work_goes_on_between_frames(self):
+    def test_long_work_continues_between_frames(self):
         self.firefox.wait(OPEN, native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
         self.firefox.wait(SETTLE)
         self.firefox.js("Module._page_note_places()")
@@ -88,7 +88,7 @@ class Firefox(unittest.TestCase):
             {"type": "pointerMove", "x": round(left + width / 2), "y": round(top + height / 2)}, {"type": "pause", "duration": 200},
             {"type": "pointerDown", "button": 0}, {"type": "pause", "duration": 100}, {"type": "pointerUp", "button": 0},
             {"type": "pause", "duration": 500}]}])
-        self.assertEqual(self.firefox.js("Module._page_rests()"), 0, "it is being measured")
+        self.assertEqual(self.firefox.js("Module._page_rests()"), 0, "the measurement is running")
         before = self.firefox.js("turns")
         self.firefox.wait(SETTLE)
         self.assertGreater(self.firefox.js("turns"), before + 20)

@@ -1,4 +1,4 @@
-"""Mouse, keys, fingers and clipboard, as the browser brings them; what came of them is read from the state."""
+"""Mouse, keys, fingers and clipboard through the browser; their effect is read from the state."""
 import json
 import math
 import unittest
@@ -6,11 +6,11 @@ import unittest
 import browser
 import native
 
-VIEW = (380, 150)  # in the camera's view, where neither a handle nor an object is in the way of a drag
+VIEW = (380, 150)  # in the camera's view, away from handles and objects
 
 
 def ahead(camera):
-    """The direction that the camera looks in."""
+    """Returns the direction in which the camera looks."""
     yaw, pitch = math.radians(camera["yaw"]), math.radians(camera["pitch"])
     return -math.sin(yaw) * math.cos(pitch), math.sin(pitch), -math.cos(yaw) * math.cos(pitch)
 
@@ -35,8 +35,8 @@ class Input(browser.Test):
         self.page.click("depth/Depth test")
         self.assertFalse(self.page.field("depth.test"))
 
-    def test_a_click_that_is_over_within_a_frame_counts(self):
-        """Pressed and let go before the page has drawn once."""
+    def test_a_click_within_one_frame_counts(self):
+        """Pressed and released before the page has drawn once."""
         at = self.page.place("depth/Depth test")
         self.page.mouse("mouseMoved", at)
         self.page.settle()
@@ -65,7 +65,7 @@ class Input(browser.Test):
         self.assertLess(self.page.place("projection/fovy")[1], above)
         self.assertEqual(self.page.state()["camera"], before)
 
-    def test_the_pointer_takes_the_shape_of_what_it_is_over(self):
+    def test_the_pointer_changes_its_shape_over_controls(self):
         shape = lambda: self.page.js("document.getElementById('view').style.cursor")
         self.page.click("projection/fovy", count=2)
         self.assertEqual(shape(), "text")
@@ -76,7 +76,7 @@ class Input(browser.Test):
 
     # ---- keys
 
-    def test_w_flies_as_long_as_it_is_held(self):
+    def test_w_flies_while_held(self):
         before = self.page.state()["camera"]
         self.page.mouse("mouseMoved", VIEW)
         self.page.key_down("KeyW")
@@ -85,7 +85,7 @@ class Input(browser.Test):
         self.page.settle()
         after = self.page.state()["camera"]
         self.assertGreater(along(ahead(before), before["position"], after["position"]), 0)
-        self.assertEqual(self.page.state()["camera"], after, "it goes on after the key was let go")
+        self.assertEqual(self.page.state()["camera"], after, "it continues after the key was released")
 
     def test_a_number_is_typed(self):
         self.page.enter("projection/fovy", "55")
@@ -110,7 +110,7 @@ class Input(browser.Test):
         self.page.key("KeyZ", browser.CTRL | browser.SHIFT)
         self.assertEqual(self.page.state(), changed)
 
-    def test_a_key_that_was_held_when_the_page_lost_the_keyboard_is_let_go(self):
+    def test_a_held_key_is_released_when_the_page_loses_focus(self):
         self.page.mouse("mouseMoved", VIEW)
         self.page.key_down("KeyW")
         self.page.js("window.dispatchEvent(new Event('blur'))")
@@ -148,7 +148,7 @@ class Input(browser.Test):
 
 class Touch(browser.Checked):
     def setUp(self):
-        # A browser for each: after two fingers Chromium brings no more of them to the next page that is loaded.
+        # One browser per test: after two fingers, Chromium sends no more of them to the next page that is loaded.
         self.page = browser.Page(size=(1024, 768), touch=True)
         self.addCleanup(self.page.close)
         self.page.open()
@@ -168,7 +168,7 @@ class Touch(browser.Checked):
         self.slide([(x, y)], [(x + 40, y)])
         self.assertGreater(self.page.field("projection.fovy"), before + 5)
 
-    def test_one_finger_taps(self):
+    def test_one_finger_taps_a_control(self):
         at = self.page.place("depth/Depth test")
         self.page.fingers("touchStart", at)
         self.page.fingers("touchEnd")
@@ -188,15 +188,15 @@ class Touch(browser.Checked):
         self.assertNotEqual(after["position"], before["position"])
         self.assertAlmostEqual(along(ahead(before), before["position"], after["position"]), 0, delta=0.05)
 
-    def test_after_two_fingers_nothing_is_held(self):
+    def test_two_fingers_leave_nothing_held(self):
         self.slide([(480, 300), (520, 300)], [(400, 300), (600, 300)])
         before = self.page.state()
         self.page.mouse("mouseMoved", (560, 340))
         self.page.settle()
         self.assertEqual(self.page.state(), before)
 
-    def test_a_number_wants_the_keyboard_on_the_screen(self):
-        # Both taps at once: between two commands a busy machine may let the time of a double tap pass.
+    def test_a_number_opens_the_on_screen_keyboard(self):
+        # Both taps in one command: a busy machine may exceed the double-tap time between two commands.
         self.page.js("""(([x, y]) => {
             const canvas = document.getElementById('view');
             canvas.setPointerCapture = () => {};  // knows no finger that is made here
@@ -205,7 +205,7 @@ class Touch(browser.Checked):
         })(arguments[0])""", self.page.place("projection/fovy"))
         self.page.settle()
         self.assertEqual(self.page.js("document.activeElement.id"), "typed")
-        self.page.cdp("Input.insertText", text="62")  # as a keyboard on the screen does: no keys
+        self.page.cdp("Input.insertText", text="62")  # as an on-screen keyboard does: no keys
         self.page.key("Enter")
         self.assertEqual(self.page.field("projection.fovy"), 62)
 

@@ -1,4 +1,4 @@
-"""A lesson from its first step to its last, answered with the mouse and the keyboard, and gone through with a clicker."""
+"""A lesson from its first step to its last, answered by mouse and keyboard, and presented with a clicker."""
 import json
 import unittest
 
@@ -20,24 +20,25 @@ class Lesson(browser.Test):
         self.assertIn(f"{step} / {len(self.lesson['steps'])}", self.page.told())
 
     def has(self, settings):
-        """The state has the values of these fields."""
+        """Checks that the state has these values."""
         for path, value in (settings or {}).items():
             self.assertEqual(self.page.field(path), value, path)
 
     def answer(self, step, position):
-        """The right answer, by mouse and keyboard."""
+        """Gives the right answer by mouse and keyboard."""
         ask = step["ask"]
         if ask["kind"] == "choice":
             right = [number for number, choice in enumerate(ask["choices"], 1) if choice.get("right")]
             self.page.click(f"lesson strip/answers/choice {right[0]}")
             return
-        # The first vector: where V sends the origin, of a camera that is not turned; the second: where the camera is.
+        # The first vector is where V sends the origin, for a camera without rotation; the second is the camera's
+        # position.
         vector = [-value for value in position] if "apply" in ask["expect"] else position
         for name, value in zip("xyz", vector):
             self.page.enter(f"lesson strip/answers/answer/{name}", f"{value:g}")
         self.page.click("lesson strip/Check")
 
-    def test_every_step_answered(self):
+    def test_every_step_can_be_answered(self):
         self.page.open(f"#lesson={self.name}")
         for number, step in enumerate(self.lesson["steps"], 1):
             with self.subTest(step["id"]):
@@ -48,7 +49,7 @@ class Lesson(browser.Test):
                 if step["ask"]["kind"] != "goal":
                     self.answer(step, self.page.field("camera.position"))
                 self.page.mouse("mouseMoved", (600, 200))
-                # Whatever was answered, the next thing is what one would see.
+                # Whatever the answer was, the reveal comes next.
                 if step["reveal"]["say"]["en"] not in self.page.told():
                     self.page.key("PageDown")
                 self.assertIn(step["reveal"]["say"]["en"], self.page.told())
@@ -56,12 +57,12 @@ class Lesson(browser.Test):
                 self.page.key("PageDown")
         self.at(len(self.lesson["steps"]))
 
-    def test_a_wrong_choice_is_told_why(self):
+    def test_a_wrong_choice_is_explained(self):
         self.page.open(f"#lesson={self.name}")
         self.page.click("lesson strip/answers/choice 1")
         self.assertIn(self.lesson["steps"][0]["ask"]["choices"][0]["why"]["en"], self.page.told())
 
-    def test_by_a_clicker_in_front_of_a_room(self):
+    def test_a_clicker_leads_through_the_lesson(self):
         steps = len(self.lesson["steps"])
         self.page.open(f"#lesson={self.name}")
         self.page.key("F5")

@@ -1,4 +1,4 @@
-"""The state in the address: what a link brings, what a broken one says, and what back and forward do."""
+"""The state in the address: opening links, errors of broken ones, and back and forward."""
 import base64
 import json
 import unittest
@@ -8,7 +8,7 @@ import browser
 import native
 
 
-VIEW = (380, 150)  # in the camera's view, where nothing is in the way of looking around
+VIEW = (380, 150)  # in the camera's view, away from handles and objects
 
 
 def fragment_of(data):
@@ -44,13 +44,13 @@ BROKEN = {
 
 
 class Links(browser.Test):
-    def test_a_link_that_the_program_prints_opens_to_the_same_state(self):
+    def test_a_printed_link_opens_the_same_state(self):
         self.page.open(native.fragment("teapot", "--set", "camera.position=[1,2,3]", "--set", "shadow.opacity=0.25"))
         self.assertEqual(self.page.field("camera.position"), [1, 2, 3])
         self.assertEqual(self.page.field("shadow.opacity"), 0.25)
         self.assertEqual(self.page.field("scene"), native.state("teapot")["scene"])
 
-    def test_broken_and_hostile_links_leave_the_opening_state_and_a_sentence(self):
+    def test_broken_links_show_the_opening_state_and_a_sentence(self):
         self.page.open()
         opening, silence = self.page.state(), self.page.told()
         for what, made in BROKEN.items():
@@ -63,17 +63,17 @@ class Links(browser.Test):
                 self.assertEqual(self.page.notice(), "")
                 self.assertEqual(self.page.complaints(), [])
 
-    def test_a_broken_link_leaves_what_is_open(self):
+    def test_a_broken_link_keeps_the_open_state(self):
         self.page.open("#preset=teapot")
         before = self.page.state()
         self.page.go_to("#1broken")
         self.assertEqual(self.page.state(), before)
 
-    def test_back_and_forward_go_through_what_was_opened(self):
+    def test_back_and_forward_visit_opened_states(self):
         self.page.open("#preset=teapot")
         self.page.go_to("#preset=curved")
-        self.page.drag(VIEW, (VIEW[0] + 60, VIEW[1] + 10))  # looks around: no place of its own in the history
-        self.page.settle(0.8)  # the address follows half a second after
+        self.page.drag(VIEW, (VIEW[0] + 60, VIEW[1] + 10))  # looking around adds no history entry
+        self.page.settle(0.8)  # the address follows half a second later
         self.assertRegex(self.page.address(), "^#1")
         self.page.go_to("#preset=room")
         self.page.travel(-1)
@@ -85,7 +85,7 @@ class Links(browser.Test):
         self.page.travel(1)
         self.assertEqual(self.page.opened(), "#preset=room")
 
-    def test_a_reload_brings_what_was_shown(self):
+    def test_a_reload_restores_the_state(self):
         self.page.open("#preset=teapot")
         self.page.drag(VIEW, (VIEW[0] + 60, VIEW[1] + 10))
         self.page.settle(0.8)

@@ -1,4 +1,4 @@
-"""The program as it is built for this machine: what the page is held against."""
+"""The program built for this machine, the reference for the page."""
 import json
 import os
 import pathlib
@@ -11,7 +11,7 @@ PROGRAM = pathlib.Path(os.environ.get("VIEWING_SANDBOX", ROOT / "build/release/v
 
 
 def run(*arguments, status=0):
-    """Standard output, of a call that ends with this status."""
+    """Returns standard output and checks the exit status."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, timeout=300)
     assert done.returncode == status, f"viewing-sandbox {' '.join(map(str, arguments))}: {done.stderr.decode().strip()}"
     return done.stdout
@@ -26,7 +26,7 @@ def state(argument="opening", *more):
 
 
 def fragment(argument="opening", *more):
-    """What stands behind an address for this state: "#1…"."""
+    """Returns the address fragment of this state: "#1…"."""
     return "#" + run("state", "--link", *more, "--", argument).decode().strip().split("#", 1)[1]
 
 
@@ -36,13 +36,13 @@ def camera(argument, size, to, *more):
 
 
 def share_beyond(levels, one, other):
-    """The share of the pixels a channel of which differs by more than so many levels of 255."""
+    """Returns the share of pixels with a channel that differs by more than `levels` of 255."""
     red, green, blue = ImageChops.difference(one, other).split()
     worst = ImageChops.lighter(ImageChops.lighter(red, green), blue).histogram()
     return sum(worst[levels + 1:]) / sum(worst)
 
 
 def parameters(argument):
-    """Of a state its fields alone, without what a file says about itself."""
+    """Returns only the fields of a state, without the file's description of itself."""
     told = ("title", "about", "group", "mended_by")
     return {name: value for name, value in state("--", argument).items() if name not in told}

@@ -21,7 +21,7 @@ class Page(browser.Test):
     def fetched(self):
         return self.page.js("performance.getEntriesByType('resource').map((entry) => entry.name.split('/').pop())")
 
-    def test_it_has_a_name_a_language_and_words_for_screen_readers(self):
+    def test_it_has_a_title_a_language_and_text_for_screen_readers(self):
         self.page.open("#preset=teapot")
         self.page.settle(0.8)
         self.assertRegex(self.page.driver.title, "Viewing")
@@ -37,7 +37,7 @@ class Page(browser.Test):
         self.page.settle(1.5)
         before = self.page.frames()
         self.page.driver.execute_async_script("setTimeout(arguments[0], 3000)")
-        self.assertEqual(self.page.frames() - before, 0, "frames in three seconds in which nothing happens")
+        self.assertEqual(self.page.frames() - before, 0, "frames in three idle seconds")
 
     def test_it_follows_the_size_of_the_window(self):
         self.page.open()
@@ -53,10 +53,10 @@ class Page(browser.Test):
                 self.assertLessEqual(right, size[0] + 1, "a control beyond the edge")
         self.assertEqual(self.page.state(), state)
 
-    def test_two_pixels_for_each_unit(self):
+    def test_it_supports_two_pixels_per_unit(self):
         self.page.open()
         at = self.page.place("projection/fovy")
-        # A little smaller, too: of another scale alone, DevTools' emulation tells the page nothing.
+        # The size also changes a little, because DevTools' emulation does not report a change of scale alone.
         self.page.resize((1270, 710), 2)
         self.page.until("a canvas of 2540×1420", lambda: self.canvas() == (2540, 1420))
         self.page.settle()
@@ -66,7 +66,7 @@ class Page(browser.Test):
         self.page.enter("projection/fovy", "55")
         self.assertEqual(self.page.field("projection.fovy"), 55)
 
-    def test_people_who_are_disturbed_by_motion_see_the_end_at_once(self):
+    def test_with_reduced_motion_reveals_are_instant(self):
         self.page.cdp("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
         self.addCleanup(self.page.cdp, "Emulation.setEmulatedMedia", features=[])
         self.page.open("#lesson=view-is-the-inverse")
@@ -75,7 +75,7 @@ class Page(browser.Test):
         self.assertEqual(self.page.field("camera.position"), [0, 0.9, 10])
         self.assertLess(self.page.frames() - before, 15, "frames of a reveal that takes two seconds with motion")
 
-    def test_a_lost_picture_is_told_and_loaded_again(self):
+    def test_a_lost_picture_is_reported_and_reloaded(self):
         self.page.open("#preset=teapot")
         self.page.enter("projection/fovy", "55")
         self.page.settle(0.8)
@@ -85,14 +85,14 @@ class Page(browser.Test):
         self.assertRegex(self.page.notice(), r"^\S.{20,}\.$")
         button = self.page.driver.find_element("css selector", "#notice button")
         self.assertTrue(button.is_displayed())
-        self.page.complaints()  # CONTEXT_LOST_WEBGL is what has been asked for
+        self.page.complaints()  # CONTEXT_LOST_WEBGL is expected
         button.click()
         self.page.until("the page again", lambda: self.page.js("typeof watched !== 'undefined' && watched.frames > 0 && Module.calledRun"))
         self.page.settle()
         self.assertEqual(self.page.notice(), "")
         self.assertEqual(self.page.state(), state)
 
-    def test_it_is_small_and_korean_is_fetched_when_it_is_spoken(self):
+    def test_it_is_small_and_fetches_korean_on_demand(self):
         self.page.open()
         self.assertEqual([name for name in self.fetched() if name in KOREAN], [])
         used = {"index.html", *self.fetched()} - {""}
@@ -101,7 +101,7 @@ class Page(browser.Test):
         self.assertLessEqual(size, MOST_BYTES)
         english = self.page.screen()
         self.page.open(native.fragment("opening", "--set", "ui.language=ko"))
-        if self.page.field("ui.language") != "ko":  # a link carries nobody's looks
+        if self.page.field("ui.language") != "ko":  # a link does not carry the user's looks
             self.page.ask("page_set", 'ui.language="ko"')
             self.page.settle()
         self.page.until("a Korean font", lambda: KOREAN[0] in self.fetched())
@@ -115,7 +115,7 @@ class SingleFile(browser.Checked):
         self.addCleanup(self.page.close)
         self.address = (browser.FOLDER / "viewing-sandbox.html").resolve().as_uri()
 
-    def test_it_opens_from_a_disk_as_from_a_server(self):
+    def test_it_opens_from_a_disk(self):
         self.page.open("#preset=teapot")
         expected = self.page.screen()
         self.page.open("#preset=teapot", self.address)
@@ -124,7 +124,7 @@ class SingleFile(browser.Checked):
         self.page.drag(VIEW, (440, 160))
         self.assertNotEqual(self.page.state()["camera"], native.state("teapot")["camera"])
 
-    def test_korean_from_a_disk(self):
+    def test_korean_works_from_a_disk(self):
         self.page.open("", self.address)
         self.page.click("top/Look")
         self.page.click("한국어")

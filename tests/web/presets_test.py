@@ -1,5 +1,5 @@
-"""Every preset opened in one page: nothing in the console, no error of GL, the link that the program prints for this
-machine, and the camera's picture as the program draws it here. With both of Chromium's software drivers."""
+"""Every preset opened in one page: no console message, no GL error, the link that the desktop program prints, and the
+camera's picture as that program draws it. With both of Chromium's software drivers."""
 import collections
 import io
 import os
@@ -15,15 +15,15 @@ import native
 
 Threshold = collections.namedtuple("Threshold", "levels share reason", defaults=("",))
 
-# Presets that never rest: every frame of them is another picture.
+# Presets that never rest: every frame is a different picture.
 MOVING = {"fighting-jiggle"}
 
-# Of a picture, with the same Mesa as natively: a channel differs by more than so many levels in at most this share.
+# With the same Mesa as the desktop program, at most this share of pixels has a channel that differs by more levels.
 USUAL = Threshold(2, 0.001)
-# Another rasteriser: edges fall on other pixels.
+# Another rasterizer: edges fall on other pixels.
 USUAL_ELSEWHERE = Threshold(8, 0.01)
-LOOSER = {}  # none: it is the same driver
-FIGHTS = Threshold(8, 0.1, "surfaces at equal depth: which wins at a pixel is the last bit of the driver's interpolation")
+LOOSER = {}  # none: the driver is the same
+FIGHTS = Threshold(8, 0.1, "surfaces at equal depth: the last bit of the driver's interpolation decides which wins at a pixel")
 STEP = Threshold(8, 0.04, "the unit of an offset is one step of the depth buffer here, two in Mesa")
 LOOSER_ELSEWHERE = {
     "depth-fighting": FIGHTS, "fighting-divider": FIGHTS, "fighting-decals": FIGHTS, "fighting-decals-equal": FIGHTS,
@@ -42,7 +42,7 @@ class Presets(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
 
-    def test_every_preset_is_as_natively(self):
+    def test_every_preset_matches_the_desktop_program(self):
         self.page.open()
         self.assertEqual(self.page.complaints(), [])
         shares = {}
@@ -50,7 +50,7 @@ class Presets(unittest.TestCase):
             with self.subTest(name):
                 shares[name] = self.look_at(name)
             if native.state(name)["ui"]["theme"] != "dark":
-                self.page.open()  # a preset's theme stays until another one has one, and is part of the link
+                self.page.open()  # a preset's theme stays until another preset sets one, and is part of the link
         equal = sum(share == 0 for share in shares.values())
         worst = max(shares, key=shares.get)
         print(f"{self.driver}: {len(shares)} camera pictures, {equal} without a pixel beyond {self.usual.levels} levels; "
@@ -74,7 +74,7 @@ class Presets(unittest.TestCase):
         return 0 if name in MOVING else self.share_of_camera(name)
 
     def share_of_camera(self, name):
-        """Without multisampling, which is a person's choice and stays from one preset to the next."""
+        """Compares without multisampling, a user setting that persists across presets."""
         page = self.page
         page.ask("page_set", "view.samples=0")
         page.settle()
@@ -95,7 +95,7 @@ class PresetsElsewhere(Presets):
     driver, usual, looser = browser.SWIFTSHADER, USUAL_ELSEWHERE, LOOSER_ELSEWHERE
 
     def names(self):
-        return native.presets() if os.environ.get("WEB_ALL") else native.presets()[::4]
+        return native.presets() if os.environ.get("TEST_ALL") else native.presets()[::4]
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What the browser keeps, and what is said and offered where it keeps nothing."""
+"""Data kept by the browser, and the messages and offers when it keeps nothing."""
 import contextlib
 import json
 import os
@@ -41,7 +41,7 @@ class NotKept(student.Student, browser.Checked):
         return self.page.js("document.getElementById('bar').hidden ? '' : document.getElementById('bar-text').textContent")
 
     def press(self, label):
-        """A button of the bar."""
+        """Returns a button of the bar."""
         [button] = [button for button in self.page.driver.find_elements("css selector", "#bar button") if button.text == label]
         button.click()
         self.page.settle()
@@ -51,7 +51,7 @@ class NotKept(student.Student, browser.Checked):
         self.assertEqual(hand_in["student"], student.NUMBER)
         return [attempt["answer"][0][0] for item in hand_in["items"] for attempt in item["attempts"]]
 
-    def test_a_full_storage_is_said_until_the_answers_are_saved(self):
+    def test_full_storage_is_reported_until_answers_are_saved(self):
         self.open_exercise()
         self.page.settle(0.8)
         self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
@@ -59,7 +59,7 @@ class NotKept(student.Student, browser.Checked):
         self.answer(7)
         self.page.settle(0.8)
         self.assertRegex(self.bar(), r"full.* \d\d:\d\d .*lost when it closes\.$")
-        self.assertTrue(self.page.js(IS_ASKED), "the page asks before it goes")
+        self.assertTrue(self.page.js(IS_ASKED), "the page asks before it closes")
         bottom = self.page.js("document.getElementById('bar').getBoundingClientRect().bottom")
         self.assertEqual(self.page.js("document.getElementById('view').getBoundingClientRect().top"), bottom, "nothing is covered")
         self.press("Save answers")
@@ -67,26 +67,26 @@ class NotKept(student.Student, browser.Checked):
         self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
         self.answer(8)
         self.page.settle(0.8)
-        self.assertNotEqual(self.bar(), "", "what came after is not saved")
+        self.assertNotEqual(self.bar(), "", "later answers are not saved")
         self.page.js("localStorage.clear()")
         self.answer(9)
         self.page.settle(0.8)
         self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
         self.assertIn("32201234", self.page.js("Object.keys(localStorage).join()"))
 
-    def test_the_browser_is_asked_once_to_keep_answers_when_its_disk_is_full(self):
+    def test_the_browser_is_asked_once_for_persistent_storage(self):
         self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source="""
             window.asked = 0;
             if (navigator.storage) navigator.storage.persist = async () => { ++window.asked; return true; };""")
         self.open_exercise()
         self.page.settle(0.8)
-        self.assertEqual(self.page.js("asked"), 0, "looks are no reason")
+        self.assertEqual(self.page.js("asked"), 0, "looks alone are no reason")
         for number in (7, 8):
             self.answer(number)
             self.page.settle(0.8)
             self.assertEqual(self.page.js("asked"), 1)
 
-    def test_a_program_that_stops_offers_what_was_never_kept(self):
+    def test_a_stopped_program_offers_unsaved_answers(self):
         self.open_exercise()
         self.page.js(FILL)
         self.answer(7)
@@ -98,7 +98,7 @@ class NotKept(student.Student, browser.Checked):
         self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
         self.page.complaints()  # the trap
 
-    def test_where_nothing_may_be_kept_looks_and_answers_are_said(self):
+    def test_blocked_storage_is_reported_for_looks_and_answers(self):
         self.page.close()
         self.page = browser.Page(size=(1600, 900), may_keep=False)
         self.page.open()
@@ -106,17 +106,17 @@ class NotKept(student.Student, browser.Checked):
                          "SecurityError", "as in a frame of another site, or with sandbox")
         self.sign_in()
         self.page.settle(0.8)
-        self.assertRegex(self.bar(), r"keep nothing.*theme.*closes\.$")
+        self.assertRegex(self.bar(), r"not let this page save anything.*theme.*closes\.$")
         self.press("Hide")
         self.assertEqual(self.bar(), "")
         self.choose_exercise()
         self.answer(7)
         self.page.settle(0.8)
-        self.assertRegex(self.bar(), r"keep nothing.*answers since \d\d:\d\d .*closes\.$")
+        self.assertRegex(self.bar(), r"not let this page save anything.*answers since \d\d:\d\d .*closes\.$")
         self.press("Save answers")
         self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
 
-    def test_an_embed_says_nothing_of_looks(self):
+    def test_an_embed_does_not_mention_looks(self):
         self.page.open("#embed&preset=teapot")
         self.page.js(FILL)
         self.page.js(KEEP_LOOKS)
@@ -126,8 +126,8 @@ class NotKept(student.Student, browser.Checked):
         self.assertNotEqual(self.bar(), "")
 
 
-# In a tab: `hand_in`, of one attempt, comes from elsewhere `count` times, each with a number of its own from `first` on.
-# The program merges each with what it has and writes all. Resolves when all is kept.
+# In a tab: `hand_in`, with one attempt, arrives from another tab `count` times, each with its own number from `first`
+# on. The program merges each with its own data and writes all. Resolves when everything is saved.
 WRITE = """
 const [name, hand_in, first, count, done] = arguments;
 const [attempt] = hand_in.items[0].attempts;
@@ -145,7 +145,7 @@ next();
 
 
 class TwoTabs(student.Student, browser.Checked):
-    """Tabs of one browser write the same files: nothing that one of them has kept is lost by the other."""
+    """Tabs of one browser write the same files: neither loses data saved by the other."""
 
     def setUp(self):
         self.page = browser.Page(size=(1600, 900))
@@ -157,7 +157,7 @@ class TwoTabs(student.Student, browser.Checked):
         self.choose_exercise()
 
     def open_tab(self):
-        """A window of its own: a tab behind another one draws nothing, and its timers come once a second."""
+        """Opens a separate window, because a hidden tab draws nothing and its timers run once a second."""
         self.page.driver.switch_to.new_window("window")
         self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source=browser.WATCH)
         self.page.resize((1600, 900))
@@ -165,7 +165,7 @@ class TwoTabs(student.Student, browser.Checked):
         return self.page.driver.current_window_handle
 
     def kill(self, tab):
-        """As when its process is killed; another one takes its place."""
+        """Simulates a killed process; another one replaces it."""
         self.to(tab)
         with contextlib.suppress(WebDriverException):
             self.page.cdp("Page.crash")
@@ -182,11 +182,11 @@ class TwoTabs(student.Student, browser.Checked):
         return json.loads(self.page.js("localStorage.getItem(arguments[0])", KEPT + name))
 
     def keep(self, name, text):
-        """As another tab of which no event has come yet: of a tab's own writes none does."""
+        """Writes as another tab would, before its event arrives: a tab gets no events of its own writes."""
         self.page.js("localStorage.setItem(arguments[0], arguments[1])", KEPT + name, text)
 
     def with_another(self, number):
-        """What is kept, one attempt, and one more."""
+        """Returns the saved hand-in, one attempt, and another one."""
         hand_in = self.kept(ANSWERS)
         [item] = hand_in["items"]
         [attempt] = item["attempts"]
@@ -205,8 +205,8 @@ class TwoTabs(student.Student, browser.Checked):
             self.to(tab)
             self.page.until("all four", lambda: self.answers() == [1, 2, 3, 4])
 
-    def test_what_is_written_at_the_same_moment_is_merged(self):
-        """Storage that tells this tab nothing of the other's write, as between two processes."""
+    def test_simultaneous_writes_are_merged(self):
+        """This tab gets no event for the other's write, as between two processes."""
         self.to(0)
         self.answer(1)
         self.page.settle(0.8)
@@ -232,7 +232,7 @@ class TwoTabs(student.Student, browser.Checked):
         self.page.settle(0.8)
         self.page.until("both", lambda: self.kept("window.json").get("theme") == "light" and self.kept("window.json")["lessons"]["lens"]["step"] == 4)
 
-    def test_what_another_writes_while_this_one_loads_is_merged(self):
+    def test_writes_during_loading_are_merged(self):
         self.to(0)
         self.answer(1)
         self.page.settle(0.8)
@@ -251,10 +251,10 @@ class TwoTabs(student.Student, browser.Checked):
         self.answer(2)
         self.page.until("all three", lambda: self.answers() == [1, 2, 5])
 
-    def test_writes_of_two_windows_that_are_killed_are_all_kept(self):
-        """Both write at once; one of them is killed as soon as its own are kept, and another takes its place. About 250
-        writes; 1,000 with WEB_ALL=1."""
-        seed, rounds = 20261126, 6 if "WEB_ALL" in os.environ else 2
+    def test_all_writes_of_killed_windows_are_kept(self):
+        """Both write in parallel; one is killed as soon as its own writes are saved, and another replaces it. About 250
+        writes; 1,000 with TEST_ALL=1."""
+        seed, rounds = 20261126, 6 if "TEST_ALL" in os.environ else 2
         random_number = random.Random(seed)
         self.to(0)
         self.answer(0)
@@ -276,7 +276,7 @@ class TwoTabs(student.Student, browser.Checked):
         lost = sorted(expected - set(self.answers()))
         self.assertEqual(lost, [], f"{len(lost)} of {len(expected)}; seed {seed}")
 
-    def test_what_cannot_be_read_is_kept_under_another_name(self):
+    def test_unreadable_data_is_kept_under_another_name(self):
         self.keep(ANSWERS, "{cut off")
         self.page.driver.refresh()
         self.page.settle()

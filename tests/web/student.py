@@ -1,11 +1,11 @@
-"""A student at an exercise of the page: what the tests of answers and of their keeping have in common."""
+"""A student at an exercise of the page: shared by the tests of answers and of their storage."""
 import browser
 
 NUMBER, COURSE = "32201234", "viewing-2026"
 
 
 class Student:
-    """For a test with a page 1600 × 900."""
+    """For tests with a page of 1600 × 900."""
 
     def fill_in(self, label, text):
         self.page.click(label)
@@ -13,7 +13,7 @@ class Student:
         self.page.type(text)
 
     def type_matrix(self, matrix):
-        """From entry to entry by Tab, faster than the page draws."""
+        """Types from entry to entry by Tab, faster than the page draws."""
         self.page.click("lesson strip/answers/answer/r0c0", count=2)
         for row in matrix:
             for number in row:
@@ -35,7 +35,7 @@ class Student:
         self.page.key("Enter")
 
     def choose_exercise(self):
-        """The one of the shadow's matrix, on the page of exercises."""
+        """Opens the exercise on the shadow matrix from the exercise page."""
         page = self.page
         while (at := page.place("exercises/card 16"))[1] > 850:
             page.wheel((800, 600), -2)
@@ -47,7 +47,7 @@ class Student:
         self.choose_exercise()
 
     def answer(self, number):
-        """Types one number of the matrix and has it checked."""
+        """Types one number of the matrix and presses Check."""
         self.page.click("lesson strip/answers/answer/r0c0", count=2)
         self.page.type(f"{number:g}")
         self.page.key("Enter")

@@ -1,4 +1,4 @@
-"""What goes wrong with the page as a whole: texts that are too long, a program that stops, files that do not come."""
+"""Failures of the page as a whole: texts that are too long, a program that stops, missing files."""
 import json
 import pathlib
 import shutil
@@ -9,7 +9,7 @@ import browser
 import native
 
 LIMIT = 16 << 20  # bytes of a text, as on the command line
-STACK = 1_310_720  # characters that the program's stack once had room for
+STACK = 1_310_720  # characters that once fit on the program's stack
 PASTE = """(() => {
     const clipboard = new DataTransfer();
     clipboard.setData('text/plain', arguments[0] + ' '.repeat(arguments[1]));
@@ -19,7 +19,7 @@ ANSWERS = "/home/web_user/.config/viewing-sandbox/answers/viewing-2026~32201234.
 
 
 def keep_answers(page):
-    """A hand-in in the browser's storage; returns it."""
+    """Puts a hand-in into the browser's storage and returns it."""
     text = json.dumps({"answers": 1, "program": "", "course": "viewing-2026", "student": "32201234", "name": "", "items": []})
     page.js("localStorage.setItem('viewing-sandbox:' + arguments[0], arguments[1])", ANSWERS, text)
     return text
@@ -37,7 +37,7 @@ class LongTexts(browser.Test):
         self.paste(json.dumps(native.state("curved")), STACK + 100_000)
         self.assertEqual(self.page.field("scene"), native.state("curved")["scene"])
 
-    def test_a_text_that_is_too_long_is_one_sentence_with_size_and_limit(self):
+    def test_a_text_that_is_too_long_is_reported_with_size_and_limit(self):
         before, silence = self.page.state(), self.page.told()
         text = json.dumps(native.state("curved"))
         self.paste(text, LIMIT + 1 - len(text.encode()))
@@ -49,18 +49,18 @@ class LongTexts(browser.Test):
         self.page.enter("projection/fovy", "55")
         self.assertEqual(self.page.field("projection.fovy"), 55)
 
-    def test_the_longest_text_that_is_taken_is_taken(self):
+    def test_a_text_of_the_maximum_length_is_accepted(self):
         text = json.dumps(native.state("curved"))
         self.paste(text, LIMIT - len(text.encode()))
         self.assertEqual(self.page.field("scene"), native.state("curved")["scene"])
 
-    def test_a_link_longer_than_the_stack_is_a_sentence(self):
+    def test_a_link_longer_than_the_stack_is_reported(self):
         before, silence = self.page.state(), self.page.told()
         self.page.go_to("#1" + "A" * (STACK + 1000))
         self.assertRegex(self.page.told().replace(silence, "").strip(), r"^link: .{10,}")
         self.assertEqual(self.page.state(), before)
 
-    def test_a_folder_that_is_dropped_is_a_sentence(self):
+    def test_a_dropped_folder_is_reported(self):
         folder = self.page.home / "folder.json"
         folder.mkdir(exist_ok=True)
         before = self.page.state()
@@ -70,7 +70,7 @@ class LongTexts(browser.Test):
 
 
 class Ended(browser.Test):
-    """The program stops: the last picture stays, and over it is said what has happened and what can be done."""
+    """The program stops: the last picture stays, and a notice over it says what happened and what can be done."""
 
     ENDS = {
         "a trap": "setTimeout(() => Module._page_set(0xfffffff0))",
@@ -81,7 +81,7 @@ class Ended(browser.Test):
     }
 
     def run_script(self, text):
-        """As a script of the page: of one that WebDriver runs itself a page hears no errors."""
+        """Runs as a script of the page, because a page gets no errors of scripts that WebDriver runs."""
         self.page.js("(() => { const made = document.createElement('script'); made.textContent = arguments[0]; document.head.append(made); })()", text)
 
     def end(self, how="a trap"):
@@ -92,10 +92,10 @@ class Ended(browser.Test):
         return {button.text: button for button in self.page.driver.find_elements("css selector", "#notice button")}
 
     def tearDown(self):
-        self.page.complaints()  # the error that was asked for
+        self.page.complaints()  # the expected error
         self.page.js("localStorage.clear()")
 
-    def test_every_end_is_said(self):
+    def test_every_end_is_reported(self):
         for how in self.ENDS:
             with self.subTest(how):
                 self.page.open("#preset=teapot")
@@ -108,15 +108,15 @@ class Ended(browser.Test):
                 self.page.js("window.dispatchEvent(new Event('pagehide'))")
                 self.assertEqual(self.page.frames(), frames)
                 self.page.complaints()
-        self.assertEqual(self.page.js("page.ask('page_state')"), "", "nothing of it runs")
+        self.assertEqual(self.page.js("page.ask('page_state')"), "", "nothing runs any more")
 
-    def test_the_last_picture_is_seen_behind_the_sentence(self):
+    def test_the_last_picture_shows_behind_the_notice(self):
         self.page.open("#preset=teapot")
         before = len(self.page.screen().resize((320, 180)).getcolors(1 << 20))
         self.end()
         self.assertGreater(len(self.page.screen().resize((320, 180)).getcolors(1 << 20)), before / 4)
 
-    def test_load_again_brings_back_what_was_shown(self):
+    def test_load_again_restores_the_state(self):
         self.page.open("#preset=teapot")
         self.page.enter("projection/fovy", "55")
         self.page.settle(0.8)
@@ -127,14 +127,14 @@ class Ended(browser.Test):
         self.page.settle()
         self.assertEqual((self.page.notice(), self.page.state()), ("", state))
 
-    def test_answers_are_offered_from_the_storage(self):
+    def test_stored_answers_are_offered(self):
         self.page.open()
         text = keep_answers(self.page)
         self.end()
         self.buttons()["Save answers of 32201234"].click()
         self.assertEqual(self.page.downloaded("answers-32201234.json").read_text(), text)
 
-    def test_it_is_said_in_korean(self):
+    def test_it_is_reported_in_korean(self):
         self.page.open()
         self.page.click("top/Look")
         self.page.click("한국어")
@@ -143,7 +143,7 @@ class Ended(browser.Test):
         self.assertRegex(self.page.notice(), "[가-힣]{2}.*니다")
         self.assertIn("다시 불러오기", self.buttons())
 
-    def test_what_the_browser_refuses_or_notes_does_not_end_it(self):
+    def test_browser_refusals_and_notes_do_not_end_it(self):
         self.page.open()
         self.run_script("Promise.reject(new DOMException('no', 'NotAllowedError'))")
         self.page.js("window.dispatchEvent(new ErrorEvent('error', {message: 'ResizeObserver loop limit exceeded'}))")
@@ -159,7 +159,7 @@ class Ended(browser.Test):
 
 
 class Missing(unittest.TestCase):
-    """A server that does not give one of the page's files."""
+    """A server that lacks one of the page's files."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="web-test-"))
@@ -171,7 +171,7 @@ class Missing(unittest.TestCase):
         self.page.cdp("Network.enable")
         self.page.cdp("Network.setCacheDisabled", cacheDisabled=True)
 
-    def test_it_is_named_and_answers_are_offered(self):
+    def test_the_missing_file_is_named_and_answers_are_offered(self):
         self.page.open()
         keep_answers(self.page)
         for name in ("kept.js", "page.js", "messages.js", "page.css", "viewing-sandbox.js", "viewing-sandbox.wasm"):
@@ -186,10 +186,10 @@ class Missing(unittest.TestCase):
         (self.folder / "net.js").unlink()
         self.page.driver.get("about:blank")
         self.page.driver.get(self.page.server.address)
-        self.page.until("a sentence of the net that is missing", lambda: "net.js" in self.page.notice())
+        self.page.until("a sentence about the missing net.js", lambda: "net.js" in self.page.notice())
 
     def tearDown(self):
-        pass  # the complaints are what the server has refused, and what follows from it
+        pass  # the complaints are about the missing file and its consequences
 
 
 if __name__ == "__main__":

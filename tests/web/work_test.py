@@ -1,4 +1,4 @@
-"""Long work: it goes on between frames while the page stays usable, and comes to its end."""
+"""Long work continues between frames while the page stays usable, and finishes."""
 import csv
 import re
 import time
@@ -9,15 +9,15 @@ import native
 
 
 class Work(browser.Test):
-    options = {"size": (1280, 1300)}  # high enough that the panel need not be scrolled
+    options = {"size": (1280, 1300)}  # so tall that the panel needs no scrolling
 
-    def test_a_view_is_found_where_the_key_fails(self):
+    def test_it_finds_a_view_where_the_key_fails(self):
         self.page.open(native.fragment("opening", "--set", "scene=sort-key-farthest", "--set", "visibility.method=painter"))
         before = self.page.state()["camera"]
         self.page.click("Find a view where this key fails")
         self.assertNotEqual(self.page.state()["camera"], before)
 
-    def test_costs_are_measured_and_saved_while_the_page_is_used(self):
+    def test_costs_are_measured_and_saved_while_the_page_is_in_use(self):
         self.page.open(native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
         at, there = self.page.place("Measure"), self.page.place("projection/fovy")
         before = self.page.field("projection.fovy")
@@ -29,7 +29,7 @@ class Work(browser.Test):
         self.page.mouse("mouseMoved", there)
         self.page.mouse("mousePressed", there, "left", 1, clickCount=1)
         self.page.mouse("mouseReleased", there, "left", 0, clickCount=1)
-        self.page.until("a slider's answer", lambda: self.page.field("projection.fovy") != before)
+        self.page.until("the slider's response", lambda: self.page.field("projection.fovy") != before)
         turns = self.page.js("watched.turns")
         self.page.until("more of the work", lambda: self.page.js("watched.turns") > turns)
         self.page.until("the end of the work", lambda: self.page.js("Module._page_rests()"))
@@ -40,13 +40,13 @@ class Work(browser.Test):
 
 
 class InOneGo(browser.Test):
-    """Browsers without JavaScript Promise Integration: the same result, and why the page did not answer."""
+    """Browsers without JavaScript Promise Integration: the same result, and the reason why the page did not respond."""
     options = {"size": (1280, 1300)}
 
-    def test_what_the_page_stood_still_for_is_told(self):
+    def test_the_reason_for_a_stall_is_reported(self):
         self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source="delete WebAssembly.Suspending; delete WebAssembly.promising")
         self.page.open(native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
-        self.assertNotIn("stood still", self.page.told(), "what is short is not told")
+        self.assertNotIn("stood still", self.page.told(), "short stalls are not reported")
         begun = time.monotonic()
         self.page.click("Measure")
         took = time.monotonic() - begun

@@ -1,5 +1,5 @@
-// The logarithmic chart: where decades and points come to lie, names that keep apart, what the pointer finds, and
-// curves with nothing in them.
+// The logarithmic chart: positions of decades and points, names that do not overlap, the curve under the pointer, and
+// empty curves.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -77,7 +77,7 @@ TEST_F(ChartTest, DecadesAreEquallySpacedAndWhole) {
     const float step = center("chart/x/100").x - center("chart/x/10").x;
     EXPECT_GT(step, 20.0F);
     EXPECT_NEAR(center("chart/x/1000").x - center("chart/x/100").x, step, 1.01);
-    EXPECT_NEAR(center("chart/x/10⁴").x - center("chart/x/1000").x, step, 1.01) << "ticks stand on whole pixels";
+    EXPECT_NEAR(center("chart/x/10⁴").x - center("chart/x/1000").x, step, 1.01) << "ticks are on whole pixels";
     EXPECT_FALSE(ui.has("chart/x/1"));
     EXPECT_FALSE(ui.has("chart/x/10⁵"));
     const float up = center("chart/y/10⁻³").y - center("chart/y/0.01").y;
@@ -86,7 +86,7 @@ TEST_F(ChartTest, DecadesAreEquallySpacedAndWhole) {
     EXPECT_NEAR(center("chart/y/10⁻³").y - center("chart/y/100").y, 5.0F * up, 4.01);
 }
 
-TEST_F(ChartTest, PointsStandBetweenTheirDecades) {
+TEST_F(ChartTest, PointsAreBetweenTheirDecades) {
     use({{{10, 1}, {std::sqrt(1e5), 10}, {10000, 100}}});
     start_chart();
     const ImVec2 expected(0.5F * (center("chart/x/100").x + center("chart/x/1000").x), center("chart/y/10").y);
@@ -110,7 +110,7 @@ TEST_F(ChartTest, ThePointerFindsTheNearestCurve) {
     EXPECT_EQ(hovered, -1);
 }
 
-TEST_F(ChartTest, NamesKeepApartWhereCurvesEndTogether) {
+TEST_F(ChartTest, NamesDoNotOverlapWhereCurvesEndTogether) {
     std::vector<Points> all;
     for (int i = 0; i < 9; ++i) all.push_back({{10, 1.0 + i}, {1000, 50.0 + 0.1 * i}});
     use(all);
@@ -119,7 +119,7 @@ TEST_F(ChartTest, NamesKeepApartWhereCurvesEndTogether) {
     expect_labels_apart();
 }
 
-TEST_F(ChartTest, NamesKeepApartOnRandomCurves) {
+TEST_F(ChartTest, NamesDoNotOverlapOnRandomCurves) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> exponent(-2.0, 5.0);
     for (int round = 0; round < 30; ++round) {
@@ -134,11 +134,11 @@ TEST_F(ChartTest, NamesKeepApartOnRandomCurves) {
     }
 }
 
-TEST_F(ChartTest, WithoutRoomTheEmphasisedNameStays) {
+TEST_F(ChartTest, WithoutRoomTheEmphasizedNameStays) {
     std::vector<Points> all;
     for (int i = 0; i < 30; ++i) all.push_back({{10, 1.0}, {1000, 50.0}});
     use(all);
-    curves[29].emphasised = true;
+    curves[29].emphasized = true;
     style.size = ImVec2(200, 120);
     start_chart();
     EXPECT_LT(labels().size(), 30U);
@@ -147,7 +147,7 @@ TEST_F(ChartTest, WithoutRoomTheEmphasisedNameStays) {
     expect_finite_picture();
 }
 
-TEST_F(ChartTest, AGivenRangeHolds) {
+TEST_F(ChartTest, AGivenRangeIsKept) {
     use({{{1, 1e-30}, {1e3, 1.0}, {1e300, 1e300}}});
     style.x = {.title = "n", .min = 100, .max = 1e5};
     style.y = {.title = "t", .min = 0.1, .max = 10};
@@ -171,7 +171,7 @@ TEST_F(ChartTest, ANarrowRangeHasNumbersBetweenItsDecades) {
                 std::log10(2.0), 0.01);
 }
 
-TEST_F(ChartTest, ManyDecadesHaveNumbersWithRoomBetween) {
+TEST_F(ChartTest, ManyDecadesHaveSpacedNumbers) {
     use({{{1e-300, 1e-300}, {1e300, 1e300}}});
     start_chart();
     std::vector<RecordedItem> ticks;
@@ -183,7 +183,7 @@ TEST_F(ChartTest, ManyDecadesHaveNumbersWithRoomBetween) {
     expect_finite_picture();
 }
 
-TEST_F(ChartTest, NothingToDrawIsNothingWild) {
+TEST_F(ChartTest, EmptyInputDrawsNothingInvalid) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<Points>> cases = {
         {},
@@ -208,12 +208,12 @@ TEST_F(ChartTest, NothingToDrawIsNothingWild) {
                                   ChartAxis{"", 1, inf}, ChartAxis{"", 1, 1}}) {
         style.x = axis;
         ui.frames(2);
-        EXPECT_TRUE(ui.has("chart/x/100")) << "no sensible range: that of the data";
+        EXPECT_TRUE(ui.has("chart/x/100")) << "an invalid range falls back to that of the data";
         expect_finite_picture();
     }
 }
 
-TEST_F(ChartTest, TheMarkerStandsAtItsValue) {
+TEST_F(ChartTest, TheMarkerIsAtItsValue) {
     use({{{10, 1}, {1000, 10}}});
     style.marker_x = 100;
     style.marker_label = "this scene";

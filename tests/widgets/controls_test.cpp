@@ -1,4 +1,4 @@
-// Toggles, choices, segments, colours, buttons, sections, splitters, lamps by real input.
+// Toggles, choices, segments, colors, buttons, sections, splitters and lamps under real input.
 #include "widget_test.h"
 
 namespace widgets::test {
@@ -25,8 +25,8 @@ TEST_F(ControlsTest, Toggle) {
     EXPECT_EQ(changes, 3);
 }
 
-/// ImGui would take its steps up in the text that is there now, and end the program.
-TEST_F(ControlsTest, AFieldForTextUndoesNothingThatWasTypedBeforeItWasLeft) {
+/// Otherwise ImGui would apply old undo steps to the current text and crash the program.
+TEST_F(ControlsTest, ATextFieldForgetsItsUndoStepsWhenLeft) {
     std::string text = "a text that is much longer than what comes later";
     start([&] {
         TextField("##text", text);
@@ -40,7 +40,7 @@ TEST_F(ControlsTest, AFieldForTextUndoesNothingThatWasTypedBeforeItWasLeft) {
         ui.type("1234567890");
         ui.type("X");
         ui.click("elsewhere");
-        text = "b";  // as a dialog does that opens
+        text = "b";  // as a dialog does when it opens
         ui.frames(3);
         ui.click("text");
         for (int steps = 0; steps < 3; ++steps) {
@@ -54,7 +54,7 @@ TEST_F(ControlsTest, AFieldForTextUndoesNothingThatWasTypedBeforeItWasLeft) {
     EXPECT_TRUE(text == "bc" || text == "cb") << text;
 }
 
-TEST_F(ControlsTest, ChoiceOpensItsListAndRecordsTheItems) {
+TEST_F(ControlsTest, ChoiceOpensItsListAndRecordsItsItems) {
     int index = 1;
     start([&] { return Choice("depth func", index, names, 1); });
     EXPECT_FALSE(ui.has("depth func/GL_EQUAL"));
@@ -103,7 +103,7 @@ TEST_F(ControlsTest, AListOfAnythingLooksLikeAChoice) {
     EXPECT_FALSE(ui.has("garden")) << "Escape closes the list";
 }
 
-TEST_F(ControlsTest, EscapeClosesTheInnermostPopupAndLeavesTypingAlone) {
+TEST_F(ControlsTest, EscapeClosesTheInnermostPopupBeforeEndingTyping) {
     int index = 0;
     double value = 1.0;
     start([&] {
@@ -135,7 +135,7 @@ TEST_F(ControlsTest, EscapeClosesTheInnermostPopupAndLeavesTypingAlone) {
     EXPECT_EQ(changes, 0);
 }
 
-TEST_F(ControlsTest, SegmentsSayWhatEachMeans) {
+TEST_F(ControlsTest, SegmentsExplainEachOption) {
     int index = 0;
     start([&] {
         static constexpr const char* tips[] = {"Nothing passes.", "Nearer passes."};
@@ -153,7 +153,7 @@ TEST_F(ControlsTest, SegmentsSayWhatEachMeans) {
     };
     EXPECT_EQ(tip_of("func/GL_NEVER"), "GL_NEVER\nNothing passes.");
     EXPECT_EQ(tip_of("func/GL_LESS"), "GL_LESS\nNearer passes.");
-    EXPECT_EQ(tip_of("func/GL_EQUAL"), "depth function") << "without a tip of its own the group's";
+    EXPECT_EQ(tip_of("func/GL_EQUAL"), "depth function") << "a segment without a tooltip shows the group's";
 }
 
 TEST_F(ControlsTest, Segments) {
@@ -179,7 +179,7 @@ TEST_F(ControlsTest, SegmentsWrapWhereTheyDoNotFit) {
     EXPECT_LE(ui.find("mode/GL_LESS").max.x, 180.0F);
 }
 
-TEST_F(ControlsTest, LongTextsMakeRoomForThemselves) {
+TEST_F(ControlsTest, LongTextsGetEnoughRoom) {
     bool value = false;
     double number = 0.5;
     float line = 0.0F, behind = 0.0F, above = 0.0F;
@@ -209,7 +209,7 @@ TEST_F(ControlsTest, LongTextsMakeRoomForThemselves) {
     EXPECT_TRUE(value);
 }
 
-TEST_F(ControlsTest, AChoiceSaysHowWideItHasToBe) {
+TEST_F(ControlsTest, AChoiceReportsTheWidthItNeeds) {
     int index = 0;
     float needed = 0.0F;
     start([&] {
@@ -282,7 +282,7 @@ TEST_F(ControlsTest, SplitterFollowsInBothDirectionsAndStops) {
     EXPECT_FLOAT_EQ(left, 200);
 }
 
-TEST_F(ControlsTest, LampsSayWhatTheyShow) {
+TEST_F(ControlsTest, LampsExplainTheirState) {
     const Lamp lamps[] = {{"yaw", true, true}, {"pitch", true, false}, {"roll", false, false}};
     start([&] {
         Lamps("freedom", lamps, Role::camera);
@@ -304,7 +304,7 @@ TEST_F(ControlsTest, LabelsAreRecordedWithTheirPath) {
     EXPECT_EQ(ui.find("camera/yaw").window, "test");
 }
 
-TEST_F(ControlsTest, TooltipWaitsAndAsksToBeDrawn) {
+TEST_F(ControlsTest, TooltipWaitsAndRequestsAFrame) {
     double value = 0.0;
     start([&] {
         const bool changed = Number("near", value, {});

@@ -1,5 +1,5 @@
-// The chart of precision and the ticks of codes by real input: near and far stay apart whatever is dragged, lines stand
-// where the axis says, the readout tells the curve's formula, and nothing wild comes of wild input.
+// The precision chart and the ticks of codes under real input: near and far stay apart whatever is dragged, lines are
+// where the axis says, the readout follows the curve's formula, and invalid input does no harm.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -19,10 +19,10 @@ protected:
 
     void start_chart() {
         straight = {{0.01, 1e-10}, {1000, 1.0}};
-        curves = {{.name = "current", .color = IM_COL32_WHITE, .points = straight, .emphasised = true}};
+        curves = {{.name = "current", .color = IM_COL32_WHITE, .points = straight, .emphasized = true}};
         start([this] { return PrecisionChart("chart", curves, near, far, style); });
     }
-    /// The number on the line of a readout that begins so.
+    /// The number on the line of a readout that starts with `begin`.
     static double number_behind(const std::string& readout, const std::string& begin) {
         const std::size_t at = readout.find(begin) + begin.size();
         return ParseNumber(readout.substr(at, readout.find('\n', at) - at)).value_or(nan);
@@ -33,7 +33,7 @@ protected:
     }
 };
 
-TEST_F(PrecisionChartTest, LinesStandAtTheirDistances) {
+TEST_F(PrecisionChartTest, LinesAreAtTheirDistances) {
     start_chart();
     EXPECT_NEAR(center(ui, "chart/near").x, x_of(0.1), 1.01);
     EXPECT_NEAR(center(ui, "chart/far").x, x_of(100.0), 1.01);
@@ -45,7 +45,7 @@ TEST_F(PrecisionChartTest, LinesStandAtTheirDistances) {
     EXPECT_EQ(changes, 0);
 }
 
-TEST_F(PrecisionChartTest, ADragGoesAlongTheAxis) {
+TEST_F(PrecisionChartTest, DraggingFollowsTheAxis) {
     start_chart();
     const float decade = x_of(10.0) - x_of(1.0);
     ui.drag("chart/near", decade);
@@ -59,11 +59,11 @@ TEST_F(PrecisionChartTest, ADragGoesAlongTheAxis) {
     ui.hover("chart/far");
     ui.frames(60);
     EXPECT_EQ(changes, before) << "looking and clicking change nothing";
-    EXPECT_FALSE(ui.has("chart/readout")) << "on a line it is the line that is meant";
+    EXPECT_FALSE(ui.has("chart/readout")) << "on a line, a click means the line";
     EXPECT_TRUE(ui.text_of("chart/tooltip").starts_with("Far\n"));
 }
 
-TEST_F(PrecisionChartTest, NearStaysLessThanFarOnRandomDrags) {
+TEST_F(PrecisionChartTest, RandomDragsKeepNearLessThanFar) {
     start_chart();
     std::mt19937 random(3);
     std::uniform_real_distribution<float> pixels(-700.0F, 700.0F);
@@ -75,7 +75,7 @@ TEST_F(PrecisionChartTest, NearStaysLessThanFarOnRandomDrags) {
     }
 }
 
-TEST_F(PrecisionChartTest, LinesOnEachOtherCanBePulledApart) {
+TEST_F(PrecisionChartTest, CoincidentLinesCanBePulledApart) {
     near = 1.0;
     far = 1.001;
     start_chart();
@@ -113,11 +113,11 @@ TEST_F(PrecisionChartTest, ARightClickResets) {
     far = 70.0;
     ui.frame();
     ui.right_click("chart/far");
-    EXPECT_EQ(near, 0.5) << "near is in the way of far's default";
+    EXPECT_EQ(near, 0.5) << "near exceeds far's default";
     EXPECT_EQ(far, 40.0);
 }
 
-TEST_F(PrecisionChartTest, ThePointerTellsTheStepBetweenPoints) {
+TEST_F(PrecisionChartTest, ThePointerShowsTheStepBetweenPoints) {
     const std::vector<glm::dvec2> constant = {{0.01, 0.5}, {1000, 0.5}};
     const ChartCurve terms[] = {{.name = "term", .color = IM_COL32_WHITE, .points = constant}};
     style.terms = terms;
@@ -131,12 +131,12 @@ TEST_F(PrecisionChartTest, ThePointerTellsTheStepBetweenPoints) {
         EXPECT_NEAR(step, 1e-6 * shown_z * shown_z, 0.02 * step);
         EXPECT_EQ(number_behind(readout, "term: "), 0.5);
     }
-    curves[0].emphasised = false;
+    curves[0].emphasized = false;
     ui.frame();
     EXPECT_FALSE(ui.has("chart/readout"));
 }
 
-TEST_F(PrecisionChartTest, MarksStandAtTheirDistances) {
+TEST_F(PrecisionChartTest, MarksAreAtTheirDistances) {
     const DepthMark marks[] = {{"teapot", 3.0}, {"wall", 30.0}, {"behind", -2.0}, {"nowhere", nan}, {"far off", 1e8}};
     style.marks = marks;
     style.cursor_z = 7.0;
@@ -150,7 +150,7 @@ TEST_F(PrecisionChartTest, MarksStandAtTheirDistances) {
     EXPECT_TRUE(ui.has("chart/name/teapot"));
 }
 
-TEST_F(PrecisionChartTest, NamesOfLinesKeepApart) {
+TEST_F(PrecisionChartTest, NamesOfLinesDoNotOverlap) {
     std::vector<DepthMark> marks;
     for (int i = 0; i < 12; ++i) marks.push_back({"a thing", 2.0 + 0.2 * i});
     style.marks = marks;
@@ -163,7 +163,7 @@ TEST_F(PrecisionChartTest, NamesOfLinesKeepApart) {
     expect_apart(names);
 }
 
-TEST_F(PrecisionChartTest, WildInputIsNothingWild) {
+TEST_F(PrecisionChartTest, InvalidInputDoesNoHarm) {
     start_chart();
     for (const glm::dvec2& range : {glm::dvec2(nan, nan), glm::dvec2(-1, 100), glm::dvec2(0, inf), glm::dvec2(50, 2),
                                     glm::dvec2(1e-30, 1e30), glm::dvec2(1, inf), glm::dvec2(5e-324, 1e-323)}) {
@@ -229,7 +229,7 @@ protected:
     }
 };
 
-TEST_F(CodeTicksTest, EqualAboveAndToScaleBelow) {
+TEST_F(CodeTicksTest, AreEquallySpacedAboveAndToScaleBelow) {
     eye_distances = {1.0, 1.25, 2.0, 3.0, 5.0};
     start_ticks();
     const std::vector<RecordedItem> all = ticks();
@@ -242,7 +242,7 @@ TEST_F(CodeTicksTest, EqualAboveAndToScaleBelow) {
     }
 }
 
-TEST_F(CodeTicksTest, ManyAreThinnedAndKeepTheirEnds) {
+TEST_F(CodeTicksTest, AreThinnedOutButKeepTheirEnds) {
     for (int i = 0; i < 65536; ++i) eye_distances.push_back(1.0 + 4.0 * i / 65535.0);
     start_ticks();
     const std::vector<RecordedItem> all = ticks();
@@ -269,7 +269,7 @@ TEST_F(CodeTicksTest, ThePointerFindsATick) {
     EXPECT_EQ(hovered, -1);
 }
 
-TEST_F(CodeTicksTest, WildInputIsNothingWild) {
+TEST_F(CodeTicksTest, InvalidInputDoesNoHarm) {
     eye_distances = {nan, -inf, 1.0, 2.0, 1e300, inf, -3.0};
     start_ticks();
     ui.hover("codes/ticks");

@@ -1,6 +1,6 @@
-// Drives real ImGui input without a window or GL: find what the widgets recorded by its label, then click, drag and
-// type. ImGui 1.86 has no input queue, so every press, move and release takes a frame of its own. See widget_test.h
-// for a window around single widgets; the UI's tests hand in their own drawing function.
+// Drives real ImGui input without a window or GL: finds a recorded widget by label, then clicks, drags and types. ImGui
+// 1.86 has no input queue, so every press, move and release takes a frame of its own. See widget_test.h for a window
+// around single widgets; the UI's tests pass their own drawing function.
 #pragma once
 
 #include <imgui.h>
@@ -16,7 +16,7 @@ namespace widgets::test {
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
-/// As WCAG 2 defines it, from 0 to 1.
+/// Relative luminance as defined by WCAG 2, from 0 to 1.
 inline double luminance(ImU32 color) {
     const auto linear = [color](int shift) {
         const double c = ((color >> shift) & 0xFF) / 255.0;
@@ -30,10 +30,22 @@ inline double contrast(ImU32 a, ImU32 b) {
     return (high + 0.05) / (low + 0.05);
 }
 
+#if IMGUI_VERSION_NUM >= 18700
+constexpr int first_key = ImGuiKey_NamedKey_BEGIN;
+#else
+constexpr int first_key = 0;
+#endif
+
+/// The state of a key, in the harness's own mapping.
+inline bool& key_down(ImGuiKey key) {
+    ImGuiIO& io = ImGui::GetIO();
+    return io.KeysDown[io.KeyMap[key]];
+}
+
 class Harness {
 public:
     /// `draw` draws one whole frame between ImGui::NewFrame and ImGui::Render and calls widgets::NewFrame(context)
-    /// itself. Makes an ImGui context and fonts where there are none yet.
+    /// itself. Creates an ImGui context and fonts unless there are any.
     Harness(Context& context, std::function<void()> draw, ImVec2 display_size = ImVec2(1280, 800))
         : context_(context), draw_(std::move(draw)), owns_imgui_(ImGui::GetCurrentContext() == nullptr) {
         if (owns_imgui_) ImGui::CreateContext();
@@ -41,7 +53,10 @@ public:
         io.IniFilename = nullptr;
         io.DisplaySize = display_size;
         io.MousePos = ImVec2(-1, -1);
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+        for (int key = first_key; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key - first_key;
+#if IMGUI_VERSION_NUM >= 18700
+        io.BackendUsingLegacyKeyArrays = 1;  // even before the first key is pressed
+#endif
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -70,23 +85,29 @@ public:
         }
         return nullptr;
     }
-    /// Throws, naming all labels there are, when there is none of this name.
+    /// Throws if no item has this label, and lists all labels.
     const RecordedItem& find(std::string_view label) const {
         if (const RecordedItem* item = try_find(label)) return *item;
         std::string message = "no widget '" + std::string(label) + "' among:";
         for (const RecordedItem& item : context_.recorded) message += "\n  " + item.label;
         throw std::runtime_error(message);
     }
-    bool has(std::string_view label) const { return try_find(label) != nullptr; }
-    std::string text_of(std::string_view label) const { return find(label).text; }
+    bool has(std::string_view label) const {
+        return try_find(label) != nullptr;
+    }
+    std::string text_of(std::string_view label) const {
+        return find(label).text;
+    }
     /// Whether an ImGui item was active at the end of the last frame.
-    bool any_item_active() const { return any_item_active_; }
+    bool any_item_active() const {
+        return any_item_active_;
+    }
 
     void move_to(ImVec2 position) {
         ImGui::GetIO().MousePos = position;
         frame();
     }
-    /// Moves to a fraction of the widget's rectangle; the middle unless told.
+    /// Moves to a fraction of the widget's rectangle, by default its center.
     void hover(std::string_view label, float x = 0.5F, float y = 0.5F) {
         const RecordedItem& item = find(label);
         move_to(ImVec2(item.min.x + x * (item.max.x - item.min.x), item.min.y + y * (item.max.y - item.min.y)));
@@ -106,7 +127,9 @@ public:
         release(button);
         frame();
     }
-    void right_click(std::string_view label) { click(label, ImGuiMouseButton_Right); }
+    void right_click(std::string_view label) {
+        click(label, ImGuiMouseButton_Right);
+    }
     void double_click(std::string_view label) {
         rest();
         hover(label);
@@ -122,7 +145,7 @@ public:
         ImGui::GetIO().KeyCtrl = false;
         frames(3);
     }
-    /// From a fraction of the widget's rectangle by (dx, dy) pixels in steps of equal length.
+    /// Drags from a fraction of the widget's rectangle by (dx, dy) pixels in steps of equal length.
     void drag(std::string_view label, float dx, float dy = 0.0F, int steps = 5, float from_x = 0.5F) {
         rest();
         hover(label, from_x);
@@ -142,17 +165,19 @@ public:
     void key(ImGuiKey which, bool shift = false) {
         ImGuiIO& io = ImGui::GetIO();
         io.KeyShift = shift;
-        io.KeysDown[which] = true;
+        key_down(which) = true;
         frame();
-        io.KeysDown[which] = false;
+        key_down(which) = false;
         frame();
         io.KeyShift = false;
         frames(3);
     }
 
 private:
-    /// Long enough that the next press is no double-click.
-    void rest() { frame(1.0F); }
+    /// Waits so long that the next press is not a double-click.
+    void rest() {
+        frame(1.0F);
+    }
 
     Context& context_;
     std::function<void()> draw_;

@@ -1,4 +1,4 @@
-// Planes, lights and matrices by real input: never meaningless, rows as on the slides, links in both directions.
+// Planes, lights and matrices under real input: never degenerate, rows as on the slides, links in both directions.
 #include <array>
 
 #include "widget_test.h"
@@ -19,20 +19,20 @@ TEST_F(LectureTest, PlaneButtons) {
     EXPECT_EQ(plane, glm::dvec4(0, 1, 0, 0));
     EXPECT_EQ(changes, 3);
     ui.click("equation/xz");
-    EXPECT_EQ(changes, 3) << "already this plane";
+    EXPECT_EQ(changes, 3) << "the plane is already this one";
 }
 
-TEST_F(LectureTest, PlaneNormalise) {
+TEST_F(LectureTest, PlaneNormalize) {
     glm::dvec4 plane{0, 3, 4, 10};
     start([&] { return PlaneEquation("equation", plane, {0, 1, 0, 0}); });
-    EXPECT_TRUE(ui.find("equation/Normalise").enabled);
-    ui.click("equation/Normalise");
+    EXPECT_TRUE(ui.find("equation/Normalize").enabled);
+    ui.click("equation/Normalize");
     EXPECT_NEAR(glm::length(plane - glm::dvec4(0, 0.6, 0.8, 2)), 0.0, 1e-15);
     ui.frame();
-    EXPECT_FALSE(ui.find("equation/Normalise").enabled);
+    EXPECT_FALSE(ui.find("equation/Normalize").enabled);
 }
 
-TEST_F(LectureTest, PlaneNormalNeverZero) {
+TEST_F(LectureTest, PlaneNormalIsNeverZero) {
     glm::dvec4 plane{0, 0.3, 0, 1};
     start([&] {
         const bool changed = PlaneEquation("equation", plane, {0, 1, 0, 0});
@@ -72,7 +72,7 @@ TEST_F(LectureTest, LightSwitchesBetweenPointAndParallel) {
     EXPECT_EQ(light, glm::dvec4(1, 5.2, 3, 1));
 }
 
-TEST_F(LectureTest, LightNeverAllZero) {
+TEST_F(LectureTest, LightIsNeverAllZero) {
     glm::dvec4 light{0, 0.2, 0, 0};
     start([&] { return Light("position", light, {2.6, 5.2, 2.2, 1}); });
     ui.ctrl_click("position/y");
@@ -134,7 +134,7 @@ TEST_F(LectureTest, MatrixEditsTheEntryOfItsRow) {
     EXPECT_DOUBLE_EQ(value[1][2], 33.0);
 }
 
-TEST_F(LectureTest, MatrixThatIsNotEditableStaysAsItIs) {
+TEST_F(LectureTest, AReadOnlyMatrixStaysUnchanged) {
     glm::dmat4 value = numbered_rows();
     start([&] { return Matrix("S", value, {}); });
     ui.drag("S/r0c1", 60);
@@ -180,7 +180,7 @@ TEST_F(LectureTest, MatrixAdaptsToItsWidth) {
     EXPECT_EQ(ui.text_of("P/r0c1"), "1.5");
 }
 
-TEST_F(LectureTest, AMatrixByHandHasNoSymbolsAndTroubledBrackets) {
+TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndNoSymbols) {
     const glm::dmat4 value(1.0);
     std::array<MatrixCell, 16> cells;
     for (MatrixCell& cell : cells) cell.symbol = "l_x";
@@ -192,7 +192,7 @@ TEST_F(LectureTest, AMatrixByHandHasNoSymbolsAndTroubledBrackets) {
     });
     const auto drew = [](ImU32 color) {
         for (const ImDrawVert& vertex : ImGui::GetDrawData()->CmdLists[0]->VtxBuffer) {
-            // Symbols of zeros stand back: any opacity counts.
+            // Symbols of zeros are faded, so any opacity counts.
             if ((vertex.col & ~IM_COL32_A_MASK) == (color & ~IM_COL32_A_MASK)) return true;
         }
         return false;
@@ -205,7 +205,7 @@ TEST_F(LectureTest, AMatrixByHandHasNoSymbolsAndTroubledBrackets) {
     EXPECT_TRUE(drew(context.palette.trouble));
 }
 
-TEST_F(LectureTest, EveryButtonOfThePlaneExplainsItselfBeforeTheGroup) {
+TEST_F(LectureTest, PlaneButtonsShowTheirOwnTooltips) {
     glm::dvec4 plane{0, 1, 0, 0};
     start([&] {
         const bool changed = PlaneEquation("equation", plane, {0, 1, 0, 0});
@@ -224,10 +224,10 @@ TEST_F(LectureTest, EveryButtonOfThePlaneExplainsItselfBeforeTheGroup) {
     EXPECT_NE(tip_of("equation/yz").find("x = 0"), std::string::npos);
     EXPECT_NE(tip_of("equation/xz").find("y = 0"), std::string::npos);
     EXPECT_NE(tip_of("equation/xy").find("z = 0"), std::string::npos);
-    EXPECT_NE(tip_of("equation/Normalise").find("already has length 1"), std::string::npos);
+    EXPECT_NE(tip_of("equation/Normalize").find("already has length 1"), std::string::npos);
     EXPECT_EQ(tip_of("equation/b"), "the plane\nof the lecture|");
     plane = {0, 2, 0, 0};
-    EXPECT_NE(tip_of("equation/Normalise").find("Divides"), std::string::npos);
+    EXPECT_NE(tip_of("equation/Normalize").find("Divides"), std::string::npos);
 }
 
 class LinksTest : public WidgetTest {
@@ -256,7 +256,7 @@ protected:
     }
 };
 
-TEST_F(LinksTest, HoveringAControlTellsTheMatrix) {
+TEST_F(LinksTest, HoveringAControlHighlightsTheMatrix) {
     ui.hover("x");
     EXPECT_EQ(RedrawIn(context), 0.0F) << "the highlight is drawn in the next frame";
     ui.frame();
@@ -265,7 +265,7 @@ TEST_F(LinksTest, HoveringAControlTellsTheMatrix) {
     EXPECT_NE(RedrawIn(context), 0.0F);
 }
 
-TEST_F(LinksTest, HoveringAnEntryTellsTheControls) {
+TEST_F(LinksTest, HoveringAnEntryHighlightsTheControls) {
     ui.hover("S/r0c1");
     ui.frame();
     EXPECT_EQ(context.hovered, light_x | plane_a);
@@ -289,7 +289,7 @@ TEST_F(LinksTest, ADragKeepsItsHighlight) {
     ui.release();
 }
 
-/// How many vertices of the last frame have this colour (in the windows' draw lists).
+/// The number of vertices of the last frame with this color, in the windows' draw lists.
 int vertices_colored(ImU32 color) {
     int count = 0;
     const ImDrawData& data = *ImGui::GetDrawData();
@@ -299,7 +299,7 @@ int vertices_colored(ImU32 color) {
     return count;
 }
 
-TEST_F(LinksTest, WhatStandsForAnEntryLightsUpWithIt) {
+TEST_F(LinksTest, RepresentationsOfAnEntryLightUpTogether) {
     const ImU32 cell_outline = (context.palette.accent & ~IM_COL32_A_MASK) | (179U << IM_COL32_A_SHIFT);
     const auto after_hovering = [&](const char* label) {
         ui.hover(label);
@@ -312,14 +312,14 @@ TEST_F(LinksTest, WhatStandsForAnEntryLightsUpWithIt) {
     EXPECT_EQ(context.hovered, plane_b | own);
 
     EXPECT_TRUE(after_hovering("line"));
-    EXPECT_EQ(context.hovered, plane_b | light_x | own) << "the controls that it comes from";
+    EXPECT_EQ(context.hovered, plane_b | light_x | own) << "the controls that it depends on";
     EXPECT_EQ(vertices_colored(cell_outline), one_entry) << "its own entry, and none that shares a parameter";
-    EXPECT_TRUE(after_hovering("x")) << "a control lights all that come from it";
+    EXPECT_TRUE(after_hovering("x")) << "a control lights up all that depend on it";
     EXPECT_FALSE(after_hovering("S/r0c1")) << "another entry";
     EXPECT_FALSE(after_hovering("y"));
 }
 
-TEST_F(LinksTest, WhatIsLinkedIsDrawnInTheAccent) {
+TEST_F(LinksTest, LinkedItemsAreDrawnInTheAccentColor) {
     const ImU32 outline = context.palette.accent;
     const ImU32 cell_outline = (outline & ~IM_COL32_A_MASK) | (179U << IM_COL32_A_SHIFT);
     ui.move_to(ImVec2(590, 770));
@@ -335,7 +335,7 @@ TEST_F(LinksTest, WhatIsLinkedIsDrawnInTheAccent) {
 
     ui.hover("S/r0c2");
     ui.frame();
-    EXPECT_EQ(vertices_colored(outline), one_box) << "y alone";
+    EXPECT_EQ(vertices_colored(outline), one_box) << "only y";
     EXPECT_GT(vertices_colored(cell_outline), 0) << "the entry under the pointer";
 }
 

@@ -1,4 +1,4 @@
-// Numbers and sliders by real input: drag, type, reset, clamp; showing one never changes it.
+// Numbers and sliders under real input: drag, type, reset, clamp; displaying a number never changes it.
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -44,7 +44,7 @@ TEST_F(NumberTest, ShiftIsCoarseAltIsFine) {
     EXPECT_DOUBLE_EQ(value, 1.001);
 }
 
-TEST_F(NumberTest, AClickOrATremorChangesNothing) {
+TEST_F(NumberTest, ClicksAndTinyMovesChangeNothing) {
     double value = 1.5;
     start([&] { return Number("x", value, {.step = 0.1}); });
     ui.click("x");
@@ -53,7 +53,7 @@ TEST_F(NumberTest, AClickOrATremorChangesNothing) {
     EXPECT_EQ(changes, 0);
 }
 
-TEST_F(NumberTest, DragStopsAtTheRangeAndComesBackAtOnce) {
+TEST_F(NumberTest, DragStopsAtTheRangeAndReturnsImmediately) {
     double value = 0.9;
     start([&] { return Number("x", value, {.min = 0, .max = 1, .step = 0.01}); });
     ui.hover("x");
@@ -102,8 +102,8 @@ TEST_F(NumberTest, DoubleClickTypesAndEnterCommits) {
     EXPECT_EQ(ui.text_of("x"), "−12.50");
 }
 
-/// ImGui would take up what was typed before, in another text, and end the program.
-TEST_F(NumberTest, UndoWhileTypingKnowsNothingOfWhatWasTypedBefore) {
+/// Otherwise ImGui would apply the undo steps of an earlier edit to another text and crash the program.
+TEST_F(NumberTest, UndoWhileTypingIgnoresEarlierEdits) {
     double value = 2.0;
     start([&] { return Number("x", value, {.step = 0.02}); });
     const auto undo = [&] {
@@ -131,7 +131,7 @@ TEST_F(NumberTest, CtrlClickTypesAndClamps) {
     EXPECT_EQ(value, 10.0);
 }
 
-TEST_F(NumberTest, EscapeCancelsJunkIsIgnoredClickElsewhereCommits) {
+TEST_F(NumberTest, EscapeCancelsAndAClickElsewhereCommits) {
     double value = 2.0;
     start([&] {
         const bool changed = Number("x", value, {});
@@ -157,7 +157,7 @@ TEST_F(NumberTest, EscapeCancelsJunkIsIgnoredClickElsewhereCommits) {
     EXPECT_EQ(value, 8.0);
 }
 
-TEST_F(NumberTest, TabLeadsToTheNextNumberAndBack) {
+TEST_F(NumberTest, TabMovesToTheNextNumberAndBack) {
     glm::dvec3 value{1, 2, 3};
     start([&] { return Vec3("position", value, {}); });
     ui.ctrl_click("position/x");
@@ -171,7 +171,7 @@ TEST_F(NumberTest, TabLeadsToTheNextNumberAndBack) {
     ui.key(ImGuiKey_Enter);
     EXPECT_EQ(value, glm::dvec3(10, 25, 30));
     ui.frames(20);
-    EXPECT_LT(RedrawIn(context), 0.0F) << "nothing is left to do";
+    EXPECT_LT(RedrawIn(context), 0.0F) << "there is nothing left to do";
 }
 
 TEST_F(NumberTest, RightClickResets) {
@@ -181,10 +181,10 @@ TEST_F(NumberTest, RightClickResets) {
     EXPECT_EQ(value, glm::dvec3(1, 8, 3));
     EXPECT_EQ(changes, 1);
     ui.right_click("position/y");
-    EXPECT_EQ(changes, 1) << "already the default";
+    EXPECT_EQ(changes, 1) << "the value is already the default";
 }
 
-TEST_F(NumberTest, ShowingNeverChanges) {
+TEST_F(NumberTest, DisplayingNeverChangesTheValue) {
     const double inf = std::numeric_limits<double>::infinity();
     for (const double start_value : {0.123456789, -5.0, 1e9, 0.0, -0.0, 1e-300, inf, std::nan("")}) {
         double number = start_value, slider = start_value, log_slider = start_value;
@@ -203,7 +203,7 @@ TEST_F(NumberTest, ShowingNeverChanges) {
     }
 }
 
-TEST_F(NumberTest, LookingAtTheTextFieldDoesNotClamp) {
+TEST_F(NumberTest, OpeningTheTextFieldDoesNotClamp) {
     double value = 5.0;
     start([&] { return Number("x", value, {.min = 0, .max = 1}); });
     ui.ctrl_click("x");
@@ -224,7 +224,7 @@ TEST_F(NumberTest, WholeNumbers) {
     EXPECT_EQ(ui.text_of("n"), "7");
 }
 
-TEST_F(NumberTest, DisabledIsOutOfReach) {
+TEST_F(NumberTest, DisabledNumbersIgnoreInput) {
     double value = 2.0;
     start([&] {
         ImGui::BeginDisabled();
@@ -281,11 +281,11 @@ TEST_F(NumberTest, SliderKnobDoesNotJumpWhenTouched) {
 TEST_F(NumberTest, LogarithmicSliderIsSpacedByDecades) {
     double value = 1.0;
     start([&] { return Slider("s", value, {.min = 0.01, .max = 100, .decimals = 2, .logarithmic = true}, 212); });
-    ui.drag("s", 50);  // a quarter of the 200 pixels: one of four decades
+    ui.drag("s", 50);  // a quarter of the 200 pixels is one of four decades
     EXPECT_NEAR(value, 10.0, 0.2);
 }
 
-TEST_F(NumberTest, DoubleClickOnASliderTypesFromWhereItWas) {
+TEST_F(NumberTest, DoubleClickOnASliderEditsTheOldValue) {
     double value = 0.2;
     start([&] { return Slider("s", value, {.min = 0, .max = 1, .decimals = 2}, 212); });
     ui.double_click("s");
@@ -315,7 +315,7 @@ TEST_F(NumberTest, TheTextFieldStartsWithPlainNotation) {
     }
 }
 
-TEST_F(NumberTest, ARowHasTheSameDecimalsAndKeepsThemWhenASignComes) {
+TEST_F(NumberTest, ARowSharesDecimalsAndKeepsThemWhenASignAppears) {
     glm::dvec3 value{0.0, 1.0, -0.7234};
     start([&] { return Vec3("n", value, {.decimals = 3}); });
     for (float width = 130.0F; width < 320.0F; width += 7.0F) {
@@ -336,7 +336,7 @@ TEST_F(NumberTest, ARowHasTheSameDecimalsAndKeepsThemWhenASignComes) {
             for (const std::size_t count : of_sign) EXPECT_EQ(count, decimals[0][0]) << "width " << width;
         }
     }
-    value = {0.0, 1e9, 0.5};  // what cannot fit does not take the others' decimals away
+    value = {0.0, 1e9, 0.5};  // a number that cannot fit does not cost the others their decimals
     show = [&] {
         ImGui::SetNextItemWidth(250.0F);
         return Vec3("n", value, {.decimals = 3});
@@ -346,14 +346,14 @@ TEST_F(NumberTest, ARowHasTheSameDecimalsAndKeepsThemWhenASignComes) {
     EXPECT_EQ(ui.text_of("n/y"), "1.000·10⁹");
 }
 
-TEST_F(NumberTest, ANarrowRowIsWrittenSmallerBeforeItLosesDigits) {
+TEST_F(NumberTest, ANarrowRowShrinksBeforeItLosesDigits) {
     glm::dvec3 value{0.15, -0.15, 12.25};
     float width = 0.0F;
     start([&] {
         ImGui::SetNextItemWidth(width);
         return Vec3("n", value, {.decimals = 2});
     });
-    // The narrowest row in which 0.15 is still 0.15, and one that is as wide as a row of the panel.
+    // The narrowest row in which 0.15 is still 0.15, and one as wide as a row of the panel.
     for (width = 150.0F; width < 260.0F; width += 5.0F) {
         ui.frames(2);
         EXPECT_EQ(ui.text_of("n/x"), "0.15") << width;
@@ -362,7 +362,7 @@ TEST_F(NumberTest, ANarrowRowIsWrittenSmallerBeforeItLosesDigits) {
     }
 }
 
-TEST_F(NumberTest, TypingReachesFartherThanTheSlider) {
+TEST_F(NumberTest, TypingReachesBeyondTheSlider) {
     double value = 0.5;
     start([&] {
         const NumberStyle style{
@@ -410,7 +410,7 @@ TEST_F(NumberTest, TheKnobIsBehindTheNumberAndFullHeight) {
     EXPECT_GT(first_digit, last_knob);
 }
 
-TEST_F(NumberTest, TypingEndsWhenTheNumberGoesAway) {
+TEST_F(NumberTest, TypingEndsWhenTheNumberDisappears) {
     double value = 2.0;
     bool visible = true;
     start([&] { return visible && Number("x", value, {}); });

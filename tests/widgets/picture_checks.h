@@ -1,4 +1,4 @@
-// What tests of drawn diagrams ask of any picture: finite and not too large, boxes apart, the same in every look.
+// Checks for any drawn diagram: finite and not too large, boxes that do not overlap, the same in every look.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ inline ImVec2 center(const Harness& ui, const std::string& label) {
     return ImVec2(0.5F * (item.min.x + item.max.x), 0.5F * (item.min.y + item.max.y));
 }
 
-/// All corners are finite, and few enough for indices of 16 bits.
+/// All vertices are finite, and few enough for 16-bit indices.
 inline void expect_finite_picture() {
     const ImDrawData& picture = *ImGui::GetDrawData();
     EXPECT_LT(picture.TotalVtxCount, 65'000);
@@ -35,7 +35,7 @@ inline void expect_apart(const std::vector<RecordedItem>& items) {
     }
 }
 
-/// In all themes at scales 1 and 2.
+/// Runs a check in all themes at scales 1 and 2.
 inline void for_every_look(Context& context, Harness& ui, const std::function<void(float scale)>& check) {
     for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::projector}) {
         for (const float scale : {1.0F, 2.0F}) {

@@ -1,5 +1,5 @@
-// The histogram, the block of pixels and the divider by real input: ranges and shares stay in order, a click is where
-// its cell is, text can be read on every colour, and nothing wild comes of wild input.
+// The histogram, the pixel block and the divider under real input: ranges and shares stay in order, a click hits the
+// cell under it, text is readable on every color, and invalid input does no harm.
 #include <algorithm>
 #include <limits>
 #include <random>
@@ -20,7 +20,7 @@ protected:
     void start_histogram() {
         start([this] { return Histogram("counts", counts, min, max, range, style); });
     }
-    /// Pixels between the lines of a range and its width.
+    /// Pixels between the lines of a range, per unit of its width.
     float unit_px() const {
         return (center(ui, "counts/to").x - center(ui, "counts/from").x) / static_cast<float>(range.y - range.x);
     }
@@ -60,7 +60,7 @@ TEST_F(HistogramTest, TheRangeStaysInOrderOnRandomDrags) {
     }
 }
 
-TEST_F(HistogramTest, FitTakesWhatHasCounts) {
+TEST_F(HistogramTest, FitSelectsTheBinsWithCounts) {
     start_histogram();
     EXPECT_FALSE(ui.find("counts/Fit").enabled);
     counts[3] = 7;
@@ -80,13 +80,13 @@ TEST_F(HistogramTest, FitTakesWhatHasCounts) {
     ui.frame();
     ui.double_click("counts/from");
     ui.right_click("counts/Fit");
-    EXPECT_EQ(range, glm::dvec2(0.1, 0.9)) << "a line and the button are not the ground";
+    EXPECT_EQ(range, glm::dvec2(0.1, 0.9)) << "a line and the button are not the background";
     ui.right_click("counts/to");
     EXPECT_EQ(range, glm::dvec2(0, 1));
     EXPECT_EQ(changes, 4);
 }
 
-TEST_F(HistogramTest, ThePointerTellsTheCount) {
+TEST_F(HistogramTest, ThePointerShowsTheCount) {
     counts = {1, 22, 333, 4};
     style.unwritten = 98765;
     range = {0.0, 1.0};
@@ -101,7 +101,7 @@ TEST_F(HistogramTest, ThePointerTellsTheCount) {
     EXPECT_GT(ui.find("counts/unwritten").min.x, left + unit);
 }
 
-/// How high the bar over a value is drawn, from the filled rectangles' corners in the accent colour.
+/// The height of the bar over a value, from the vertices of filled rectangles in the accent color.
 float bar_height(const Context& context, float from_x, float to_x) {
     float top = 1e9F, bottom = -1e9F;
     const ImDrawData& picture = *ImGui::GetDrawData();
@@ -130,7 +130,7 @@ TEST_F(HistogramTest, HeightsAreToScale) {
     EXPECT_NEAR(height(4) / height(0), std::log(11.0F) / std::log(101.0F), 0.01F);
 }
 
-TEST_F(HistogramTest, WildInputIsNothingWild) {
+TEST_F(HistogramTest, InvalidInputDoesNoHarm) {
     style.unwritten = ~0ULL;
     start_histogram();
     expect_finite_picture();
@@ -140,7 +140,7 @@ TEST_F(HistogramTest, WildInputIsNothingWild) {
         changes = 0;
         ui.frames(2);
         expect_finite_picture();
-        EXPECT_EQ(changes, 0) << "showing repairs nothing";
+        EXPECT_EQ(changes, 0) << "drawing repairs nothing";
         ui.right_click("counts/histogram");
         EXPECT_EQ(range, glm::dvec2(0, 1));
         EXPECT_EQ(changes, 1);
@@ -222,7 +222,7 @@ TEST_F(CellGridTest, AClickPinsAndUnpins) {
     EXPECT_EQ(hovered, -1);
 }
 
-TEST_F(CellGridTest, TextWithoutRoomIsToldByThePointer) {
+TEST_F(CellGridTest, TextThatDoesNotFitAppearsUnderThePointer) {
     fill(12, "0.123456789");
     start_grid();
     EXPECT_EQ(ui.text_of("grid/cell/0/0"), "0.123456789");
@@ -238,7 +238,7 @@ TEST_F(CellGridTest, TextWithoutRoomIsToldByThePointer) {
     }
 }
 
-TEST_F(CellGridTest, TextCanBeReadOnEveryColor) {
+TEST_F(CellGridTest, TextIsReadableOnEveryColor) {
     columns = rows = 1;
     fill(1, "0.5");
     start_grid();
@@ -259,7 +259,7 @@ TEST_F(CellGridTest, TextCanBeReadOnEveryColor) {
     }
 }
 
-TEST_F(CellGridTest, WildInputIsNothingWild) {
+TEST_F(CellGridTest, InvalidInputDoesNoHarm) {
     start_grid();
     for (const glm::ivec2& size :
          {glm::ivec2(0, 0), glm::ivec2(-3, -4), glm::ivec2(4, 0), glm::ivec2(100'000, 100'000), glm::ivec2(65, 64)}) {
@@ -291,7 +291,7 @@ TEST_F(CellGridTest, WildInputIsNothingWild) {
     expect_finite_picture();
 }
 
-TEST_F(CellGridTest, ManyCellsAreNoLargePicture) {
+TEST_F(CellGridTest, ManyCellsDoNotMakeALargePicture) {
     for (const glm::ivec2& size : {glm::ivec2(64, 64), glm::ivec2(32, 32), glm::ivec2(4096, 1)}) {
         columns = size.x;
         rows = size.y;
@@ -333,7 +333,7 @@ protected:
     }
 };
 
-TEST_F(DividerTest, ItStandsAtItsShareAndIsDragged) {
+TEST_F(DividerTest, IsAtItsShareAndCanBeDragged) {
     share = 0.25F;
     start_divider();
     EXPECT_NEAR(center(ui, "pictures/divider").x, 150.0F, 0.51F);
@@ -353,11 +353,11 @@ TEST_F(DividerTest, ItStandsAtItsShareAndIsDragged) {
     EXPECT_FALSE(held);
     ui.press();
     ui.release();
-    EXPECT_EQ(picture_clicks, 1) << "the rest is the picture's";
+    EXPECT_EQ(picture_clicks, 1) << "the rest belongs to the picture";
     EXPECT_EQ(changes, before);
 }
 
-TEST_F(DividerTest, NamesStandOnTheirSidesWhereThereIsRoom) {
+TEST_F(DividerTest, NamesAppearOnTheirSidesWhenTheyFit) {
     start_divider();
     EXPECT_LT(ui.find("pictures/left").max.x, 250.0F);
     EXPECT_GT(ui.find("pictures/right").min.x, 250.0F);
@@ -371,7 +371,7 @@ TEST_F(DividerTest, NamesStandOnTheirSidesWhereThereIsRoom) {
     EXPECT_FALSE(ui.has("pictures/right"));
 }
 
-TEST_F(DividerTest, WildInputIsNothingWild) {
+TEST_F(DividerTest, InvalidInputDoesNoHarm) {
     start_divider();
     for (const float wild : {std::numeric_limits<float>::quiet_NaN(), -3.0F, 7.0F}) {
         share = wild;

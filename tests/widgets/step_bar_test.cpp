@@ -1,4 +1,4 @@
-// The step bar by real input: its buttons, track, number, and playing over frames of uneven length.
+// The step bar under real input: its buttons, track and number, and playing over frames of uneven length.
 #include <cmath>
 #include <random>
 
@@ -46,7 +46,7 @@ TEST_F(StepBarTest, Buttons) {
     EXPECT_EQ(changes, 5);
 }
 
-TEST_F(StepBarTest, WithoutRoomForItsWordsItShowsNumbersAlone) {
+TEST_F(StepBarTest, WithoutRoomForWordsItShowsOnlyNumbers) {
     float wide = 0.0F;
     for (const float width : {400.0F, 230.0F}) {
         start([&] {
@@ -64,7 +64,7 @@ TEST_F(StepBarTest, WithoutRoomForItsWordsItShowsNumbersAlone) {
     }
 }
 
-TEST_F(StepBarTest, HeldButtonsGoOn) {
+TEST_F(StepBarTest, HeldButtonsRepeat) {
     count = 1000;
     step = 0;
     start_bar();
@@ -119,7 +119,7 @@ TEST_F(StepBarTest, TheWheelStepsWithoutScrolling) {
     EXPECT_EQ(scrolled, 0.0F);
 }
 
-TEST_F(StepBarTest, TypesInTheNumberAndByCtrlClickOnTheTrack) {
+TEST_F(StepBarTest, TheNumberCanBeTypedThereOrByCtrlClickOnTheTrack) {
     count = 340;
     start_bar();
     ui.double_click("steps/step");
@@ -135,7 +135,7 @@ TEST_F(StepBarTest, TypesInTheNumberAndByCtrlClickOnTheTrack) {
     EXPECT_EQ(changes, 2);
 }
 
-TEST_F(StepBarTest, PlaysExactlyItsStepsOverUnevenFrames) {
+TEST_F(StepBarTest, PlaysExactStepsOverUnevenFrames) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> frame_s(0.0, 0.05);
     count = 1000;
@@ -160,7 +160,7 @@ TEST_F(StepBarTest, PlaysExactlyItsStepsOverUnevenFrames) {
     EXPECT_EQ(step, 1000);
 }
 
-TEST_F(StepBarTest, FramesThatAddUpToWholeStepsMakeThem) {
+TEST_F(StepBarTest, FramesThatAddUpToWholeStepsPlayThem) {
     count = 100;
     step = 0;
     start_bar();
@@ -170,7 +170,7 @@ TEST_F(StepBarTest, FramesThatAddUpToWholeStepsMakeThem) {
     EXPECT_EQ(step, 30);
 }
 
-TEST_F(StepBarTest, PlayStartsAgainFromTheEndAndAnyHandStopsIt) {
+TEST_F(StepBarTest, PlayRestartsAtTheEndAndAnyInputStopsIt) {
     start_bar();
     ui.click("steps/Play");
     EXPECT_TRUE(player.playing);
@@ -196,7 +196,7 @@ TEST_F(StepBarTest, PlayStartsAgainFromTheEndAndAnyHandStopsIt) {
     EXPECT_FALSE(player.playing);
 }
 
-TEST_F(StepBarTest, AsksForTheFrameOfTheNextStep) {
+TEST_F(StepBarTest, RequestsTheFrameOfTheNextStep) {
     step = 0;
     start_bar();
     EXPECT_LT(RedrawIn(context), 0.0F) << "at rest nothing is due";
@@ -205,7 +205,7 @@ TEST_F(StepBarTest, AsksForTheFrameOfTheNextStep) {
     EXPECT_NEAR(RedrawIn(context), 0.1F, 1e-4F);
 }
 
-TEST_F(StepBarTest, AHeldButtonGoesOnThoughTheHandRests) {
+TEST_F(StepBarTest, AHeldButtonRepeatsWithoutMovement) {
     step = 0;
     start_bar();
     const RecordedItem forward = ui.find("steps/Forward");
@@ -214,7 +214,7 @@ TEST_F(StepBarTest, AHeldButtonGoesOnThoughTheHandRests) {
     ui.frame();
     io.MouseDown[0] = true;
     ui.frame();
-    for (double held_s = 0.0; held_s < 0.6;) {  // a window that draws only what is asked for
+    for (double held_s = 0.0; held_s < 0.6;) {  // a window that draws only on request
         const float in_s = RedrawIn(context);
         ASSERT_GE(in_s, 0.0F) << "asleep after " << held_s << " s";
         held_s += std::max(static_cast<double>(in_s), 0.01);
@@ -242,12 +242,12 @@ TEST_F(StepBarTest, WithoutStepsItIsDisabledAndSaysWhy) {
         EXPECT_EQ(step, -1);
         ui.hover("steps/Play");
         ui.frames(60);
-        EXPECT_EQ(ui.text_of("steps/tooltip"), "\nThere are no steps to go through.");
+        EXPECT_EQ(ui.text_of("steps/tooltip"), "\nNo steps to go through.");
     }
     EXPECT_EQ(changes, 0);
 }
 
-TEST_F(StepBarTest, AStepBeyondTheEndIsShownAsTheEndAndKept) {
+TEST_F(StepBarTest, AStepPastTheEndIsShownAsTheEndAndKept) {
     step = 50;
     start_bar();
     EXPECT_EQ(ui.text_of("steps/text"), "step 12 of 12");

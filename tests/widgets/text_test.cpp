@@ -1,4 +1,4 @@
-// Numbers and formulas as text, the palettes' contrast and hues, labels in a view.
+// Numbers and formulas as text, contrast and hues of the palettes, labels in a view.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ TEST(NumberText, FixedDecimalsAndRealSigns) {
     EXPECT_EQ(viewing::number_text(999999.0, 1), "999999.0");
 }
 
-TEST(NumberText, ExponentsAndWhatIsNoNumber) {
+TEST(NumberText, ExponentsAndNonNumbers) {
     EXPECT_EQ(viewing::number_text(1.2341e8, 3), "1.234·10⁸");
     EXPECT_EQ(viewing::number_text(-1e12, 0), "−1·10¹²");
     EXPECT_EQ(viewing::number_text(7.92e-6, 2), "7.92·10⁻⁶");
@@ -31,7 +31,7 @@ TEST(NumberText, ExponentsAndWhatIsNoNumber) {
     EXPECT_FALSE(viewing::number_text(std::numeric_limits<double>::max(), 400).empty());
 }
 
-TEST(ParseNumber, WhatAPersonTypes) {
+TEST(ParseNumber, AcceptsWhatUsersType) {
     EXPECT_EQ(ParseNumber("1e-3"), 0.001);
     EXPECT_EQ(ParseNumber("−2"), -2.0);
     EXPECT_EQ(ParseNumber("1e−3"), 0.001);
@@ -48,7 +48,7 @@ TEST(ParseNumber, WhatAPersonTypes) {
     }
 }
 
-TEST(ParseNumber, WhatIsShownReadsBack) {
+TEST(ParseNumber, ShownNumbersReadBack) {
     const std::uint32_t seed = 5;
     SCOPED_TRACE("seed 5");
     std::mt19937 random(seed);
@@ -83,7 +83,7 @@ protected:
     }
 };
 
-TEST_F(TextTest, LoweredAndRaisedAreSmallerAndTakeNoSignsRoom) {
+TEST_F(TextTest, SubscriptsAndSuperscriptsAreSmallerAndOverlapNoSigns) {
     const float l = size_of("l").x, x = size_of("x").x;
     EXPECT_GT(size_of("l_x").x, l);
     EXPECT_LT(size_of("l_x").x, l + x);
@@ -103,14 +103,14 @@ TEST_F(TextTest, WordsKeepTheirSpaces) {
     }
 }
 
-TEST_F(TextTest, LettersTakeTheirRolesColourAndWordsDoNot) {
+TEST_F(TextTest, LettersTakeTheirRolesColorAndWordsDoNot) {
     size_of("n_x");
     EXPECT_TRUE(drew(context.palette.plane));
     EXPECT_FALSE(drew(context.palette.light));
-    EXPECT_FALSE(drew(IM_COL32_WHITE)) << "what is lowered takes its letter's colour";
+    EXPECT_FALSE(drew(IM_COL32_WHITE)) << "a subscript takes its letter's color";
     size_of("-l_x");
     EXPECT_TRUE(drew(context.palette.light));
-    EXPECT_TRUE(drew(IM_COL32_WHITE)) << "the sign has the base colour";
+    EXPECT_TRUE(drew(IM_COL32_WHITE)) << "the sign has the base color";
     size_of("normal");
     EXPECT_FALSE(drew(context.palette.plane));
 }
@@ -154,7 +154,7 @@ float hue_deg(ImU32 color) {
     return h * 360.0F;
 }
 
-TEST(Palette, EveryThemeCanBeReadAndKeepsTheHues) {
+TEST(Palette, EveryThemeIsReadableAndKeepsTheHues) {
     constexpr Role roles[] = {Role::light, Role::plane, Role::camera, Role::mirror, Role::point, Role::trouble};
     for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::projector}) {
         const Palette& palette = palette_of(theme);
@@ -167,7 +167,7 @@ TEST(Palette, EveryThemeCanBeReadAndKeepsTheHues) {
             EXPECT_GE(contrast(palette.quiet, ground), 4.5);
             for (const Role role : roles) {
                 EXPECT_GE(contrast(palette.of(role), ground), 3.0);
-                // Dark yellow and dark amber are both brown: light and point part a little there.
+                // Dark yellow and dark amber both look brown, so the light themes move these two hues farther apart.
                 const float turned = role == Role::light || role == Role::point ? 22.0F : 3.0F;
                 EXPECT_NEAR(hue_deg(palette.of(role)), hue_deg(palette_of(ThemeKind::dark).of(role)), turned);
             }
@@ -206,7 +206,7 @@ TEST_F(ViewTest, LabelsNeverCoverEachOther) {
         }
         return false;
     });
-    EXPECT_GE(placed, 190) << "there is room for nearly all";
+    EXPECT_GE(placed, 190) << "nearly all fit";
     ASSERT_EQ(context.recorded.size(), static_cast<std::size_t>(placed));
     const RecordedItem forbidden{"", "", forbidden_min, forbidden_max, true, ""};
     for (std::size_t i = 0; i < context.recorded.size(); ++i) {
@@ -229,7 +229,7 @@ TEST_F(ViewTest, AFullViewDropsLabels) {
     EXPECT_LT(placed, 10);
 }
 
-TEST_F(ViewTest, ATooltipSaysAllItsLines) {
+TEST_F(ViewTest, ATooltipShowsAllItsLines) {
     start([] {
         Button("S");
         Tooltip("Title", "body", "a = b; c = d", "glFlush", {}, "shadow.lift");
@@ -239,7 +239,7 @@ TEST_F(ViewTest, ATooltipSaysAllItsLines) {
     });
     ui.hover("S");
     ui.frames(10);
-    EXPECT_FALSE(ui.has("tooltip")) << "not at once";
+    EXPECT_FALSE(ui.has("tooltip")) << "not immediately";
     ui.frames(60);
     EXPECT_EQ(ui.text_of("tooltip"), "Title\nbody\na = b; c = d\nglFlush\nshadow.lift");
     ui.hover("empty");

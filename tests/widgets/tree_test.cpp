@@ -1,4 +1,4 @@
-// The tree diagram: its layout's properties on every kind of tree, and pan, zoom, folding, selection by real input.
+// The tree diagram: layout properties for every kind of tree; pan, zoom, folding and selection under real input.
 #include <cmath>
 #include <random>
 
@@ -13,7 +13,7 @@ void link(std::vector<TreeNode>& nodes, int parent, int child, bool front) {
     nodes[static_cast<std::size_t>(child)].parent = parent;
 }
 
-/// Nodes inserted one after the other at random places.
+/// A tree of nodes inserted one after the other at random places.
 std::vector<TreeNode> random_tree(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<TreeNode> nodes(static_cast<std::size_t>(count));
@@ -33,7 +33,7 @@ std::vector<TreeNode> random_tree(int count, unsigned seed) {
     return nodes;
 }
 
-/// Every node below the one before; on the side that `front_at` says.
+/// A chain of nodes, each on the side of the previous one that `front_at` says.
 template <class FrontAt>
 std::vector<TreeNode> chain(int count, FrontAt front_at) {
     std::vector<TreeNode> nodes(static_cast<std::size_t>(count));
@@ -47,7 +47,7 @@ std::vector<TreeNode> complete_tree(int levels) {
     return nodes;
 }
 
-/// As many nodes in every row as the ninth has: nothing but width and height to spare.
+/// Chains below the leaves of a complete tree: every row is as wide as the ninth, so the tree is both wide and tall.
 std::vector<TreeNode> hanging_chains() {
     std::vector<TreeNode> nodes = complete_tree(9);
     const int leaves = 256, length = 200;
@@ -60,7 +60,7 @@ std::vector<TreeNode> hanging_chains() {
     return nodes;
 }
 
-/// What must hold for every layout, by looking at each node.
+/// Checks the properties that every layout must have, node by node.
 void expect_tidy(const std::vector<TreeNode>& nodes, const TreeLayout& layout, std::size_t shown) {
     ASSERT_EQ(layout.order.size(), shown);
     ASSERT_EQ(layout.level.size(), nodes.size());
@@ -75,7 +75,7 @@ void expect_tidy(const std::vector<TreeNode>& nodes, const TreeLayout& layout, s
             if (layout.x[node] < layout.min_x || layout.x[node] > layout.max_x) ++wrong;
         }
     }
-    EXPECT_EQ(wrong, 0) << "nodes of one level stand at least 1 apart, in order";
+    EXPECT_EQ(wrong, 0) << "nodes of one level are at least 1 apart, in order";
     for (const int index : layout.order) {
         const TreeNode& node = nodes[static_cast<std::size_t>(index)];
         const double x = layout.x[static_cast<std::size_t>(index)];
@@ -94,7 +94,7 @@ void expect_tidy(const std::vector<TreeNode>& nodes, const TreeLayout& layout, s
         if (shown_child(node.front) && shown_child(node.back)) {
             EXPECT_NEAR(layout.x[static_cast<std::size_t>(node.front)] + layout.x[static_cast<std::size_t>(node.back)],
                         2.0 * x, rounding)
-                << "a parent stands above the middle of its children";
+                << "a parent is above the middle of its children";
         }
     }
 }
@@ -114,8 +114,8 @@ TEST(TreeLayoutTest, ACompleteTreeIsAsWideAsItsLeaves) {
     EXPECT_NEAR(layout.max_x - layout.min_x, 31.0, 1e-9);
 }
 
-TEST(TreeLayoutTest, ADeepNarrowSubtreeLiesBesideAShallowOne) {
-    // A threaded contour: the front subtree ends at level 2, the back one goes on to the left below it.
+TEST(TreeLayoutTest, ADeepNarrowSubtreeFitsBesideAShallowOne) {
+    // A threaded contour: the front subtree ends at level 2, the back one continues to the left below it.
     std::vector<TreeNode> nodes(9);
     link(nodes, 0, 1, true);
     link(nodes, 1, 2, false);
@@ -143,12 +143,12 @@ TEST(TreeLayoutTest, DegenerateSizes) {
     EXPECT_EQ(layout.subtree_size[0], 100'000);
 }
 
-TEST(TreeLayoutTest, LinksThatMakeNoTreeAreLeftOut) {
+TEST(TreeLayoutTest, LinksThatFormNoTreeAreIgnored) {
     std::vector<TreeNode> nodes = random_tree(10, 1);
     nodes[9].front = 0;              // back up: a cycle
     nodes[9].back = 9;               // to itself
-    nodes[8].back = 1000;            // nowhere
-    nodes[7].front = -7;             // less than none
+    nodes[8].back = 1000;            // out of range
+    nodes[7].front = -7;             // negative
     nodes[0].back = nodes[0].front;  // the same child twice
     const TreeLayout layout = LayOutTree(nodes);
     const int reached = static_cast<int>(layout.order.size());
@@ -156,12 +156,12 @@ TEST(TreeLayoutTest, LinksThatMakeNoTreeAreLeftOut) {
     EXPECT_GE(reached, 2);
     EXPECT_LE(reached, 10);
 
-    std::vector<TreeNode> strangers(3);  // nobody's children
+    std::vector<TreeNode> strangers(3);  // nodes without a parent
     EXPECT_EQ(LayOutTree(strangers).order.size(), 1U);
     EXPECT_EQ(LayOutTree(strangers).level[2], -1);
 }
 
-TEST(TreeLayoutTest, WhatIsFoldedKeepsItsSizeAndHidesWhatIsBelow) {
+TEST(TreeLayoutTest, AFoldedNodeKeepsItsSizeAndHidesItsDescendants) {
     const std::vector<TreeNode> nodes = complete_tree(4);
     const TreeLayout layout = LayOutTree(nodes, {1, 99, -3});
     expect_tidy(nodes, layout, 15 - 6);
@@ -215,7 +215,7 @@ TEST_F(TreeDiagramTest, FitsAtFirstAndThenStaysStill) {
     EXPECT_EQ(changes, 0);
 }
 
-TEST_F(TreeDiagramTest, AClickSelectsAndTheGroundUnselects) {
+TEST_F(TreeDiagramTest, AClickSelectsAndTheBackgroundDeselects) {
     start_diagram();
     ui.click("tree/4");
     EXPECT_EQ(selected, 4);
@@ -231,7 +231,7 @@ TEST_F(TreeDiagramTest, AClickSelectsAndTheGroundUnselects) {
     EXPECT_EQ(changes, 2);
 }
 
-TEST_F(TreeDiagramTest, ADragMovesTheTreeByAsMuchAndSelectsNothing) {
+TEST_F(TreeDiagramTest, DraggingMovesTheTreeAndSelectsNothing) {
     start_diagram();
     const ImVec2 before = center("tree/6");
     ui.drag("tree/2", 37, -21);
@@ -264,7 +264,7 @@ TEST_F(TreeDiagramTest, TheWheelZoomsAboutTheMouse) {
     EXPECT_LT(state.zoom, 10.0);
 }
 
-TEST_F(TreeDiagramTest, TheWheelDoesNotScrollTheWindowAround) {
+TEST_F(TreeDiagramTest, TheWheelDoesNotScrollTheSurroundingWindow) {
     float scrolled = 0.0F;
     start([&] {
         ImGui::BeginChild("panel", ImVec2(580, 300));
@@ -317,7 +317,7 @@ TEST_F(TreeDiagramTest, TheTriangleBelowANodeFoldsWithoutSelecting) {
     EXPECT_FALSE(state.collapsed.contains(2));
 }
 
-TEST_F(TreeDiagramTest, ADoubleClickOnTheGroundFits) {
+TEST_F(TreeDiagramTest, ADoubleClickOnTheBackgroundFits) {
     start_diagram();
     const ImVec2 before = center("tree/0");
     ui.drag("tree/0", 60, 30);
@@ -341,16 +341,16 @@ TEST_F(TreeDiagramTest, ANewRevisionUnfoldsAndFits) {
     EXPECT_TRUE(state.collapsed.empty());
     EXPECT_TRUE(ui.has("tree/6"));
     EXPECT_FALSE(ui.has("tree/7"));
-    nodes.clear();  // without saying so
+    nodes.clear();  // without a new revision number
     ui.frames(2);
     EXPECT_FALSE(ui.has("tree/0"));
     EXPECT_EQ(state.hovered, -1);
 }
 
-TEST_F(TreeDiagramTest, RevealUnfoldsAndMovesThere) {
+TEST_F(TreeDiagramTest, RevealUnfoldsAndScrollsToTheNode) {
     nodes = chain(2000, [](int) { return false; });
     start_diagram();
-    EXPECT_TRUE(ui.has("tree/0")) << "too large to be read whole: its top";
+    EXPECT_TRUE(ui.has("tree/0")) << "too large to read at once: its top";
     EXPECT_FALSE(ui.has("tree/1999"));
     state.collapsed = {3, 500, 1998};
     ui.frame();
@@ -366,8 +366,8 @@ TEST_F(TreeDiagramTest, RevealUnfoldsAndMovesThere) {
     EXPECT_TRUE(ui.has("tree/1999")) << "there is no such node: nothing happens";
 }
 
-TEST_F(TreeDiagramTest, AnySizeAtAnyZoomDrawsOnlyWhatCanBeSeen) {
-    // ImGui draws with 16-bit indices here: more corners would not draw at all.
+TEST_F(TreeDiagramTest, OnlyVisiblePartsAreDrawnAtAnySizeAndZoom) {
+    // ImGui draws with 16-bit indices here; more vertices would not draw at all.
     constexpr int most = 60'000;
     for (std::vector<TreeNode> tree : {std::vector<TreeNode>{}, random_tree(1, 9), random_tree(2, 9),
                                        random_tree(100'000, 9), complete_tree(17), hanging_chains()}) {
@@ -379,7 +379,7 @@ TEST_F(TreeDiagramTest, AnySizeAtAnyZoomDrawsOnlyWhatCanBeSeen) {
             node.eye_side = 1;
         }
         state = {};
-        state.collapsed = {-1};  // so that nothing is folded at first
+        state.collapsed = {-1};  // prevents folding at first
         style.size = ImVec2(590, 700);
         start_diagram();
         EXPECT_LT(vertices(), most);
@@ -395,7 +395,7 @@ TEST_F(TreeDiagramTest, AnySizeAtAnyZoomDrawsOnlyWhatCanBeSeen) {
     }
 }
 
-TEST_F(TreeDiagramTest, ATreeTooWideToBeReadIsFoldedAtFirst) {
+TEST_F(TreeDiagramTest, ATreeTooWideToReadIsFoldedAtFirst) {
     nodes = complete_tree(14);
     style.current = 16'000;
     start_diagram();
@@ -416,7 +416,7 @@ TEST_F(TreeDiagramTest, ATreeTooWideToBeReadIsFoldedAtFirst) {
     EXPECT_TRUE(ui.has("tree/16000"));
 }
 
-TEST_F(TreeDiagramTest, ALargeFoldOpensSomeLevelsAtATime) {
+TEST_F(TreeDiagramTest, ALargeFoldOpensAFewLevelsAtATime) {
     nodes = complete_tree(12);
     state.collapsed = {1, 2};
     start_diagram();
@@ -426,10 +426,10 @@ TEST_F(TreeDiagramTest, ALargeFoldOpensSomeLevelsAtATime) {
     state.reveal_next = 4094;  // the last leaf, below 2
     ui.frames(2);
     EXPECT_TRUE(ui.has("tree/4094"));
-    EXPECT_LT(state.layout.order.size(), 150U) << "what is not on the way stays folded";
+    EXPECT_LT(state.layout.order.size(), 150U) << "nodes off the path stay folded";
 }
 
-TEST_F(TreeDiagramTest, WhatTheCallerHasFoldedStaysSo) {
+TEST_F(TreeDiagramTest, NodesFoldedByTheCallerStayFolded) {
     nodes = complete_tree(14);
     state.collapsed = {1};
     start_diagram();
@@ -437,7 +437,7 @@ TEST_F(TreeDiagramTest, WhatTheCallerHasFoldedStaysSo) {
     EXPECT_TRUE(ui.has("tree/0"));
 }
 
-TEST_F(TreeDiagramTest, TheTooltipSaysHowManyNodesLieOnEachSide) {
+TEST_F(TreeDiagramTest, TheTooltipCountsTheNodesOnEachSide) {
     nodes[2].label = "polygon 7";
     start_diagram();
     ui.hover("tree/2");

@@ -1,4 +1,4 @@
-// A window around the widgets of one test, and how often they said that they changed something.
+// A window around the widgets of one test that counts how often they reported a change.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace widgets::test {
 
 class WidgetTest : public ::testing::Test {
 protected:
-    /// What the window shows; returns whether a widget reported a change.
+    /// Draws the content of the window; returns whether a widget reported a change.
     std::function<bool()> show = [] { return false; };
     int changes = 0;
     Context context;

@@ -1,5 +1,4 @@
-// The curves of a chart as lines and markers, told apart by their shapes as well as by colour. Their names are placed
-// in chart_labels.cpp.
+// A chart's curves as lines and markers that differ in shape as well as in color. chart_labels.cpp places their names.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +46,7 @@ bool ClipToPlot(const ChartPlot& plot, ImVec2& a, ImVec2& b) {
 
 namespace {
 
-/// Lengths of lines and gaps in turn, in design pixels.
+/// Lengths of dashes and gaps, alternating, in design pixels.
 using Dash = std::array<float, 4>;
 constexpr Dash dashes[] = {{0, 0, 0, 0}, {7, 4, 7, 4}, {2, 3, 2, 3}, {9, 3, 2, 3}};
 
@@ -94,7 +93,7 @@ private:
     ImVec2 last_;
     bool has_last_ = false;
     std::size_t phase_ = 0;
-    float used_ = 0.0F;  ///< of the dash at hand
+    float used_ = 0.0F;  ///< used part of the current dash
 };
 
 void DrawMarker(ImDrawList* draw, ImVec2 at, std::size_t shape, float r, ImU32 color) {
@@ -127,7 +126,7 @@ void DrawMarker(ImDrawList* draw, ImVec2 at, std::size_t shape, float r, ImU32 c
 }  // namespace
 
 void DrawCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, std::size_t index, ImU32 color) {
-    const float width = Px(curve.emphasised ? 2.75F : 1.6F) * CurrentContext().palette.stroke;
+    const float width = Px(curve.emphasized ? 2.75F : 1.6F) * CurrentContext().palette.stroke;
     DashedLine line(draw, plot, dashes[index % std::size(dashes)], color, width);
     for (const glm::dvec2& point : curve.points) {
         if (inner::CanBeDrawn(point)) {
@@ -141,7 +140,7 @@ void DrawCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve,
         if (!IsInPlot(plot, point)) continue;
         const ImVec2 at = PlaceOf(plot, point);
         if (Distance(at, last) < Px(9)) continue;
-        DrawMarker(draw, at, index, Px(curve.emphasised ? 4.5F : 3.5F), color);
+        DrawMarker(draw, at, index, Px(curve.emphasized ? 4.5F : 3.5F), color);
         last = at;
     }
 }

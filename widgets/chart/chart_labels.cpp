@@ -1,4 +1,4 @@
-// The names of curves at their ends, placed so that none covers another.
+// Places the names of curves at their ends so that none covers another.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,7 +15,7 @@ bool AreApart(const Box& a, const Box& b) {
     return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
 }
 
-/// The last point inside the plot, if there is one.
+/// The last point inside the plot; null if there is none.
 const glm::dvec2* EndOf(const ChartPlot& plot, const ChartCurve& curve) {
     for (std::size_t i = curve.points.size(); i > 0; --i) {
         if (IsInPlot(plot, curve.points[i - 1])) return &curve.points[i - 1];
@@ -23,7 +23,7 @@ const glm::dvec2* EndOf(const ChartPlot& plot, const ChartCurve& curve) {
     return nullptr;
 }
 
-/// What a name had better not cover: markers, and lines in small pieces.
+/// Areas that a name should avoid: markers, and lines in small pieces.
 std::vector<Box> Obstacles(const ChartPlot& plot, std::span<const ChartCurve> curves) {
     std::vector<Box> boxes;
     const auto add = [&boxes](ImVec2 at, float r) {
@@ -50,7 +50,7 @@ std::vector<Box> Obstacles(const ChartPlot& plot, std::span<const ChartCurve> cu
     return boxes;
 }
 
-/// The box nudged up and down to the nearest place that is free.
+/// Nudges the box up or down to the nearest free place.
 std::optional<Box> Nudged(const Box& wanted, const ChartPlot& plot, float most_px, std::span<const Box> taken,
                           std::span<const Box> obstacles) {
     const float height = wanted.max.y - wanted.min.y, step = std::ceil(height * 0.25F);
@@ -83,7 +83,7 @@ std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCu
         wanted.push_back({i, end, {ImVec2(left, top), ImVec2(left + size.x, top + size.y)}});
     }
     std::stable_sort(wanted.begin(), wanted.end(), [&](const EndLabel& a, const EndLabel& b) {
-        const bool a_first = curves[a.curve].emphasised, b_first = curves[b.curve].emphasised;
+        const bool a_first = curves[a.curve].emphasized, b_first = curves[b.curve].emphasized;
         return a_first != b_first ? a_first : a.end.y < b.end.y;
     });
     const std::vector<Box> obstacles = Obstacles(plot, curves);

@@ -1,5 +1,5 @@
-// The axes of a chart: ranges in whole decades, a line and a number at each decade, small ticks between. Where decades
-// lie close only every so-manieth has a number; where there are few, 2 and 5 have one, too.
+// A chart's axes: ranges of whole decades, a line and a number at each decade, small ticks in between. If decades are
+// dense, only some have a number; if there are few, 2 and 5 have one, too.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,7 +10,7 @@
 namespace widgets::inner {
 
 float LogScale::At(double value) const {
-    constexpr double far = 1e5;  ///< pixels beyond which nothing is seen and lines lose their precision
+    constexpr double far = 1e5;  ///< in pixels; beyond it nothing is visible and lines lose precision
     const double fraction = (std::log10(value) - low) / (high - low);
     return static_cast<float>(std::clamp(from + fraction * (to - from), -far, far));
 }
@@ -60,11 +60,11 @@ std::string TickLabel(int digit, int decade) {
     return digit == 1 ? power : std::to_string(digit) + "·" + power;
 }
 
-/// `label_room`: the pixels that one label takes along the axis.
+/// `label_room`: space for one label along the axis, in pixels.
 std::vector<Tick> TicksOf(const LogScale& scale, float label_room) {
     const double decade_px = std::abs(scale.to - scale.from) / (scale.high - scale.low);
     const int stride = std::max(1, static_cast<int>(std::ceil(label_room / decade_px)));
-    // The labels of 1, 2, 5 and 10 stand at least 0.3 of a decade apart.
+    // The labels at 1, 2, 5 and 10 are at least 0.3 decades apart.
     const bool labels_between = 0.3 * decade_px >= 1.6 * label_room && scale.high - scale.low < 2.5;
     const bool has_minor = decade_px >= Px(28);
     constexpr double rounding = 1e-9;

@@ -1,5 +1,5 @@
-// A chart with logarithmic axes: the picture of axes (log_axes.cpp), curves (chart_curves.cpp) and names
-// (chart_labels.cpp), and the values under the pointer.
+// A chart with logarithmic axes: axes (log_axes.cpp), curves (chart_curves.cpp), names (chart_labels.cpp), and the
+// values under the pointer.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -39,14 +39,14 @@ Pointed PointedAt(const ChartPlot& plot, std::span<const ChartCurve> curves, ImV
     return nearest;
 }
 
-/// With three figures.
+/// Formats with three significant digits.
 std::string ReadoutText(const char* title, double value) {
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(value))), 0, 6);
     const std::string number = viewing::number_text(value, decimals);
     return *title ? say("{name}: {value}", "name"_a = tr(title), "value"_a = number) : number;
 }
 
-/// A box beside the point, inside the chart.
+/// Draws a box beside the point, inside the chart.
 void DrawReadout(ImDrawList* draw, const Box& area, const ChartCurve& curve, const Pointed& pointed,
                  const LogChartStyle& style) {
     const Context& context = CurrentContext();
@@ -73,7 +73,7 @@ void DrawReadout(ImDrawList* draw, const Box& area, const ChartCurve& curve, con
     inner::RecordRect("readout", min, max, std::string(tr(curve.name)) + "\n" + x + "\n" + y);
 }
 
-/// The vertical line; returns what its label covers.
+/// Draws the vertical line. Returns the area that its label covers.
 std::vector<Box> DrawVerticalMarker(ImDrawList* draw, const ChartPlot& plot, const LogChartStyle& style) {
     if (!(style.marker_x > 0.0) || !std::isfinite(style.marker_x) || !plot.x.Holds(style.marker_x)) return {};
     const Palette& palette = CurrentContext().palette;

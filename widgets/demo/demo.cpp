@@ -1,4 +1,4 @@
-// widgets-demo [dark|light|projector] [SCALE]: a window with every widget. What is in it is in show_demo.cpp.
+// widgets-demo [dark|light|projector] [SCALE]: a window with every widget. show_demo.cpp has its content.
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <GLFW/glfw3.h>
@@ -17,7 +17,7 @@ constexpr const char* heading_file = "/usr/share/fonts/opentype/inter/Inter-Semi
 constexpr const char* number_file = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf";
 constexpr const char* signs_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-/// A font at a design size with the mathematical signs that it lacks; ImGui's own where the file is missing.
+/// Loads a font at a design size, with the math signs that it lacks. Returns ImGui's own font if the file is missing.
 ImFont* LoadFont(const char* file, float size_px) {
     static constexpr ImWchar latin[] = {0x20, 0xFF, 0x2013, 0x2026, 0x2212, 0x2212, 0};
     static constexpr ImWchar signs[] = {0x370,  0x3FF,  0x1D40, 0x1D40, 0x2070, 0x209C,
@@ -93,7 +93,7 @@ int main(int argument_count, char** arguments) {
 
     widgets::Context context;
     ApplyLook(look, context);
-    constexpr int frames_to_settle = 3;  // ImGui lays out in one frame what it draws in the next
+    constexpr int frames_to_settle = 3;  // ImGui draws each frame with the layout of the previous one
     int frames_left = frames_to_settle;
     while (!glfwWindowShouldClose(window)) {
         const float wait_s = frames_left > 0 ? 0.0F : widgets::RedrawIn(context);

@@ -1,6 +1,6 @@
-// Every widget once, each in the few lines that it takes: read this as the library's manual, beside the running demo.
-// Left: controls for numbers and switches. Middle: the lecture's planes, lights and lamps, and labels in a view.
-// Then matrices, and the diagrams, which show_diagrams_demo.cpp shows.
+// Every widget once, each in as few lines as it needs: read this as the library's manual while the demo runs. Left:
+// numbers and switches. Middle: planes, lights, lamps, and labels in a view. Then matrices, and the diagrams of
+// show_diagrams_demo.cpp.
 #include "widgets/demo/show_demo.h"
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr Links plane_link(int component) {
 constexpr std::array<Links, 4> light_links{light_link(0), light_link(1), light_link(2), light_link(3)};
 constexpr std::array<Links, 4> plane_links{plane_link(0), plane_link(1), plane_link(2), plane_link(3)};
 
-/// What the widgets edit.
+/// The values that the widgets edit.
 struct DemoValues {
     glm::dvec3 position{3.9, 3.0, 6.6};
     double yaw_deg = 30.6, fovy_deg = 40.0, near = 0.5, far = 40.0, opacity = 0.5;
@@ -53,7 +53,7 @@ void ShowNumbers(DemoValues& v) {
     Slider("fovy", v.fovy_deg, {.min = 1, .max = 170, .step = 0.2, .decimals = 1, .unit = "°", .default_value = 40});
     Slider("z-near", v.near,
            {.min = 1e-4, .max = v.far * 0.999, .decimals = 3, .logarithmic = true, .default_value = 0.5});
-    Tooltip("Near plane", "Half of all depth codes lie between n and 2nf/(f + n): moving it out gains most.",
+    Tooltip("Near plane", "Half of all depth codes lie between n and 2nf/(f + n): moving n out gains the most.",
             "Δz ≈ z^2 (f - n) / (f n (2^b - 1))", "glm::perspective(fovy, aspect, near, far)");
     Slider("z-far", v.far,
            {.min = v.near * 1.001, .max = 1e6, .decimals = 1, .logarithmic = true, .default_value = 40});
@@ -66,7 +66,7 @@ void ShowSwitches(DemoValues& v, DemoLook& look) {
     if (!Section("Switches")) return;
     const Group group("switches");
     Toggle("Depth test", v.depth_test, true);
-    Tooltip("Depth test", "Off, nothing is compared and nothing is written: not the same as GL_ALWAYS.", "",
+    Tooltip("Depth test", "When off, nothing is compared or written: not the same as GL_ALWAYS.", "",
             "glEnable(GL_DEPTH_TEST)");
     ImGui::SameLine(150.0F * CurrentContext().scale * CurrentContext().palette.type_scale);
     Choice("##depth func", v.depth_func, depth_funcs, 1);
@@ -75,7 +75,7 @@ void ShowSwitches(DemoValues& v, DemoLook& look) {
     ImGui::BeginDisabled(true);
     Toggle("Stencil", v.unavailable, true);
     ImGui::EndDisabled();
-    Tooltip("Stencil", "This depth format has no stencil beside it.");
+    Tooltip("Stencil", "This depth format has no stencil bits.");
     Segments("##navigation", v.navigation, navigations, 0, navigation_tips);
     if (BeginChoice("##scene", v.scene, 150.0F * CurrentContext().scale)) {
         for (const char* name : {"Boxes", "Torus and boxes"}) {
@@ -112,7 +112,7 @@ void ShowTheLecturesThings(DemoValues& v) {
     if (glm::dot(v.plane, v.light) == 0.0) {
         Trouble("The light lies in the plane: S sends every point to the light.");
     } else {
-        Trouble("This is how a trouble reads: one sentence where its cause is.");
+        Trouble("This is how a problem reads: one sentence next to its cause.");
     }
     if (Section("Lamps")) {
         const bool fly = v.navigation == 0, walk = v.navigation == 1;

@@ -1,5 +1,5 @@
-// The diagrams of depth.h: how precise the formats are for one near and far, where the codes of a small one fall, a
-// made-up picture's depths, sixteen of its pixels as on the lecture's slide, and two pictures with a divider.
+// The diagrams of depth.h: precision of the formats for one near and far, the codes of a small format, the depths of an
+// invented picture, sixteen of its pixels as on the lecture's slide, and two pictures with a divider.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ ImVec2 Tall(float height) {
     return ImVec2(0.0F, height * context.scale * context.palette.type_scale);
 }
 
-/// The step of an integer format under the standard perspective.
+/// The step of an integer format under the standard perspective projection.
 std::vector<glm::dvec2> IntegerSteps(int bits, double near, double far) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= 60; ++i) {
@@ -28,7 +28,7 @@ std::vector<glm::dvec2> IntegerSteps(int bits, double near, double far) {
     return points;
 }
 
-/// The stored float's step where depth is reversed, and the error of computing it, in units of 2⁻²⁴ of the depth.
+/// The step of a stored float with reversed depth, or the arithmetic error of the depth, estimated as 10⁻⁷ near/z.
 std::vector<glm::dvec2> ReversedFloatSteps(double near, double far, bool is_arithmetic) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= 400; ++i) {
@@ -48,7 +48,7 @@ void ShowPrecision(const Palette& palette, double& near, double& far) {
     const ChartCurve curves[] = {
         {.name = "16 bit", .color = palette.mirror, .points = bits16},
         {.name = "24 bit", .color = palette.plane, .points = bits24},
-        {.name = "reversed float", .color = palette.light, .points = step, .emphasised = true},
+        {.name = "reversed float", .color = palette.light, .points = step, .emphasized = true},
     };
     const ChartCurve terms[] = {{.name = "arithmetic", .color = palette.trouble, .points = arithmetic}};
     const DepthMark marks[] = {{"teapot", 3.2}, {"wall", 12.0}, {"tower", 14.0}, {"mountain", 70.0}};
@@ -88,7 +88,7 @@ void ShowCounts() {
     Toggle("logarithmic heights", logarithmic, false);
 }
 
-/// A triangle before a wall, in 8 × 8 pixels: its colours, then its depths.
+/// A triangle in front of a wall, in 8 × 8 pixels: first colors, then depths.
 void ShowCells(const Palette& palette) {
     if (!Section("Pixels one by one", true, "click pins")) return;
     constexpr int columns = 8, rows = 8;

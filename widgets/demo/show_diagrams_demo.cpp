@@ -1,5 +1,5 @@
-// The diagrams of diagrams.h with a made-up method: a tree that is built and then walked, the bar that goes through
-// those steps, and what methods cost as scenes grow.
+// The diagrams of diagrams.h with an invented method: a tree that is built and then traversed, the bar that steps
+// through both, and the cost of methods as scenes grow.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -14,11 +14,11 @@ namespace {
 
 constexpr int node_count = 40;
 
-/// A tree by chance, the same each time: its labels are polygon numbers.
+/// A random tree, the same on each run. Its labels are polygon numbers.
 struct DemoTree {
     std::vector<std::string> labels;
     std::vector<TreeNode> nodes;
-    std::vector<int> walk;  ///< the nodes from back to front for an eye that is in front of every other plane
+    std::vector<int> walk;  ///< traversal from back to front, with the eye on a random side of each plane
 
     DemoTree() : nodes(node_count) {
         std::mt19937 random(5);
@@ -62,7 +62,7 @@ void ShowTreeAndSteps(const Palette& palette) {
 
     if (!Section("Tree and steps", true, "drag · wheel · double-click")) return;
     StepBar("steps", step, 2 * node_count, player, ImGui::GetIO().DeltaTime);
-    // First a node is built in each step, then one is visited.
+    // The first steps each build a node; the others each visit one.
     const int reached = step < 0 ? 2 * node_count : step, visited = std::max(reached - node_count, 0);
     for (int i = 0; i < node_count; ++i) {
         tree.At(i).mark = -1;
@@ -84,7 +84,7 @@ void ShowCosts(const Palette& palette) {
     struct Method {
         const char* name;
         double factor, exponent;
-        int points;  ///< a slow one stops early
+        int points;  ///< a slow method stops early
         ImU32 color;
     };
     const Method methods[] = {
@@ -102,7 +102,7 @@ void ShowCosts(const Palette& palette) {
     std::vector<ChartCurve> curves;
     for (std::size_t i = 0; i < points.size(); ++i) {
         curves.push_back(
-            {.name = methods[i].name, .color = methods[i].color, .points = points[i], .emphasised = i == 2});
+            {.name = methods[i].name, .color = methods[i].color, .points = points[i], .emphasized = i == 2});
     }
     LogChart("costs", curves,
              {.x = {.title = "polygons"},

@@ -1,9 +1,10 @@
-// A block of pixels drawn as large squares with a number in each, as on the lecture's Z-buffer slide.
+// A block of pixels as large squares with a number in each, as on the lecture's z-buffer slide.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "text/catalogue.h"
 #include "widgets/area.h"
 #include "widgets/depth.h"
 #include "widgets/depth/depth_inner.h"
@@ -15,7 +16,7 @@ namespace {
 using inner::Px;
 using inner::Shown;
 
-/// Where the cells stand: squares of whole pixels.
+/// Layout of the cells: squares of whole pixels.
 struct Grid {
     ImVec2 min;
     float side;
@@ -49,7 +50,7 @@ Grid LayOut(ImVec2 min, ImVec2 max, int columns, int rows) {
     return grid;
 }
 
-/// Black or white, whichever has more contrast: at least 4.5 : 1 on any colour. Source: WCAG 2, relative luminance.
+/// Black or white, whichever has more contrast: at least 4.5 : 1 on any color. Source: WCAG 2, relative luminance.
 ImU32 ContrastingInk(ImU32 color) {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
     const auto linear = [](float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F); };
@@ -67,7 +68,7 @@ bool Fits(const inner::Face& face, std::string_view text, float side) {
     return size.x <= side - Px(5) && size.y <= side - Px(3);
 }
 
-/// The large digits where every text fits in them, else the small ones.
+/// Returns the large digits if every text fits in them, otherwise the small ones.
 inner::Face FaceFor(std::span<const Cell> cells, float side) {
     const Fonts& fonts = CurrentContext().fonts;
     const inner::Face large = inner::FaceOf(fonts.number);
@@ -85,7 +86,7 @@ void DrawCell(ImDrawList* draw, const Cell& cell, ImVec2 min, ImVec2 max, float 
                   Px(1) * CurrentContext().palette.stroke);
 }
 
-/// On the cell's edge, clear of its text, between two thin lines that set it off from any colour.
+/// Draws a ring on the cell's edge, clear of its text, between two thin lines that set it off from any color.
 void DrawRing(ImDrawList* draw, const Grid& grid, int cell, ImU32 color, float width) {
     const Palette& palette = CurrentContext().palette;
     const ImVec2 min = grid.Min(cell), max = grid.Max(cell);
@@ -100,7 +101,7 @@ struct GridPicture {
     bool has_text;
 };
 
-/// Whether the cell's text stands in it.
+/// Whether the cell shows its text.
 bool ShowsText(const GridPicture& picture, const Cell& cell) {
     return picture.has_text && !cell.text.empty() && Fits(picture.face, cell.text, picture.grid.side);
 }
@@ -130,12 +131,13 @@ void DrawCells(ImDrawList* draw, const GridPicture& picture, std::span<const Cel
 }
 
 const char* ProblemOf(std::span<const Cell> cells, int columns, int rows) {
-    if (cells.empty() || columns <= 0 || rows <= 0) return "There are no pixels to show.";
-    if (static_cast<std::int64_t>(columns) * rows > most_cells) return "Too many pixels to show one by one.";
+    if (cells.empty() || columns <= 0 || rows <= 0) return viewing::marked("There are no pixels to show.");
+    if (static_cast<std::int64_t>(columns) * rows > most_cells)
+        return viewing::marked("Too many pixels to show one by one.");
     return nullptr;
 }
 
-/// Whether `selected` changed.
+/// Returns whether `selected` changed.
 bool Select(int pointed, int& selected) {
     int next = selected;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Left)) next = pointed == selected ? -1 : pointed;

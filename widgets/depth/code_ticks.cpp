@@ -1,4 +1,4 @@
-// Two rows of ticks, where depth codes lie and what eye distances they mean, joined by lines.
+// Two rows of ticks joined by lines: depth codes and the eye distances that they represent.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -17,11 +17,11 @@ using inner::Px;
 using inner::Shown;
 
 struct Rows {
-    float left, right;  ///< of both
+    float left, right;  ///< of both rows
     float upper, lower;
     double near, far;
 
-    /// Up to rounding in what a code means.
+    /// Tolerates rounding of a code's eye distance.
     bool Holds(double z) const {
         const double rounding = 1e-6 * (far - near);
         return z >= near - rounding && z <= far + rounding;
@@ -36,7 +36,7 @@ struct CodeTick {
     bool is_joined;
 };
 
-/// Every so-manieth, so that they stand apart in the upper row, and the last.
+/// Returns every n-th tick, so that they stay apart in the upper row, and always the last one.
 std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
     const std::size_t last = eye_distances.size() - 1;
     const std::size_t most = std::max<std::size_t>(static_cast<std::size_t>((rows.right - rows.left) / Px(6)), 1);
@@ -53,7 +53,7 @@ std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> ey
     return ticks;
 }
 
-/// Whose line the pointer is on or next to.
+/// Returns the tick whose line is under the pointer or nearest to it.
 const CodeTick* TickAt(const Rows& rows, std::span<const CodeTick> ticks, ImVec2 pointer) {
     if (pointer.y < rows.upper - Px(10) || pointer.y > rows.lower + Px(10)) return nullptr;
     const float share = std::clamp((pointer.y - rows.upper) / (rows.lower - rows.upper), 0.0F, 1.0F);
@@ -91,7 +91,7 @@ void DrawTicks(ImDrawList* draw, const Rows& rows, std::span<const CodeTick> tic
     if (pointed) draw_tick(*pointed, Shown(palette.accent), Shown(palette.accent), Px(2.5F) * palette.stroke);
 }
 
-/// Texts at both ends of a row, and its title between them where it has room.
+/// Draws texts at both ends of a row, and its title between them if it fits.
 void DrawRowTexts(ImDrawList* draw, const Rows& rows, float y, const std::string& first, const std::string& last,
                   const char* title) {
     const Palette& palette = CurrentContext().palette;
@@ -135,7 +135,7 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
     const bool has_range = std::isfinite(near) && std::isfinite(far) && near < far;
     if (!has_range || eye_distances.empty()) {
         inner::DrawHint(draw, min, max,
-                        has_range ? marked("There are no codes to show.") : marked("Near is not less than far."));
+                        has_range ? marked("No codes to show.") : marked("Near must be less than far."));
     } else {
         const float text = inner::FaceOf(CurrentContext().fonts.note).size;
         const Rows rows{.left = min.x + Px(14),

@@ -1,4 +1,4 @@
-// What the diagrams of depth.h share: vertical lines to drag, the box beside the pointer.
+// Shared by the diagrams of depth.h: vertical lines to drag, the readout box beside the pointer.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace widgets::inner {
 /// The value at a pixel of a logarithmic axis.
 double ValueAtPixel(const LogScale& scale, double pixel);
 
-/// An area's size in pixels: what is wanted, or what is there, but not below a least size in design pixels.
+/// An area's size in pixels: `wanted`, or the available size, but at least `least` in design pixels.
 ImVec2 AreaSize(ImVec2 wanted, ImVec2 least);
 
 /// A vertical line that can be dragged sideways.
 struct DragLine {
-    const char* id;    ///< its name for the recorder, too
+    const char* id;    ///< also its name for the recorder
     float x;           ///< in pixels
     std::string text;  ///< for the recorder
     const char* tip_title;
@@ -25,19 +25,19 @@ struct DragLine {
 };
 struct DragLineUse {
     bool held = false, hovered = false, reset = false;  ///< reset: right-clicked
-    std::optional<double> x;                            ///< where the pointer drags it to, in pixels, unclamped
+    std::optional<double> x;                            ///< dragged position, in pixels, unclamped
 };
-/// The item of a line from `top` to `bottom`. Moves the cursor.
+/// Adds the item of a line from `top` to `bottom`. Moves the cursor.
 DragLineUse UseLine(const DragLine& line, float top, float bottom);
-/// The same for two that may lie on each other: the pointer takes the one on whose side it is.
+/// The same for two lines that may coincide: the pointer then grabs the one on its own side.
 struct DragLinesUse {
     DragLineUse low, high;
 };
 DragLinesUse UseLines(const DragLine& low, const DragLine& high, float top, float bottom);
-/// A line with a grip at its top.
+/// Draws a line with a grip at its top.
 void DrawDragLine(ImDrawList* draw, float x, float top, float bottom, ImU32 color, const DragLineUse& use);
 
-/// A box with a heading and lines beside a point, inside the area; recorded as "readout".
+/// Draws a box with a heading and lines beside a point, inside the area. Recorded as "readout".
 void DrawReadoutBox(ImDrawList* draw, const Box& area, ImVec2 at, const std::string& heading,
                     std::span<const std::string> lines);
 

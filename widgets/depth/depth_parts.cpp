@@ -1,4 +1,4 @@
-// What the diagrams of depth.h share. Read depth_inner.h.
+// Shared by the diagrams of depth.h. See depth_inner.h.
 #include "widgets/depth/depth_inner.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ DragLineUse UseLine(const DragLine& line, float top, float bottom) {
     if (ImGui::IsItemActivated()) {
         editing.drag_value = line.x;
     } else if (use.held && io.MouseDelta.x != 0.0F) {
-        // Not clamped itself, so that the line stays under a pointer that went past the end and came back.
+        // Do not clamp here: a pointer that has passed the end must meet the line again when it returns.
         editing.drag_value += io.MouseDelta.x * (io.KeyAlt ? 0.01 : 1.0);
         use.x = editing.drag_value;
     }

@@ -1,7 +1,8 @@
-// A line between two pictures that share an area, to be dragged sideways.
+// A draggable line between two pictures that share an area.
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "widgets/depth.h"
 #include "widgets/depth/depth_inner.h"
 
@@ -12,7 +13,7 @@ namespace {
 using inner::Px;
 using inner::Shown;
 
-/// A name on a plate of the ground's colour.
+/// Draws a name on a plate of the background color.
 void DrawName(ImDrawList* draw, ImVec2 min, ImVec2 size, const char* name, const char* recorded_as) {
     const Palette& palette = CurrentContext().palette;
     const ImVec2 max(min.x + size.x, min.y + size.y);
@@ -22,7 +23,7 @@ void DrawName(ImDrawList* draw, ImVec2 min, ImVec2 size, const char* name, const
     inner::RecordRect(recorded_as, min, max, name);
 }
 
-/// Each on its side of the line, where there is room.
+/// Draws each name on its side of the line, if it fits.
 void DrawNames(ImDrawList* draw, ImVec2 min, ImVec2 max, float x, const DividerStyle& style) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
     const float away = Px(10), top = min.y + Px(8);
@@ -39,7 +40,7 @@ void DrawNames(ImDrawList* draw, ImVec2 min, ImVec2 max, float x, const DividerS
     }
 }
 
-/// A bar with an outline, so that it stands out on any picture, and a round grip with two arrowheads.
+/// Draws a bar with an outline, so that it stays visible on any picture, and a round grip with two arrowheads.
 void DrawBar(ImDrawList* draw, ImVec2 min, ImVec2 max, float x, const inner::DragLineUse& use) {
     const Palette& palette = CurrentContext().palette;
     const ImU32 fill = Shown(use.held || use.hovered ? palette.accent : palette.text), edge = Shown(palette.ground);
@@ -68,13 +69,13 @@ bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const Divider
     };
     const float default_share = limited(style.default_share, 0.5);
     float edited = limited(share, default_share);
-    const inner::DragLineUse use =
-        inner::UseLine({.id = "divider",
-                        .x = min.x + edited * width,
-                        .text = viewing::number_text(edited, 2),
-                        .tip_title = "Divider",
-                        .tip = "Drag to see more of one picture; Alt for finer steps, right-click resets it."},
-                       min.y, max.y);
+    const inner::DragLineUse use = inner::UseLine(
+        {.id = "divider",
+         .x = min.x + edited * width,
+         .text = viewing::number_text(edited, 2),
+         .tip_title = "Divider",
+         .tip = viewing::marked("Drag to see more of one picture; Alt for finer steps, right-click resets it.")},
+        min.y, max.y);
     ImGui::SetCursorScreenPos(cursor);
     if (style.held) *style.held = use.held || use.hovered;
     if (use.x) edited = limited((*use.x - min.x) / width, edited);

@@ -1,8 +1,9 @@
-// Bars of how often each value occurs, and a range to be dragged over them.
+// A histogram with a draggable range.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "text/catalogue.h"
 #include "text/numbers.h"
 #include "widgets/area.h"
 #include "widgets/depth.h"
@@ -15,11 +16,11 @@ namespace {
 using inner::Px;
 using inner::Shown;
 
-/// The rectangle of the bars, with what it stands for.
+/// The rectangle of the bars and its scales.
 struct Plot {
     ImVec2 min, max;
-    double low, high;  ///< values at its left and right end
-    double tallest;    ///< the height of a bar that reaches its top
+    double low, high;  ///< values at the left and right end
+    double tallest;    ///< height of a bar that reaches the top
 
     float X(double value) const {
         return static_cast<float>(min.x + std::clamp((value - low) / (high - low), 0.0, 1.0) * (max.x - min.x));
@@ -35,7 +36,7 @@ std::uint32_t HighestOf(std::span<const std::uint32_t> counts) {
     return counts.empty() ? 0U : *std::max_element(counts.begin(), counts.end());
 }
 
-/// The values from the first bar with counts to the end of the last one; all of them without counts.
+/// The range from the first bar with counts to the end of the last; the full range if there are no counts.
 glm::dvec2 Fitted(std::span<const std::uint32_t> counts, double min, double max) {
     const auto has_counts = [](std::uint32_t count) { return count > 0; };
     const auto first = std::find_if(counts.begin(), counts.end(), has_counts);
@@ -47,7 +48,7 @@ glm::dvec2 Fitted(std::span<const std::uint32_t> counts, double min, double max)
     return {min + begin * bar, max - behind * bar};
 }
 
-/// Its first and last value within the ends and apart, whatever was given.
+/// The range, clamped to min…max; the full range if it is invalid.
 glm::dvec2 SensibleRange(const glm::dvec2& range, double min, double max) {
     const bool is_range = range.x < range.y && range.x < max && range.y > min;
     return is_range ? glm::clamp(range, glm::dvec2(min), glm::dvec2(max)) : glm::dvec2(min, max);
@@ -58,7 +59,7 @@ void DrawBars(ImDrawList* draw, const Plot& plot, std::span<const std::uint32_t>
     const Palette& palette = CurrentContext().palette;
     const float width = plot.max.x - plot.min.x;
     const std::size_t count = counts.size();
-    // Bars narrower than a design pixel are drawn together, as high as their highest.
+    // Merge bars narrower than a design pixel; the highest one sets the height.
     const std::size_t drawn = std::clamp<std::size_t>(static_cast<std::size_t>(width / Px(1)), 1, count);
     const float step = width / static_cast<float>(drawn), gap = step >= Px(4) ? Px(1) : 0.0F;
     const ImU32 inside = Shown(palette.accent);
@@ -78,7 +79,7 @@ void DrawBars(ImDrawList* draw, const Plot& plot, std::span<const std::uint32_t>
                   Px(1) * palette.stroke);
 }
 
-/// Its own bar, cut by two slanted lines where it is higher than all others.
+/// Draws the extra bar of unwritten values, cut by two slanted lines if it is higher than all others.
 void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, const HistogramStyle& style) {
     const Palette& palette = CurrentContext().palette;
     const double height = HeightOf(style.unwritten, style);
@@ -98,7 +99,7 @@ void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, 
     inner::RecordRect("unwritten", min, max, std::to_string(style.unwritten));
 }
 
-/// The ends of the range under their lines, side by side where these are close; the ends of all where room is left.
+/// Labels the range under its lines, side by side if these are close; labels the full range if there is space.
 void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     const Palette& palette = CurrentContext().palette;
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
@@ -128,11 +129,11 @@ void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     if (last_x - gap >= high_x + high_width) draw_text(last_x, palette.quiet, last);
 }
 
-/// Where the two lines lead.
+/// Returns the range after this frame's dragging.
 glm::dvec2 UseRange(const Plot& plot, const glm::dvec2& range, inner::DragLinesUse& use) {
-    constexpr const char* tip =
-        "Drag to change the range; Alt for finer steps. Right-click takes all, a double-click "
-        "beside the lines what has counts.";
+    constexpr const char* tip = viewing::marked(
+        "Drag to change the range; hold Alt for finer steps. Right-click to select everything; double-click away from "
+        "the lines to fit the range to the data.");
     const double apart = 1e-3 * (plot.high - plot.low);
     use = inner::UseLines(
         {.id = "from", .x = plot.X(range.x), .text = viewing::steady_figures(range.x), .tip_title = "From", .tip = tip},
@@ -170,7 +171,7 @@ struct ButtonUse {
     bool clicked = false, hovered = false;
 };
 
-/// The title at the left, the button at the right.
+/// Draws the title at the left and the button at the right.
 ButtonUse TitleAndFit(ImDrawList* draw, ImVec2 min, ImVec2 max, bool has_counts, const HistogramStyle& style) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
     const float button = ImGui::CalcTextSize(tr("Fit")).x + Px(16), height = ImGui::GetFontSize() + Px(4);
@@ -178,7 +179,7 @@ ButtonUse TitleAndFit(ImDrawList* draw, ImVec2 min, ImVec2 max, bool has_counts,
     const float room = max.x - button - Px(10) - at.x;
     std::string title = tr(style.title);
     if (style.logarithmic) {
-        const std::string whole = say("{title}, heights logarithmic", "title"_a = title);
+        const std::string whole = say("{title}, logarithmic heights", "title"_a = title);
         if (face.Measure(whole).x <= room) title = whole;
     }
     {
@@ -188,8 +189,7 @@ ButtonUse TitleAndFit(ImDrawList* draw, ImVec2 min, ImVec2 max, bool has_counts,
     ImGui::SetCursorScreenPos(ImVec2(max.x - button - Px(4), min.y + Px(4)));
     const bool clicked = SmallButton("Fit", has_counts, "Nothing has been counted.");
     const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
-    if (has_counts)
-        Tooltip("Fit", "The range from the first to the last value that occurs; a double-click does the same.");
+    if (has_counts) Tooltip("Fit", "Fits the range to the values that occur. A double-click does the same.");
     return {clicked, hovered};
 }
 
@@ -228,7 +228,7 @@ bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("histogram", size);
     Record("histogram");
-    // ImGui calls an item hovered also where an earlier one lies on it.
+    // ImGui reports an item as hovered even if an earlier one overlaps it.
     const bool on_part = use.low.hovered || use.high.hovered || fit.hovered;
     const bool hovered = ImGui::IsItemHovered() && !on_part;
     if (is_usable && hovered) {
@@ -253,7 +253,7 @@ bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min
     } else {
         inner::DrawHint(
             draw, min, max,
-            counts.empty() ? marked("Nothing has been counted yet.") : marked("There is no range to count over."));
+            counts.empty() ? marked("Nothing has been counted yet.") : marked("The range to count over is empty."));
     }
     draw->PopClipRect();
     const bool changed = (edited != before || takes_all || fit.clicked) && edited != range;

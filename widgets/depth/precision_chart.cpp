@@ -1,8 +1,9 @@
-// The hands of a PrecisionChart: near and far are dragged over its axis. Its picture is in precision_drawing.cpp, its
-// axes are those of every chart (log_axes.cpp).
+// Interaction of a PrecisionChart: dragging near and far over its axis. precision_drawing.cpp draws it, log_axes.cpp
+// draws its axes.
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "text/numbers.h"
 #include "widgets/area.h"
 #include "widgets/depth/precision_inner.h"
@@ -22,7 +23,7 @@ bool IsDistance(double z) {
     return z > 0.0 && std::isfinite(z);
 }
 
-/// On the axis, or at the end beyond which it lies.
+/// Position on the axis, clamped to its ends.
 float PlaceOf(const ChartPlot& plot, double z) {
     return std::clamp(plot.x.At(z), plot.min.x, plot.max.x);
 }
@@ -35,7 +36,7 @@ struct Distances {
     double near, far;
 };
 
-/// `value` at its default, both where the other is in its way.
+/// Resets `value` to its default, or both values if the other is in the way.
 void Reset(double& value, double default_value, Distances& edited, const PrecisionChartStyle& style) {
     if (!IsDistance(default_value)) return;
     value = default_value;
@@ -47,9 +48,8 @@ inner::DragLine NearLine(const ChartPlot& plot, double near) {
             .x = PlaceOf(plot, near),
             .text = viewing::steady_figures(near),
             .tip_title = "Near",
-            .tip =
-                "Drag to move the near plane; Alt for finer steps, right-click resets it. Nothing nearer is drawn. "
-                "The step of a depth buffer grows as near shrinks."};
+            .tip = viewing::marked("Drag to move the near plane; Alt for finer steps, right-click resets it. Nothing "
+                                   "nearer is drawn. The code width grows as near shrinks.")};
 }
 
 inner::DragLine FarLine(const ChartPlot& plot, double far) {
@@ -57,10 +57,11 @@ inner::DragLine FarLine(const ChartPlot& plot, double far) {
             .x = PlaceOf(plot, far),
             .text = viewing::steady_figures(far),
             .tip_title = "Far",
-            .tip = "Drag to move the far plane; Alt for finer steps, right-click resets it. Nothing farther is drawn."};
+            .tip = viewing::marked(
+                "Drag to move the far plane; Alt for finer steps, right-click resets it. Nothing farther is drawn.")};
 }
 
-/// Where the lines lead. An edit that would not leave near < far is none.
+/// Returns the distances after this frame's dragging. Ignores edits that would break near < far.
 Distances UseLines(const ChartPlot& plot, const Distances& before, const PrecisionChartStyle& style,
                    inner::DragLinesUse& use) {
     const bool has_near = IsDistance(before.near), has_far = IsDistance(before.far);
@@ -86,7 +87,7 @@ Distances UseLines(const ChartPlot& plot, const Distances& before, const Precisi
     return has_near && has_far && !(edited.near < edited.far) ? before : edited;
 }
 
-/// What is cut off, darker.
+/// Darkens the ranges that near and far clip.
 void DrawCutOff(ImDrawList* draw, const ChartPlot& plot, const Distances& distances) {
     const ImU32 shade = Shown(inner::WithAlpha(CurrentContext().palette.ground, 0.6F));
     if (IsDistance(distances.near)) {
@@ -97,12 +98,12 @@ void DrawCutOff(ImDrawList* draw, const ChartPlot& plot, const Distances& distan
     }
 }
 
-/// The lines and their names; returns what the names cover.
+/// Draws the lines and their names. Returns the areas that the names cover.
 std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Distances& distances,
                                std::span<const ChartCurve> curves, const PrecisionChartStyle& style,
                                const inner::DragLinesUse& use) {
     const Palette& palette = CurrentContext().palette;
-    const ChartCurve* current = inner::EmphasisedOf(curves);
+    const ChartCurve* current = inner::EmphasizedOf(curves);
     std::vector<inner::LineName> names;
     const auto mark = [&](double z, ImU32 color, const std::string& text, const char* recorded_as, float width) {
         if (!IsDistance(z) || !plot.x.Holds(z)) return;
@@ -133,7 +134,7 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
     return inner::DrawLineNames(draw, plot, names);
 }
 
-/// What is seen of a curve.
+/// Marks the visible part of a curve as a target.
 void MarkCurve(const ChartPlot& plot, const ChartCurve& curve, const std::string& name) {
     if (!IsHighlighted(name)) return;
     for (const glm::dvec2& point : curve.points) {
@@ -175,21 +176,21 @@ bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& 
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("chart", size);
     Record("chart");
-    // ImGui calls an item hovered also where an earlier one lies on it.
+    // ImGui reports an item as hovered even if an earlier one overlaps it.
     const bool hovered = ImGui::IsItemHovered() && !use.low.hovered && !use.high.hovered;
 
     DrawCutOff(draw, plot, edited);
     for (const ChartCurve& curve : curves) {
-        if (!curve.emphasised) inner::DrawPlainCurve(draw, plot, curve, false);
+        if (!curve.emphasized) inner::DrawPlainCurve(draw, plot, curve, false);
     }
     for (const ChartCurve& term : style.terms) inner::DrawPlainCurve(draw, plot, term, true);
     for (const ChartCurve& curve : curves) {
-        if (curve.emphasised) inner::DrawPlainCurve(draw, plot, curve, false);
+        if (curve.emphasized) inner::DrawPlainCurve(draw, plot, curve, false);
     }
     const std::vector<Box> taken = DrawVerticals(draw, plot, edited, curves, style, use);
     for (const inner::EndLabel& label : inner::PlaceLabels(plot, all, max.x - Px(4), taken)) {
         const ChartCurve& curve = all[label.curve];
-        const bool stands_back = !curve.emphasised && label.curve < curves.size();
+        const bool stands_back = !curve.emphasized && label.curve < curves.size();
         inner::DrawEndLabel(draw, label, curve.name, Shown(stands_back ? palette.quiet : curve.color));
         MarkTarget(std::string(style.target) + "." + curve.name, label.box.min, label.box.max);
     }

@@ -1,4 +1,4 @@
-// The picture of a PrecisionChart. Read precision_inner.h.
+// Drawing of a PrecisionChart. See precision_inner.h.
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +18,9 @@ std::optional<double> ValueAt(const ChartCurve& curve, double x) {
     return std::nullopt;
 }
 
-const ChartCurve* EmphasisedOf(std::span<const ChartCurve> curves) {
+const ChartCurve* EmphasizedOf(std::span<const ChartCurve> curves) {
     const auto found =
-        std::find_if(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.emphasised; });
+        std::find_if(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.emphasized; });
     return found == curves.end() ? nullptr : &*found;
 }
 
@@ -31,7 +31,7 @@ ImU32 FaintColor(ImU32 color) {
 
 namespace {
 
-/// Dots along the line, at equal distances also over its corners. `walked`: pixels since the last dot.
+/// Draws dots along a line, evenly spaced even around its corners. `walked`: pixels since the last dot.
 void DrawDots(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 color, float radius, float& walked) {
     const float length = Distance(a, b), step = 3.5F * radius;
     float at = step - walked;
@@ -43,8 +43,8 @@ void DrawDots(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 color, float radius, f
 
 void DrawPlainCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, bool dotted) {
     const float stroke = CurrentContext().palette.stroke;
-    const ImU32 color = Shown(dotted || curve.emphasised ? curve.color : FaintColor(curve.color));
-    const float width = Px(curve.emphasised ? 2.75F : 1.5F) * stroke;
+    const ImU32 color = Shown(dotted || curve.emphasized ? curve.color : FaintColor(curve.color));
+    const float width = Px(curve.emphasized ? 2.75F : 1.5F) * stroke;
     std::optional<ImVec2> last;
     float walked = 0.0F;
     for (const glm::dvec2& point : curve.points) {
@@ -72,7 +72,7 @@ bool CrossesLine(const Box& box, std::span<const LineName> lines) {
                        [&box](const LineName& line) { return line.x > box.min.x && line.x < box.max.x; });
 }
 
-/// At the right or left of its line, in the highest row that is free.
+/// A place to the right or left of the line, in the highest free row.
 std::optional<Box> RoomFor(const ChartPlot& plot, float x, ImVec2 size, std::span<const Box> taken,
                            std::span<const LineName> not_over) {
     const float row = size.y + Px(4), away = Px(7), lowest = plot.min.y + 0.6F * (plot.max.y - plot.min.y);
@@ -112,7 +112,7 @@ void DrawPrecisionReadout(ImDrawList* draw, const Box& area, const ChartPlot& pl
                           std::span<const ChartCurve> curves, const PrecisionChartStyle& style) {
     const bool inside =
         pointer.x >= plot.min.x && pointer.x <= plot.max.x && pointer.y >= plot.min.y && pointer.y <= plot.max.y;
-    const ChartCurve* curve = EmphasisedOf(curves);
+    const ChartCurve* curve = EmphasizedOf(curves);
     if (!inside || !curve) return;
     const double z = ValueAtPixel(plot.x, pointer.x);
     const std::optional<double> step = ValueAt(*curve, z);
@@ -123,7 +123,7 @@ void DrawPrecisionReadout(ImDrawList* draw, const Box& area, const ChartPlot& pl
                   Px(1));
     const ImVec2 at = PlaceOf(plot, {z, *step});
     if (IsInPlot(plot, {z, *step})) {
-        // A crosshair: the distance at the axis below, the value at the one on the left.
+        // A crosshair, to read the distance off the axis below and the value off the axis at the left.
         draw->AddLine(ImVec2(plot.min.x, at.y), ImVec2(plot.max.x, at.y), Shown(WithAlpha(palette.quiet, 0.6F)), Px(1));
         RecordRect("crosshair", ImVec2(plot.min.x, plot.min.y), at, viewing::steady_figures(*step));
         draw->AddCircleFilled(at, Px(4), Shown(curve->color));

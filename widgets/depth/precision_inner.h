@@ -1,5 +1,5 @@
-// The picture of a PrecisionChart, apart from its hands: curves without markers, vertical lines with names, the values
-// under the pointer. Read precision_chart.cpp for its use.
+// Drawing of a PrecisionChart, apart from its interaction: curves without markers, vertical lines with names, the
+// readout. See precision_chart.cpp for usage.
 #pragma once
 
 #include "widgets/depth.h"
@@ -7,29 +7,29 @@
 
 namespace widgets::inner {
 
-/// The value of a curve between its points, straight on logarithmic axes; empty where it has a gap or has ended.
+/// Interpolates a curve linearly on logarithmic axes. Empty in gaps and beyond its ends.
 std::optional<double> ValueAt(const ChartCurve& curve, double x);
 
-/// The emphasised curve that the pointer and the marks refer to; null: none.
-const ChartCurve* EmphasisedOf(std::span<const ChartCurve> curves);
+/// The emphasized curve for the readout and the marks; null: none.
+const ChartCurve* EmphasizedOf(std::span<const ChartCurve> curves);
 
-/// A line without markers; dotted for terms, pale where it stands back.
+/// Draws a line without markers; dotted for terms, faint unless emphasized.
 void DrawPlainCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, bool dotted);
-/// What a curve that stands back is drawn in.
+/// The color of a curve that is not emphasized.
 ImU32 FaintColor(ImU32 color);
 
-/// A vertical line's name, wanted near the top of the plot.
+/// A vertical line's name, preferably near the top of the plot.
 struct LineName {
     float x;
     std::string text;
     ImU32 color;
     const char* recorded_as;
 };
-/// Beside their lines, the first first, each in the highest row where it is free and over no other line, where there is
-/// one; without room it is left out. Returns what they cover.
+/// Draws names beside their lines, in order: each in the highest free row, over no other line if possible. Omits names
+/// that do not fit. Returns the covered areas.
 std::vector<Box> DrawLineNames(ImDrawList* draw, const ChartPlot& plot, std::span<const LineName> names);
 
-/// The emphasised curve's value, and the terms', at the pointer.
+/// Draws the values of the emphasized curve and of the terms at the pointer.
 void DrawPrecisionReadout(ImDrawList* draw, const Box& area, const ChartPlot& plot, ImVec2 pointer,
                           std::span<const ChartCurve> curves, const PrecisionChartStyle& style);
 

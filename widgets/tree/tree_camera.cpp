@@ -1,4 +1,4 @@
-// How a tree diagram is looked at: fitting, zooming, moving, and folding what is too wide to be read.
+// View of a tree diagram: fitting, zooming, moving, and folding trees too wide to read.
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +10,13 @@ namespace widgets::inner {
 namespace {
 
 constexpr double smallest_zoom = 0.02, largest_zoom = 3.0;
-constexpr double margin = 26.0;  ///< around a fitted tree, from its outer nodes' centres, in design pixels
+constexpr double margin = 26.0;  ///< around a fitted tree, from its outer nodes' centers, in design pixels
 
 glm::dvec2 ViewSize(const TreeCamera& camera) {
     return glm::dvec2(camera.max.x - camera.min.x, camera.max.y - camera.min.y) / camera.unit;
 }
 
-/// The nodes of a level that have something below them.
+/// The nodes of a level that have children.
 std::unordered_set<int> ParentsAt(const TreeLayout& layout, int level) {
     std::unordered_set<int> parents;
     for (const int node : layout.Level(level)) {
@@ -56,7 +56,7 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
         return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::comfortable_zoom <= room;
     };
     if (fits(state.layout) || state.layout.LevelCount() <= least_levels) return false;
-    // A tree with more levels is at least as wide.
+    // More levels never make a tree narrower, so bisect.
     int fitting = least_levels, too_many = state.layout.LevelCount();
     while (too_many - fitting > 1) {
         const int levels = (fitting + too_many) / 2;
@@ -71,7 +71,7 @@ void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
     const glm::dvec2 size = ViewSize(camera);
     const glm::dvec2 tree((layout.max_x - layout.min_x) * TreeCamera::pitch,
                           (layout.LevelCount() - 1) * TreeCamera::row);
-    // What is around a node becomes smaller with it.
+    // The margin scales with the nodes.
     const glm::dvec2 fitting = size / (tree + 2.0 * margin);
     const double zoom = std::min(fitting.x, fitting.y);
     const bool fits = whole || zoom >= TreeCamera::readable_zoom;

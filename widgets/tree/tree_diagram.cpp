@@ -1,5 +1,5 @@
-// The hands of a tree diagram: what the mouse does to it. How it moves is in tree_camera.cpp, its picture in
-// tree_drawing.cpp, the places of the nodes in tree_layout.cpp.
+// Mouse interaction of a tree diagram. tree_camera.cpp moves it, tree_drawing.cpp draws it, tree_layout.cpp places its
+// nodes.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -22,7 +22,7 @@ int LevelOf(const TreeDiagramState& state, int node) {
     return Contains(state, node) ? state.layout.level[static_cast<std::size_t>(node)] : -1;
 }
 
-/// A new layout where the links or the folding changed; the node that was pressed stays where it is.
+/// Computes a new layout if the links or folds changed. The pressed node keeps its place.
 void Update(std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagramState& state) {
     const bool is_new =
         !state.is_laid_out || state.laid_out_revision != revision || state.layout.level.size() != nodes.size();
@@ -43,7 +43,7 @@ void Update(std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagram
     state.pressed = state.hovered = -1;
 }
 
-/// Unfolds a node: all that is below it, or where that is much the next levels.
+/// Unfolds a node: its whole subtree or, if that is large, only the next levels.
 void Unfold(std::span<const TreeNode> nodes, int node, TreeDiagramState& state) {
     constexpr int at_once = 63, levels = 4;
     const auto& sizes = state.layout.subtree_size;
@@ -65,11 +65,11 @@ void Unfold(std::span<const TreeNode> nodes, int node, TreeDiagramState& state) 
     }
 }
 
-/// Unfolds what hides a node.
+/// Unfolds the ancestors that hide a node.
 void UnfoldTo(std::span<const TreeNode> nodes, int node, TreeDiagramState& state) {
     if (!Contains(state, node)) return;
     std::vector<int> ancestors;
-    // A parent comes before its children, so that this ends.
+    // A parent comes before its children, so this loop ends.
     for (int child = node; child > 0;) {
         const int parent = nodes[static_cast<std::size_t>(child)].parent;
         if (parent < 0 || parent >= child) return;
@@ -111,7 +111,7 @@ PointedNode NodeAt(const TreeCamera& camera, std::span<const TreeNode> nodes, co
     return {};
 }
 
-/// What the mouse does over the view, the last item. Whether `selected` changed.
+/// Handles the mouse over the view, the last item. Returns whether `selected` changed.
 bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state, int& selected,
               const TreeDiagramStyle& style) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -158,7 +158,7 @@ bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
     return true;
 }
 
-/// The corners of a frame: everything fits in.
+/// The four corners of a frame, for "fit everything".
 void DrawFitButton(ImDrawList* draw, ImVec2 min, float side, bool hovered) {
     const Palette& palette = CurrentContext().palette;
     const ImVec2 max(min.x + side, min.y + side);
@@ -215,7 +215,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(min, max, inner::Shown(palette.view_ground), Px(4));
 
-    if (CurrentContext().printed) {  // all that is unfolded, in all the room
+    if (CurrentContext().printed) {  // a printed figure shows the unfolded nodes in the whole area
         state.fit_whole_next = true;
         state.reveal_next = -1;
     }
@@ -230,7 +230,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     state.fit_next = state.fit_whole_next = false;
     state.reveal_next = -1;
 
-    // Asked before the view around it, the button comes first.
+    // The button must come before the view around it, so that it gets the mouse.
     const float side = ImGui::GetFrameHeight();
     const ImVec2 button_min(max.x - side - Px(5), min.y + Px(5));
     const bool has_button = Offers("button:fit");
@@ -241,8 +241,8 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
         Record("fit");
         button_hovered = ImGui::IsItemHovered();
         Tooltip("Fit",
-                "The whole tree, as small as it takes; a double-click on the ground does the same. Drag to move, turn "
-                "the wheel to zoom, double-click a node to fold what is below it.");
+                "Fits the whole tree; a double-click on the background does the same. Drag to move, turn the wheel to "
+                "zoom, double-click a node to collapse its subtree.");
     }
 
     ImGui::SetCursorScreenPos(min);
@@ -252,7 +252,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     Update(nodes, revision, state);
     const TreeCamera camera(min, max, state);
     if (nodes.empty() || style.shown_count <= 0) {
-        inner::DrawHint(draw, min, max, "There is no tree yet.");
+        inner::DrawHint(draw, min, max, "No tree yet.");
     } else {
         inner::DrawTree(draw, camera, nodes, state, selected, style);
         if (!button_hovered) NodeTooltip(camera, nodes, state);

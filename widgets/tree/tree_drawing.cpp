@@ -1,5 +1,5 @@
-// The picture of a tree diagram: only what is in the view, and with fewer details the smaller a node is. Where more
-// nodes lie in the view than anybody could see, only every so-manieth of each level is drawn.
+// Drawing of a tree diagram: only the visible part, with fewer details for smaller nodes. If more nodes are visible
+// than anyone could distinguish, draws only every n-th node of each level.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -35,7 +35,7 @@ public:
           line_(Px(1.5F) * palette_.stroke) {
         const TreeLayout& layout = state.layout;
         const int levels = layout.LevelCount();
-        // An edge belongs to its child: the level below the view has edges in it.
+        // An edge belongs to its child, so the level below the view still has visible edges.
         first_level_ = static_cast<int>(std::clamp(std::floor(camera.LayoutLevel(camera.min.y)), 0.0, levels - 1.0));
         last_level_ = static_cast<int>(std::clamp(std::ceil(camera.LayoutLevel(camera.max.y)) + 1, 0.0, levels - 1.0));
         std::size_t count = 0;
@@ -51,7 +51,7 @@ public:
             ForEvery(NodesInView(level), [this](int node) { DrawNode(node); });
         }
         if (detail_ == Detail::text) return;
-        // These stand on top, and thinning never leaves them out.
+        // Draw these nodes last, on top; thinning never omits them.
         for (const int node : {lit_, selected_, current_, state_.hovered}) {
             if (IsShown(node)) DrawNode(node);
         }
@@ -59,7 +59,7 @@ public:
 
 private:
     void ChooseDetail(std::size_t count) {
-        // A draw list without offsets holds 65,536 corners; a node with text takes about 110 of them, a dot and its
+        // A draw list without vertex offsets holds 65,536 vertices. A node with text needs about 110, a dot with its
         // edge 10.
         const bool is_large = (draw_->Flags & ImDrawListFlags_AllowVtxOffset) != 0;
         const std::size_t most_with_text = is_large ? 4000 : 400, most = 5000;
@@ -83,7 +83,7 @@ private:
         return node;
     }
 
-    /// The part of a level for which `last_x` and `first_x`, both growing along it, reach into the view.
+    /// The part of a level between `first_x` and `last_x` that overlaps the view. Both must increase along the level.
     template <class First, class Last>
     std::span<const int> InView(int level, double margin, First first_x, Last last_x) const {
         const std::span<const int> all = state_.layout.Level(level);
@@ -106,7 +106,7 @@ private:
     template <class Action>
     void ForEvery(std::span<const int> part, Action action) const {
         if (part.empty()) return;
-        // Counted from the level's beginning, so that the same nodes stay while the tree is moved.
+        // Count from the level's start, so that the same nodes stay visible while the tree moves.
         const auto place = static_cast<std::size_t>(part.data() - state_.layout.Level(LevelOf(part[0])).data());
         for (std::size_t i = (stride_ - place % stride_) % stride_; i < part.size(); i += stride_) {
             if (IsShown(part[i])) action(part[i]);
@@ -125,7 +125,7 @@ private:
         if (detail_ == Detail::text) DrawSign(from, to, is_front, is_eyes ? palette_.camera : palette_.quiet);
     }
 
-    /// + or −, in a gap of the edge.
+    /// Draws + or − in a gap of the edge.
     void DrawSign(ImVec2 from, ImVec2 to, bool plus, ImU32 color) {
         const ImVec2 middle(std::floor(from.x * 0.45F + to.x * 0.55F) + 0.5F,
                             std::floor(from.y * 0.45F + to.y * 0.55F) + 0.5F);
@@ -157,7 +157,7 @@ private:
                              Shown(fill));
     }
 
-    /// The eye's side of a plane with nothing there.
+    /// Marks the eye's side of a plane that has no child there.
     void DrawStub(int node, ImVec2 center) {
         const TreeNode& info = At(node);
         if (info.eye_side == 0 || (info.eye_side > 0 ? info.front : info.back) >= 0) return;
@@ -185,7 +185,7 @@ private:
                   is_current ? InkOn(fill) : palette_.text);
     }
 
-    /// In the middle of the box, smaller where it would not fit.
+    /// Draws the label in the middle of the box, smaller if it would not fit.
     void DrawLabel(std::string_view label, ImVec2 center, ImU32 color) {
         if (label.empty()) return;
         Face face = FaceOf(camera_.zoom >= 1.2 ? CurrentContext().fonts.number : CurrentContext().fonts.small_number);
@@ -197,8 +197,8 @@ private:
                   Shown(color), label);
     }
 
-    /// The number in the walk, above the node on the side away from the edge to the parent; smaller where it would
-    /// meet a neighbour's.
+    /// Draws the traversal number above the node, on the side away from the edge to the parent; smaller if it would
+    /// overlap a neighbor's.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);
@@ -213,7 +213,7 @@ private:
         face.Draw(draw_, at, Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
     }
 
-    /// The triangle of the node under the pointer; of a folded one always, with how many nodes it hides.
+    /// Draws the fold triangle of the hovered node, and always of a folded one, with the number of nodes it hides.
     void DrawFold(int node, ImVec2 center) {
         const bool is_folded = state_.collapsed.contains(node);
         if (!is_folded && node != state_.hovered) return;

@@ -1,6 +1,6 @@
-// Where the nodes of a tree diagram stand. Subtrees are placed from the leaves up, each as near to its neighbour as the
-// facing contours allow; a contour goes on from a shorter subtree into a longer one by a thread, so that following all
-// contours is linear in the nodes. Source: Reingold and Tilford 1981.
+// Positions of a tree diagram's nodes. Subtrees are placed from the leaves up, each as close to its neighbor as the
+// facing contours allow. A thread continues the contour of a shorter subtree into a longer one, so that following all
+// contours takes linear time. Source: Reingold and Tilford 1981.
 #include <algorithm>
 
 #include "widgets/tree/tree_inner.h"
@@ -26,7 +26,7 @@ namespace {
 using Children = inner::TreeChildren;
 using inner::ChildrenOf;
 
-/// Distances between parents and children, in node widths.
+/// Computes the distances between parents and children, in node widths.
 class Placer {
 public:
     explicit Placer(std::size_t count) : nodes_(count) {}
@@ -47,7 +47,7 @@ public:
 
 private:
     enum Side { left, right };
-    /// A node and its distance from another one.
+    /// A node and its offset from another one.
     struct Reached {
         int node = -1;
         double dx = 0.0;
@@ -55,7 +55,7 @@ private:
     struct Node {
         Children children;
         double offset = 0.0;  ///< from its parent
-        Reached thread;       ///< where a contour goes on below this leaf
+        Reached thread;       ///< continuation of a contour below this leaf
         Reached ends[2];      ///< the outermost nodes of the subtree's deepest level
     };
 

@@ -6,14 +6,16 @@
 #include <array>
 #include <iterator>
 
+#include "ui/parts/imgui_keys.h"
+
 namespace viewing {
 namespace {
 
 struct KnownKey {
     std::string_view code;
     KeyKind kind;
-    Key key = Key::count;  ///< count: of ImGui alone
-    ImGuiKey_ imgui = ImGuiKey_COUNT;
+    Key key = Key::count;  ///< count: a key that only ImGui uses
+    ImGuiKey imgui = ImGuiKey_COUNT;
 };
 
 constexpr KnownKey known_keys[] = {
@@ -78,7 +80,7 @@ constexpr KnownKey known_keys[] = {
     {"PageUp", KeyKind::edits, Key::page_up, ImGuiKey_PageUp},
     {"PageDown", KeyKind::edits, Key::page_down, ImGuiKey_PageDown},
     {"Enter", KeyKind::leaves, Key::enter, ImGuiKey_Enter},
-    {"NumpadEnter", KeyKind::leaves, Key::enter, ImGuiKey_KeyPadEnter},
+    {"NumpadEnter", KeyKind::leaves, Key::enter, ImGuiKey_KeypadEnter},
     {"Tab", KeyKind::leaves, Key::count, ImGuiKey_Tab},
     {"Escape", KeyKind::leaves, Key::escape, ImGuiKey_Escape},
     {"F1", KeyKind::leaves, Key::f1},
@@ -97,7 +99,7 @@ const KnownKey* known(std::string_view code) {
     return at != std::end(known_keys) ? at : nullptr;
 }
 
-/// The key that prints this on a US keyboard; null where it is no letter, plus or minus.
+/// Returns the key that prints `text` on a US keyboard; null if it is not a letter, plus or minus.
 const KnownKey* printing(std::string_view text) {
     if (text == "+") return known("Equal");
     if (text == "-") return known("Minus");
@@ -114,7 +116,7 @@ std::optional<KeyChanged> key_changed(std::string_view code, std::string_view ke
     const KnownKey* const printed = printing(key);
     const KnownKey* const meant = printed ? printed : place;
     if (!meant) return std::nullopt;
-    // What is held is told by its place, so that it is let go even when the layout has changed meanwhile.
+    // Track held keys by position, so that a release matches its press even if the layout has changed in between.
     const KnownKey* const held = place ? place : meant;
     const std::optional<Key> ours = meant->key != Key::count ? std::optional(meant->key) : std::nullopt;
     const std::size_t index =

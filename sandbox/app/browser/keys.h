@@ -1,4 +1,4 @@
-// The browser's names of keys (KeyboardEvent.code and .key, W3C UI Events) as the sandbox and Dear ImGui know them.
+// Maps the browser's key names (KeyboardEvent.code and .key, W3C UI Events) to the keys of the sandbox and Dear ImGui.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,12 @@
 
 namespace viewing {
 
-/// `code`: the key's place on a US keyboard ("KeyW"), `key`: what the layout prints ("w"). A letter is taken by what is
-/// printed, or by its place where the layout prints no Latin letter. None for keys that nothing here knows.
+/// Translates a key event. `code` is the key's position on a US keyboard ("KeyW"), `key` the character that the layout
+/// prints ("w"). Letters are matched by `key`, or by `code` if the layout prints no Latin letter. Returns nothing for
+/// unknown keys.
 std::optional<KeyChanged> key_changed(std::string_view code, std::string_view key, bool down, bool ctrl, bool shift);
 
-/// Tells ImGui which of io.KeysDown its own keys are.
+/// Fills io.KeyMap, which maps ImGui's own keys to entries of io.KeysDown.
 void name_imgui_keys();
 
 }  // namespace viewing

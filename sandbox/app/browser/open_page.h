@@ -1,5 +1,5 @@
-// Everything of the one page, for the two files that page.js calls: page.cpp has events, frames and what a person is
-// shown, requests.cpp what is asked by name.
+// The state of the page, shared by the two files that page.js calls into: page.cpp handles events, frames and the text
+// that a person sees; requests.cpp handles requests by name.
 #pragma once
 
 #include <memory>
@@ -22,39 +22,40 @@ struct OpenPage {
     Studio studio;
     InputQueue queue;
     std::vector<NamedFile> presets = viewing::presets();
-    std::string pasted;    ///< the clipboard, as the page brought it
-    std::string returned;  ///< the latest text given to the page
+    std::string pasted;    ///< the clipboard, as the page sent it
+    std::string returned;  ///< the latest text returned to the page
     int frames_due = 0;
-    bool any = true;  ///< something happened
-    gl::Fence drawn;  ///< behind the latest frame
+    bool any = true;  ///< something has happened since the last frame
+    gl::Fence drawn;  ///< passes when the latest frame has been drawn
     double drawn_s = 0.0;
 
     OpenPage(Renderer made, WindowMemory remembered, Session session)
         : renderer(std::move(made)), memory(std::move(remembered)), studio(renderer, std::move(session)) {}
 };
 
-/// Null until there is something to be drawn.
+/// Null until there is something to draw.
 extern std::unique_ptr<OpenPage> page;
 
-/// Where the page keeps what is to be read, and what was written before it is handed over.
+/// The folder for files to read, and for written files until the page has handed them over.
 inline constexpr const char* page_folder = "/files";
 
 double page_now_s();
 
-/// Hands an event to the next frame, which comes at once.
+/// Queues an event and wakes the page, so that the next frame comes immediately.
 void push(InputEvent event);
 
-/// The text as page.js reads it: it stays until the next call.
+/// Returns the text in the form page.js reads. It stays valid until the next call.
 const char* given(std::string text);
 
-/// Why a text of so many bytes is not taken, one sentence with its size and the limit; "": it is. Every text that comes
-/// into the page from outside is checked with it twice: by page.js before it is copied, and where it arrives.
+/// Returns why a text of this size is rejected, as one sentence with the size and the limit; "" if it is accepted.
+/// Every text from outside is checked twice: by page.js before it is copied, and on arrival.
 std::string text_trouble(std::size_t bytes);
 
-/// Whether the text is taken; else the window says why not.
+/// Returns whether the text is accepted; if not, the window says why.
 bool takes(const char* text);
 
-/// A page has the files alone that were given to it: there is nothing else that a state could read with a yes.
+/// Refuses a state's request to read a file that the page does not have. A page has only the files that it was given,
+/// so permission would not help.
 void refuse_what_is_not_there();
 
 }  // namespace viewing

@@ -25,13 +25,13 @@ EM_JS(void, page_wake, (), { page.wake(); });
 EM_JS(void, page_copy, (const char* text), { page.copy(UTF8ToString(text)); });
 EM_JS(void, page_full_screen, (int wanted), { page.fullScreen(wanted); });
 EM_JS(void, page_prepare_gl, (), { page.prepareGl(GLctx); });
-// When what is handled now happened: a page that was busy hears of it later.
+// Returns the time of the event being handled, which is earlier than now if the page was busy.
 EM_JS(double, page_event_ms, (), { return window.event ? window.event.timeStamp : performance.now(); });
 
 namespace viewing {
 namespace {
 
-/// Why there is no picture; "" when the canvas has WebGL 2.
+/// Creates the WebGL 2 context. Returns why that failed; "" on success.
 std::string make_context() {
     EmscriptenWebGLContextAttributes wanted;
     emscripten_webgl_init_context_attributes(&wanted);
@@ -39,7 +39,7 @@ std::string make_context() {
     wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = false;
     wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context("#view", &wanted);
-    if (context <= 0) return "This browser gives no WebGL 2, which the sandbox draws with.";
+    if (context <= 0) return "This browser does not support WebGL 2, which the sandbox needs.";
     emscripten_webgl_make_context_current(context);
     page_prepare_gl();
     return "";
@@ -53,7 +53,7 @@ void obey(const Requests& requests) {
     page->any |= requests.snapshot || requests.view_picture.has_value();
 }
 
-/// What a link names, as it stands behind the page's address.
+/// Opens a link, the fragment of the page's address.
 void open_link(const std::string& text) {
     Session& session = page->studio.session;
     const Result<Link> link = read_link(text);
@@ -62,7 +62,7 @@ void open_link(const std::string& text) {
     link->kind == Link::Kind::preset ? session.open(link->text) : session.report(session.paste(text));
 }
 
-/// Of what was opened last: the address that brings it back. "" for the opening state.
+/// Returns the fragment that reopens the state or lesson opened last; "" for the opening state.
 std::string opened_fragment() {
     const Workbench& workbench = page->studio.workbench;
     if (const LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
@@ -78,14 +78,14 @@ bool departs_from_opened() {
     return session.params != session.in_own_looks(Params{});
 }
 
-/// A lesson asks, and some of what is on the screen must not be read before the answer.
+/// Whether an unanswered lesson step covers something on screen, which must then not be read aloud.
 bool hides_something() {
     const Guide& guide = page->studio.workbench.guide;
     return guide.is_shown() && !guide.run()->is_revealed() && !guide.run()->step().cover.empty();
 }
 
-/// What a screen reader has in the place of the picture: the question of the lesson, the preset's sentence, the
-/// problems, the news.
+/// Returns the text that screen readers get instead of the picture: the lesson's question, the preset's description,
+/// problems and messages.
 std::string told_text() {
     const Studio& studio = page->studio;
     std::vector<std::string> lines;
@@ -112,7 +112,7 @@ std::string told_text() {
     return text;
 }
 
-/// The lecture's four, a row a line.
+/// Returns the lecture's four matrices, one row per line.
 std::string matrices_text() {
     if (hides_something()) return "";
     const Derived& derived = page->studio.shown().derived;
@@ -127,30 +127,30 @@ std::string matrices_text() {
     return text;
 }
 
-/// A browser that reads a pixel back stands still until all that it was told is drawn. The page waits between its
-/// frames.
+/// Whether reading a pixel back would block until all queued drawing is done. The page then waits between its frames
+/// instead.
 bool waits_for_gl() {
     constexpr double patience_s = 0.25;
     return page->studio.reads_back() && !page->drawn.has_passed() && page_now_s() - page->drawn_s < patience_s;
 }
 
-/// Shorter, nobody asks why nothing moves.
+/// Shorter freezes go unnoticed.
 constexpr double noticed_ms = 500.0;
 
-/// Why the page did not answer, after it: in the frame behind the one that took so long, or its time would be over.
+/// Reports a freeze one frame after the slow one, which would otherwise use up the message's time on screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();
     Message& message = page->studio.session.message;
     if (ms < noticed_ms || message.is_error) return;
     message = {
-        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome, Edge and "
-            "Firefox can.",
+        say("This took {time} s, and the page froze: this browser cannot suspend WebAssembly. Chrome, Edge and Firefox "
+            "can.",
             "time"_a = figures(ms / 1000.0))};
     page->any = true;
 }
 
-/// A key is the embedding page's, but for what is typed or chosen from a list, and for flying while the pointer is over
-/// the picture.
+/// Whether the sandbox uses this key when embedded. Keys belong to the host page, except while a person types or
+/// chooses from a list, and except the flying keys while the pointer is over the picture.
 bool uses_embedded(const KeyChanged& change) {
     constexpr std::array flying{Key::w, Key::a, Key::s, Key::d, Key::q, Key::e, Key::r, Key::f};
     const ImGuiIO& io = ImGui::GetIO();
@@ -160,7 +160,7 @@ bool uses_embedded(const KeyChanged& change) {
            std::find(flying.begin(), flying.end(), *change.key) != flying.end();
 }
 
-/// After what it belongs to was drawn.
+/// Reports a status. Call after drawing the frame that it belongs to.
 void report(const Status& status) {
     page->studio.session.report(status);
     page->any |= !status;
@@ -215,17 +215,17 @@ void open_page() {
 
 }  // namespace viewing
 
-// What page.js calls. Texts are UTF-8; those that are returned are there until the next call.
+// Functions called by page.js. Texts are UTF-8; returned texts stay valid until the next call.
 extern "C" {
 using namespace viewing;
 
-/// 1 as soon as there is something to be drawn.
+/// Returns 1 once there is something to draw.
 EMSCRIPTEN_KEEPALIVE int page_is_open() {
     return page ? 1 : 0;
 }
 
-/// Draws a frame of this size in pixels; `scale`: pixels per unit of the page. In how many seconds the next one is
-/// wanted though nothing happens: 0 at once, negative never.
+/// Draws a frame of this size in pixels; `scale`: pixels per CSS pixel. Returns the number of seconds until the next
+/// frame is due if no event comes: 0 immediately, negative never.
 EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale) {
     if (waits_for_gl()) return 0.0;
     constexpr int frames_after_an_event = 3;
@@ -245,14 +245,13 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
 }
 
-/// The page may not come back: what waits to be kept of a person is written now.
+/// Writes unsaved settings and answers now, because the page may be closed for good.
 EMSCRIPTEN_KEEPALIVE void page_keep() {
     report(page->studio.workbench.exercises.finish());
     report(page->memory.finish());
 }
 
-/// Another tab has written the files of settings or answers: they are merged with what is known here, and what that
-/// adds is written, now.
+/// Call when another tab has written settings or answers. Merges them with this page's, and writes the result now.
 EMSCRIPTEN_KEEPALIVE void page_read_again() {
     page->memory.read_again(page->studio.workbench);
     page_keep();
@@ -264,7 +263,7 @@ EMSCRIPTEN_KEEPALIVE void page_event() {
     page->any = true;
 }
 
-/// In units of the page; `is_inside` 0: it has left.
+/// In CSS pixels; `is_inside` 0: the pointer has left.
 EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
     push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
 }
@@ -274,17 +273,17 @@ EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }
 
-/// Lines, right and up positive.
+/// In lines; right and up are positive.
 EMSCRIPTEN_KEEPALIVE void page_wheel(double x, double y) {
     push(WheelTurned{glm::vec2(x, y)});
 }
 
-/// 1: the sandbox uses this key. Where it is embedded that is only what uses_embedded() says.
+/// Returns 1 if the sandbox uses this key. When embedded, uses_embedded() alone decides.
 EMSCRIPTEN_KEEPALIVE int page_key(const char* code, const char* key, int is_down, int ctrl, int shift) {
     const std::optional<KeyChanged> changed = key_changed(code, key, is_down != 0, ctrl != 0, shift != 0);
     if (!changed) return 0;
     const bool is_used = !page->studio.workbench.arrangement.embedded || uses_embedded(*changed);
-    // What was held may have been used, and what is held with the mouse means something too.
+    // Forward every release, because its press may have been used, and every modifier, because the mouse uses them too.
     if (is_used || !changed->down || changed->kind == KeyKind::modifier) push(*changed);
     return is_used ? 1 : 0;
 }
@@ -301,7 +300,7 @@ EMSCRIPTEN_KEEPALIVE void page_drop(const char* file) {
     push(FilesDropped{{file}});
 }
 
-/// What the clipboard holds, before the keys that ask for it.
+/// Receives the clipboard's text. Call before the keys that paste it.
 EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) {
     page->pasted = takes(text) ? text : "";
 }
@@ -312,7 +311,7 @@ EMSCRIPTEN_KEEPALIVE void page_open_link(const char* text) {
     push(FocusChanged{true});
 }
 
-/// CSS's name of the pointer's shape.
+/// Returns the CSS name of the pointer's shape.
 EMSCRIPTEN_KEEPALIVE const char* page_cursor() {
     switch (ImGui::GetMouseCursor()) {
         case ImGuiMouseCursor_TextInput:
@@ -336,28 +335,28 @@ EMSCRIPTEN_KEEPALIVE const char* page_cursor() {
     }
 }
 
-/// 1 while something is typed into.
+/// Returns 1 while a text field has the keyboard focus.
 EMSCRIPTEN_KEEPALIVE int page_wants_text() {
     return ImGui::GetIO().WantTextInput ? 1 : 0;
 }
 
-/// What was opened, as what stands behind the page's address.
+/// Returns a link to the state or lesson that was opened, as the fragment of an address.
 EMSCRIPTEN_KEEPALIVE const char* page_opened() {
     return given(opened_fragment());
 }
 
-/// The present state in the same form.
+/// Returns a link to the current state in the same form.
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
     const Session& session = page->studio.session;
     return given(link_fragment(session.portable(session.params)));
 }
 
-/// 1: what is shown is no longer what was opened.
+/// Returns 1 if the state has changed since it was opened.
 EMSCRIPTEN_KEEPALIVE int page_departs() {
     return departs_from_opened() ? 1 : 0;
 }
 
-/// What is to be read out, in the language spoken now, and the matrices.
+/// Return the text to read aloud, in the current language, and the matrices.
 EMSCRIPTEN_KEEPALIVE const char* page_told() {
     return given(told_text());
 }
@@ -365,12 +364,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_matrices_text() {
     return given(matrices_text());
 }
 
-/// The language of the window: "en".
+/// Returns the code of the window's language, such as "en".
 EMSCRIPTEN_KEEPALIVE const char* page_language() {
     return given(spoken_language() == Language::ko ? "ko" : "en");
 }
 
-/// 1: everything that was asked for is shown. A caret that blinks and a clock are rest.
+/// Returns 1 once everything requested is on screen. A blinking caret or a running clock does not matter.
 EMSCRIPTEN_KEEPALIVE int page_rests() {
     const Studio& studio = page->studio;
     constexpr double soon_s = 0.2;
@@ -381,18 +380,18 @@ EMSCRIPTEN_KEEPALIVE int page_rests() {
                : 0;
 }
 
-/// A part of somebody else's page has no bars and no keys of its own.
+/// Makes the sandbox part of a host page: no toolbars, and no keys of its own.
 EMSCRIPTEN_KEEPALIVE void page_embed() {
     page->studio.workbench.arrangement.embedded = true;
 }
 
-/// For people who are disturbed by motion.
+/// Turns motion off (0) for people who are disturbed by it.
 EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     page->studio.workbench.guide.moves = moves != 0;
 }
 
-/// From the next frame on the places of all controls are noted, for page_places(): JSON of name: [x, y, width, height]
-/// in pixels. For tests.
+/// Records the places of all controls from the next frame on. page_places() returns them as JSON: name: [x, y, width,
+/// height] in pixels. For tests.
 EMSCRIPTEN_KEEPALIVE void page_note_places() {
     page->studio.workbench.widgets.record = true;
     push(FocusChanged{true});

@@ -1,10 +1,10 @@
-// The program in a browser's page. The page's own side, page/page.js, brings events, time and sizes, and does what only
-// a page can do; the functions that it calls are in page.cpp.
+// Runs the program in a browser's page. The JavaScript side, page/page.js, supplies events, time and sizes, does
+// everything that only JavaScript can do, and calls the functions in page.cpp.
 #pragma once
 
 namespace viewing {
 
-/// Opens the sandbox on the page's canvas. The page draws from then on.
+/// Opens the sandbox on the page's canvas. From then on the page requests the frames.
 void open_page();
 
 }  // namespace viewing

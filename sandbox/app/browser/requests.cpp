@@ -1,5 +1,5 @@
-// What page.js asks by name, for itself and for the page around it: the state, matrices, pictures; setting and opening.
-// Whatever is wrong is one sentence, and then nothing has changed.
+// Requests by name from page.js, for itself and for the host page: getting the state, matrices and pictures; setting
+// fields and opening states. An error is one sentence, and leaves everything unchanged.
 #include <emscripten.h>
 
 #include <algorithm>
@@ -26,23 +26,24 @@
 namespace viewing {
 namespace {
 
-/// What a message opens: a state, a link to one, or a preset's name; never a file of that name.
+/// Loads the state that a message contains: as JSON, as a link, or by a preset's name; never from a file with that
+/// name.
 Result<LoadedState> state_to_open(const std::string& text) {
     if (is_link(text)) return state_in_text(text, "open");
     if (text.starts_with('{')) {
         Result<LoadedState> state = state_in_text(text, "open");
-        if (state) state->reach = {false, {}};  // a text has no folder
+        if (state) state->reach = {false, {}};  // a state in a message has no folder
         return state;
     }
     std::vector<std::string> names;
     for (const NamedFile& preset : page->presets) names.push_back(preset.name);
     if (std::find(names.begin(), names.end(), text) != names.end()) return load_state(text);
     return Error{"open: " + one_line(text) +
-                 " is no preset; a preset's name, a state or a link can be opened, such as \"teapot\"" +
+                 " is not a preset; use a preset's name such as \"teapot\", a state or a link" +
                  suggestion(text, names)};
 }
 
-/// The pictures that can be asked for; the window's is as large as it is shown.
+/// The views that a request can name. A picture of the whole window has its size on screen.
 constexpr std::array asked_views{PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::window};
 
 std::optional<PictureView> asked_view(std::string_view name) {
@@ -52,7 +53,7 @@ std::optional<PictureView> asked_view(std::string_view name) {
     return at != asked_views.end() ? std::optional(*at) : std::nullopt;
 }
 
-/// The longest side that this driver draws.
+/// Returns the longest side that this driver can draw.
 int longest_side() {
     int longest = largest_image_side;
     for (const GLenum limit : {GL_MAX_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
@@ -63,13 +64,13 @@ int longest_side() {
     return longest;
 }
 
-/// "" where a picture of this size can be drawn.
+/// Returns why a picture of this size cannot be drawn; "" if it can.
 std::string size_trouble(glm::dvec2 size_px) {
     const int longest = longest_side();
     const bool fits = size_px.x >= 1.0 && size_px.y >= 1.0 && size_px.x <= longest && size_px.y <= longest;
     if (fits && size_px.x * size_px.y <= double{most_drawn_pixels}) return "";
-    return "picture: size must be two sides from 1 to " + std::to_string(longest) + " pixels and at most " +
-           grouped_number(most_drawn_pixels) + " pixels in all, got " + shortest_number(size_px.x) + " and " +
+    return "picture: size must be two sides from 1 to " + std::to_string(longest) + " pixels with at most " +
+           grouped_number(most_drawn_pixels) + " pixels in total, got " + shortest_number(size_px.x) + " and " +
            shortest_number(size_px.y);
 }
 
@@ -85,7 +86,7 @@ Result<PictureRequest> picture_request(std::string_view view, glm::dvec2 size_px
     const bool is_window = request.view == PictureView::window;
     const bool has_size = size_px != glm::dvec2(0.0), has_samples = samples != -1.0;
     if (is_window && (has_size || has_samples))
-        return Error{"picture: the window is drawn as it is shown; leave out size and samples"};
+        return Error{"picture: the window is drawn as shown; omit size and samples"};
     if (const std::string trouble = has_size ? size_trouble(size_px) : ""; !trouble.empty()) return Error{trouble};
     if (has_samples && samples != 0.0 && samples != 4.0)
         return Error{"picture: samples must be 0 or 4, got " + shortest_number(samples)};
@@ -96,11 +97,11 @@ Result<PictureRequest> picture_request(std::string_view view, glm::dvec2 size_px
 
 Result<Image> asked_picture(const PictureRequest& request, const Params& params) {
     if (request.view == PictureView::window) return page->studio.read();
-    for (int most = 16; most > 0 && glGetError() != GL_NO_ERROR; --most) continue;  // of what was drawn before
+    for (int most = 16; most > 0 && glGetError() != GL_NO_ERROR; --most) continue;  // from earlier drawing
     Result<Image> image = camera_picture(page->renderer, params, page->studio.session.scene(), request.size_px);
     if (image && glGetError() == GL_OUT_OF_MEMORY)
-        return Error{"picture: the graphics driver has no memory for " + std::to_string(request.size_px.x) + " by " +
-                     std::to_string(request.size_px.y) + " pixels; ask for fewer"};
+        return Error{"picture: the graphics driver lacks memory for " + std::to_string(request.size_px.x) + " by " +
+                     std::to_string(request.size_px.y) + " pixels; request fewer"};
     return image;
 }
 
@@ -114,14 +115,14 @@ std::vector<std::string> lines_of(std::string_view text) {
     return lines;
 }
 
-/// Of page_open_answer().
+/// The value that page_open_answer() returns on success.
 constexpr const char* is_opened = "opened";
 
 }  // namespace
 
 std::string text_trouble(std::size_t bytes) {
     if (bytes <= max_document_bytes) return "";
-    return say("This text has {count} bytes, and at most {most} are read: everything is as it was",
+    return say("This text is {count} bytes long, but the limit is {most}: nothing changed",
                "count"_a = grouped_number(static_cast<std::int64_t>(bytes)),
                "most"_a = grouped_number(static_cast<std::int64_t>(max_document_bytes)));
 }
@@ -137,40 +138,41 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
-    page->studio.session.take_outcome();  // of the reading, which has ended in the question
+    page->studio.session.take_outcome();  // discards the outcome of loading, which ended in the question
     page->studio.session.answer(false);
-    page->studio.session.message.is_error = true;  // it stays
+    page->studio.session.message.is_error = true;  // errors stay on screen
 }
 
 }  // namespace viewing
 
-// What page.js calls. Texts are UTF-8; those that are returned are there until the next call.
+// Functions called by page.js. Texts are UTF-8; returned texts stay valid until the next call.
 extern "C" {
 using namespace viewing;
 
-/// Why page.js must not hand over a text of so many bytes, as one sentence; "": it may.
+/// Returns why page.js must not hand over a text of this size, as one sentence; "" if it may.
 EMSCRIPTEN_KEEPALIVE const char* page_text_trouble(double bytes) {
     return given(text_trouble(static_cast<std::size_t>(bytes)));
 }
 
-/// Says in the window what page.js has found wrong.
+/// Shows an error that page.js has found.
 EMSCRIPTEN_KEEPALIVE void page_report(const char* sentence) {
     page->studio.session.report(Error{sentence});
     push(FocusChanged{true});
 }
 
-/// The whole state as JSON.
+/// Returns the whole state as JSON.
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
     return given(page->studio.session.text());
 }
 
-/// The matrices with their facts as JSON, as `viewing-sandbox matrices --json` has them.
+/// Returns the matrices with their properties as JSON, in the format of `viewing-sandbox matrices --json`.
 EMSCRIPTEN_KEEPALIVE const char* page_matrices() {
     const ShownFrame& shown = page->studio.shown();
     return given(matrices_as_json(shown.derived, shown.problems).dump());
 }
 
-/// Sets fields, "light.position=[1,2,3]", one a line: all of them, or none and the sentence of what is wrong, else "".
+/// Sets fields, one per line: "light.position=[1,2,3]". Returns "" on success; on an error, sets none of them and
+/// returns the error.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* text) {
     if (const std::string trouble = text_trouble(std::strlen(text)); !trouble.empty()) return given(trouble);
     Session& session = page->studio.session;
@@ -181,13 +183,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* text) {
     return given("");
 }
 
-/// Begins to open a state as JSON, a link or a preset's name; the sentence of what is wrong at once, else "", and then
-/// page_open_answer() says what came of it.
+/// Starts to open a state given as JSON, a link or a preset's name. Returns an error that is found immediately, else
+/// "". page_open_answer() then reports the outcome.
 EMSCRIPTEN_KEEPALIVE const char* page_open(const char* text) {
     if (const std::string trouble = text_trouble(std::strlen(text)); !trouble.empty()) return given(trouble);
     Result<LoadedState> state = state_to_open(text);
     if (!state) return given(state.error());
-    // Looks and layout are the person's, or the embedding page's, where the state says nothing of them.
+    // Keep the look and layout chosen by the person or the host page, unless the state sets its own.
     Session& session = page->studio.session;
     if (state->params.ui == UiParams{}) state->params.ui = session.params.ui;
     if (state->params.view.layout == LayoutParams{}) state->params.view.layout = session.params.view.layout;
@@ -196,23 +198,23 @@ EMSCRIPTEN_KEEPALIVE const char* page_open(const char* text) {
     return given("");
 }
 
-/// Of the latest page_open(): "" while it is on its way, "opened", or the sentence of what is wrong.
+/// Returns the outcome of the latest page_open(): "" while it is loading, "opened", or the error.
 EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
     Session& session = page->studio.session;
     session.update_scene();
     refuse_what_is_not_there();
     if (session.asks_to_read()) {
-        session.take_outcome();  // of the reading that ended in the question
+        session.take_outcome();  // discards the outcome of loading, which ended in the question
         return given("");
     }
     if (session.loading_fraction()) return given("");
     const std::optional<Status> outcome = session.take_outcome();
-    if (!outcome) return given(session.message.text.empty() ? "open: it was not read" : session.message.text);
+    if (!outcome) return given(session.message.text.empty() ? "open: the document was not read" : session.message.text);
     return given(*outcome ? is_opened : outcome->error());
 }
 
-/// A picture as a PNG with its state, in the page's files; its name there, which begins with "/", else the sentence of
-/// what is wrong. `width` and `height` 0: as large as the view is; `samples` −1: as the state says.
+/// Writes a picture as a PNG file that contains its state, in the page's folder. Returns the file's path, which begins
+/// with "/", or the error. `width` and `height` 0: the view's size; `samples` −1: the state's.
 EMSCRIPTEN_KEEPALIVE const char* page_picture(const char* view, double width, double height, double samples) {
     Studio& studio = page->studio;
     const Result<PictureRequest> request = picture_request(view, {width, height}, samples);

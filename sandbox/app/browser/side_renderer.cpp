@@ -1,5 +1,4 @@
-// A page has one GL context, and nothing beside it to draw in: what is measured in pictures is measured by the page's
-// own renderer, between two frames.
+// A page has only one GL context, so the page's own renderer also does the measurements, between two frames.
 #include "app/side_renderer.h"
 
 namespace viewing {

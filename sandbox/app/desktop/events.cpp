@@ -96,7 +96,7 @@ KeyKind kind_of(int glfw_key) {
     return KeyKind::leaves;
 }
 
-/// Set by what has ended beside the window.
+/// Set when background work ends.
 std::atomic<bool> work_has_ended{false};
 
 }  // namespace
@@ -145,7 +145,7 @@ void Events::take(double wait_s) {
     glfwPollEvents();
     any |= work_has_ended.exchange(false);
     if (!any && wait_s != 0.0) {
-        heard_since_s_.reset();  // from here on nothing is heard late
+        heard_since_s_.reset();  // events from here on are delivered immediately
         if (wait_s > 0.0)
             glfwWaitEventsTimeout(wait_s);
         else
@@ -182,7 +182,7 @@ void Events::on_key(GLFWwindow* window, int glfw_key, int scancode, int action, 
                             .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
-/// A drag that leads out of the window goes on there.
+/// Ignores that the pointer leaves the window during a drag, which continues outside.
 void Events::on_enter(GLFWwindow* window, int entered) {
     for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
         if (glfwGetMouseButton(window, button) == GLFW_PRESS) return;

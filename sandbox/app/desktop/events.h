@@ -1,5 +1,5 @@
-// What GLFW tells of a window, in order; and what ends beside it wakes it. Read ui/parts/input_queue.h for what becomes
-// of it.
+// Queues a window's GLFW events in order; the end of background work wakes the window. Read ui/parts/input_queue.h for
+// how events are processed.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ struct GLFWwindow;
 
 namespace viewing {
 
-/// Work that ends beside the window wakes it while an object of this class lives.
+/// While an object of this class lives, the end of background work wakes the window.
 struct WakeUp {
     WakeUp();
     ~WakeUp();
@@ -18,20 +18,20 @@ struct WakeUp {
     WakeUp& operator=(const WakeUp&) = delete;
 };
 
-/// What the window hears. Letters are taken by what the keyboard's layout prints.
+/// Collects the window's events. Letter keys are matched by the character that the keyboard's layout prints.
 class Events {
 public:
     InputQueue queue;
-    bool any = true;  ///< something happened since this was set back
+    bool any = true;  ///< something has happened since this was last reset
 
     explicit Events(GLFWwindow* window);
     Events(const Events&) = delete;
     Events& operator=(const Events&) = delete;
 
-    /// Keys that are pressed in this window count as well, and what befalls it wakes the first one.
+    /// Also collects the keys pressed in this window; any change of it wakes the first window.
     void hear_keys_of(GLFWwindow* window);
 
-    /// Takes what has come, and waits for something where nothing has: at most so long; negative: for ever.
+    /// Takes pending events; if there are none, waits up to `wait_s` for one; negative: forever.
     void take(double wait_s);
 
 private:
@@ -41,7 +41,7 @@ private:
     static void on_enter(GLFWwindow* window, int entered);
 
     double polled_s_ = 0.0;
-    std::optional<double> heard_since_s_;  ///< what is heard now happened since then; nothing: now
+    std::optional<double> heard_since_s_;  ///< earliest possible time of the events being delivered; empty: now
 };
 
 }  // namespace viewing

@@ -21,7 +21,7 @@ Area window_area(GLFWwindow* window) {
     return area;
 }
 
-/// The monitor that shows most of the window; null without monitors.
+/// Returns the monitor that shows most of the window; null without monitors.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
     const Area of_window = window_area(window);
     int count = 0;
@@ -54,10 +54,10 @@ void set_place(GLFWwindow* window, const Area& area) {
     glfwSetWindowMonitor(window, nullptr, area.min.x, area.min.y, area.size.x, area.size.y, GLFW_DONT_CARE);
 }
 
-/// The notes take the right part of the screen, the stage the rest.
+/// Moves the notes to the right part of the screen, and lets the stage fill the rest.
 void share(GLFWmonitor* monitor, GLFWwindow* stage, GLFWwindow* notes) {
     constexpr int least_notes_width = 360;
-    Area screen, border;  // the border: left and upper, right and lower
+    Area screen, border;  // border: left and top in min, right and bottom in size
     glfwGetMonitorWorkarea(monitor, &screen.min.x, &screen.min.y, &screen.size.x, &screen.size.y);
     glfwGetWindowFrameSize(notes, &border.min.x, &border.min.y, &border.size.x, &border.size.y);
     const int notes_width = std::max(screen.size.x / 4, least_notes_width);
@@ -95,7 +95,7 @@ WindowPlace FullScreen::place(GLFWwindow* window, const std::optional<WindowPlac
     WindowPlace place{area.min, area.size, false};
     if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) != GLFW_TRUE) return place;
     place = before.value_or(place);
-    place.maximised = true;
+    place.maximized = true;
     return place;
 }
 

@@ -1,5 +1,5 @@
-// Between the place that the window has and the whole of a screen. Where the notes share the only screen, the stage
-// takes what they leave of it: neither lies behind the other.
+// Switches the window between its normal place and full screen. If the notes share the only screen, the stage fills the
+// rest of it, so that neither covers the other.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ public:
     void toggle() { is_full_ = !is_full_; }
     void set(bool is_full) { is_full_ = is_full; }
 
-    /// Called once a frame: gives the window what was last asked for, on the monitor that shows most of it. `notes`:
-    /// the window of the notes while it is on show, else null.
+    /// Call once a frame. Applies the latest request, on the monitor that shows most of the window. `notes` is the
+    /// notes window while it is visible, else null.
     void apply(GLFWwindow* window, GLFWwindow* notes);
 
-    /// The window's place without it. `before`: of a window that is maximised now.
+    /// Returns the window's place outside full screen. `before`: its place before it was maximized.
     WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const;
 
 private:
@@ -27,7 +27,7 @@ private:
 
     bool is_full_ = false;
     Way way_ = Way::windowed;
-    glm::ivec2 position_{0}, size_{1280, 720};  ///< of the window, in screen coordinates, while it is not windowed
+    glm::ivec2 position_{0}, size_{1280, 720};  ///< before full screen, in screen coordinates
 };
 
 }  // namespace viewing

@@ -31,7 +31,7 @@ Status LectureNotes::show(Notes notes) {
     }
     const std::string page = notes_page(notes);
     if (target_ != "terminal") return write_file(target_, page);
-    // A screen of its own for each page; piped, one page follows another.
+    // Clear the terminal before each page; pages in a pipe or file follow one another.
     const bool is_screen = isatty(STDOUT_FILENO) == 1;
     std::fputs(((is_screen ? "\033[H\033[2J" : "") + page + (is_screen ? "" : "\n")).c_str(), stdout);
     std::fflush(stdout);

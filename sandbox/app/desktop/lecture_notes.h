@@ -1,5 +1,5 @@
-// The lecturer's notes while the room sees the step: in the terminal that started the program, in a file that another
-// program shows, or in a window of their own.
+// The lecturer's notes for the step that the audience sees: in the terminal that started the program, in a file that
+// another program displays, or in their own window.
 #pragma once
 
 #include <memory>
@@ -18,25 +18,25 @@ public:
     explicit LectureNotes(std::string target) : target_(std::move(target)) {}
 
     bool wants_window() const { return target_ == "window"; }
-    /// Null where there is none: then they are nowhere.
+    /// Null if no window can be made; the notes then do not appear anywhere.
     void take(std::unique_ptr<NotesWindow> window) { window_ = std::move(window); }
 
-    /// Null where there is none or the person has closed it.
+    /// Null without a window, or after the person has closed it.
     GLFWwindow* shown_window() const { return window_ && window_->is_shown() ? window_->glfw() : nullptr; }
 
-    /// Brings the page up to date where it is not; a file's trouble is one sentence.
+    /// Updates the page if it has changed. An error is one sentence about the file.
     Status follow(const Guide& guide, const Session& session, double presented_s);
-    /// Called once a frame.
+    /// Call once a frame.
     void draw(Theme theme, double device_scale);
 
 private:
-    /// What the page depends on; its minutes, since it tells no seconds.
+    /// The data that the page depends on. Time is in minutes, since the page shows no seconds.
     struct Shown {
         std::shared_ptr<const Lesson> lesson;
         std::size_t step = 0;
         StepPhase phase = StepPhase::asks;
         int minutes = 0;
-        int scene_version = -1;  ///< answers are computed in it
+        int scene_version = -1;  ///< of the scene for which answers are computed
         Language language = Language::en;
         bool operator==(const Shown&) const = default;
     };

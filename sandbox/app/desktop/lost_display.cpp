@@ -15,17 +15,18 @@ int status_when_lost = 0;
     ::_exit(status_when_lost);
 }
 
-/// Xlib does not allow its handler to return, and nothing of GL or GLFW can be closed without the display.
+/// Exits, because Xlib does not allow its handler to return, and without the display neither GL nor GLFW can be closed.
 int on_lost_display(void*) {
-    end_saying("the display of the window is gone\n");
+    end_saying("the window's display is gone\n");
 }
 
-/// Xlib's own would print five lines and end with 1. Whose window another program has destroyed has lost it.
+/// Exits with one sentence; Xlib's own handler would print five lines and exit with 1. Another program that destroys
+/// the window counts as a lost display, too.
 int on_x_error(void* /*display*/, void* /*event*/) {
-    end_saying("the window is gone: the display refuses what is drawn into it\n");
+    end_saying("the window is gone: the display no longer accepts its drawing\n");
 }
 
-/// By Xlib's function of this name, which takes and gives back a handler.
+/// Installs a handler with Xlib's function `setter`, which takes the new handler and returns the old one.
 template <typename Handler>
 void set_handler(void* xlib, const char* setter, Handler handler) {
     if (const auto set = reinterpret_cast<Handler (*)(Handler)>(::dlsym(xlib, setter))) set(handler);
@@ -34,13 +35,13 @@ void set_handler(void* xlib, const char* setter, Handler handler) {
 }  // namespace
 
 void end_when_display_is_lost(int exit_status) {
-    // GLFW loads Xlib itself; linking it here would demand it on systems without X.
+    // GLFW loads Xlib itself; linking it here would require it on systems without X.
     void* xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
     if (!xlib) return;
     status_when_lost = exit_status;
     set_handler(xlib, "XSetIOErrorHandler", on_lost_display);
     set_handler(xlib, "XSetErrorHandler", on_x_error);
-    ::dlclose(xlib);  // GLFW's own hold on it stays
+    ::dlclose(xlib);  // GLFW's own reference keeps it loaded
 }
 
 }  // namespace viewing

@@ -17,9 +17,9 @@ namespace viewing {
 namespace {
 
 constexpr int first_width = 900, first_height = 700;
-constexpr float design_width = 640.0F;  // design pixels: the type grows with the window
+constexpr float design_width = 640.0F;  // in design pixels: text grows with the window
 
-/// ImGui has one current context; the first window's is back at the end.
+/// Makes another ImGui context current for a scope; ImGui has only one current context.
 class InContext {
 public:
     explicit InContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
@@ -33,7 +33,7 @@ private:
     ImGuiContext* before_;
 };
 
-/// On a monitor that does not show the first window, if there is one.
+/// Puts the notes on a monitor that does not show the first window, if there is one.
 void place_beside(GLFWwindow* main, GLFWwindow* notes) {
     glm::ivec2 main_place(0), corner(0), size(0);
     glfwGetWindowPos(main, &main_place.x, &main_place.y);
@@ -56,7 +56,7 @@ std::unique_ptr<NotesWindow> NotesWindow::make(GLFWwindow* main) {
     glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);
     GLFWwindow* const window = glfwCreateWindow(first_width, first_height, "Viewing Sandbox: notes", nullptr, main);
     if (!window) {
-        std::cerr << "no window for the notes: the display gives no second one\n";
+        std::cerr << "there is no window for the notes: the display refused a second window\n";
         return nullptr;
     }
     return std::unique_ptr<NotesWindow>(new NotesWindow(main, window));
@@ -64,7 +64,7 @@ std::unique_ptr<NotesWindow> NotesWindow::make(GLFWwindow* main) {
 
 NotesWindow::NotesWindow(GLFWwindow* main, GLFWwindow* window) : main_(main), window_(window) {
     glfwMakeContextCurrent(window_);
-    glfwSwapInterval(0);  // the room's window sets the pace
+    glfwSwapInterval(0);  // the main window sets the pace
     glfwMakeContextCurrent(main_);
     glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
     place_beside(main_, window_);
@@ -103,7 +103,7 @@ void NotesWindow::set(Notes notes) {
     is_stale_ = true;
 }
 
-/// Labels in a column of their own.
+/// Draws the notes with the labels in a column of their own.
 void NotesWindow::lay_out(float width) const {
     const widgets::Palette& palette = palette_of(theme_);
     const auto line = [](ImFont* font, ImU32 color, float x, float room, const std::string& text) {
@@ -125,7 +125,7 @@ void NotesWindow::lay_out(float width) const {
     for (const Notes::Part& part : notes_.parts) {
         ImGui::Dummy({0.0F, fonts_.text->FontSize * 0.4F});
         const float top = ImGui::GetCursorPosY();
-        ImGui::SetCursorPosY(top + fonts_.caption->Ascent - fonts_.text->Ascent);  // on the same line
+        ImGui::SetCursorPosY(top + fonts_.caption->Ascent - fonts_.text->Ascent);  // on the same baseline
         line(fonts_.text, palette.accent, margin, column, part.label);
         ImGui::SetCursorPosY(top);
         line(fonts_.caption, palette.text, margin + column, room - column, part.text);
@@ -133,7 +133,7 @@ void NotesWindow::lay_out(float width) const {
 }
 
 void NotesWindow::draw(Theme theme, double device_scale) {
-    if (glfwWindowShouldClose(window_)) {  // hidden: the lesson goes on
+    if (glfwWindowShouldClose(window_)) {  // only hidden: the lesson continues
         glfwSetWindowShouldClose(window_, GLFW_FALSE);
         glfwHideWindow(window_);
     }
@@ -172,11 +172,11 @@ void NotesWindow::draw(Theme theme, double device_scale) {
 }
 
 void NotesWindow::present() {
-    glFlush();  // what was drawn is seen by the other context
+    glFlush();  // makes the drawing visible to the other context
     const glm::ivec2 size_px = target_.size_px();
     glfwMakeContextCurrent(window_);
     if (shared_framebuffer_ == 0) glGenFramebuffers(1, &shared_framebuffer_);
-    // Attached anew each time: only then is another context's drawing sure to be seen.
+    // Attach the texture each time: only then is the other context's drawing guaranteed to be visible.
     glBindFramebuffer(GL_READ_FRAMEBUFFER, shared_framebuffer_);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_.texture(), 0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

@@ -1,9 +1,9 @@
-// The lecturer's notes in a window of their own, on another screen where there is one: large type, nothing to click.
-// Closing it hides it; keys that are pressed in it are the lesson's.
+// The lecturer's notes in their own window, on another screen if there is one: large text, nothing to click. Closing
+// hides it; keys pressed in it control the lesson.
 //
-// It is drawn in the GL context of the first window, by a second ImGui context that gets no input, into a texture which
-// the second window's context shares and copies to its screen. So ImGui's backends know one context, and a notes window
-// that is slow or gone disturbs nobody.
+// The first window's GL context draws the notes, with a second ImGui context that gets no input, into a texture. The
+// second window's context shares this texture and copies it to its screen. So ImGui's backends know only one context,
+// and a slow or missing notes window does not disturb the lecture.
 #pragma once
 
 #include <memory>
@@ -22,20 +22,21 @@ namespace viewing {
 
 class NotesWindow {
 public:
-    /// `main`: the window whose context is current, now and after each call. Null with a sentence on stderr where the
-    /// display gives no second window.
+    /// `main` is the window whose context is current, now and after each call. Returns null, with a sentence on stderr,
+    /// if the display allows no second window.
     static std::unique_ptr<NotesWindow> make(GLFWwindow* main);
     ~NotesWindow();
     NotesWindow(const NotesWindow&) = delete;
     NotesWindow& operator=(const NotesWindow&) = delete;
 
     GLFWwindow* glfw() const { return window_; }
-    /// Until the person closes it.
+    /// True until the person closes it.
     bool is_shown() const;
 
-    /// What is shown from the next draw() on.
+    /// Sets the notes to show from the next draw() on.
     void set(Notes notes);
-    /// Draws and shows it where something has changed: the notes, the window's size, the theme, or what lay over it.
+    /// Draws and shows the window if something has changed: the notes, the window's size, the theme, or the window was
+    /// covered.
     void draw(Theme theme, double device_scale);
 
 private:
@@ -52,7 +53,7 @@ private:
     Notes notes_;
     bool is_stale_ = true;
     gl::ColorTarget target_;
-    GLuint shared_framebuffer_ = 0;  ///< of the second context: textures are shared, framebuffers are not
+    GLuint shared_framebuffer_ = 0;  ///< belongs to the second context: contexts share textures, not framebuffers
 };
 
 }  // namespace viewing

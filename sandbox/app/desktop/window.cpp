@@ -1,11 +1,10 @@
-// GLFW: events in, frames out, and asleep in between. All drawing goes into the studio's own framebuffer and is copied
-// to the window, so the window shows what a snapshot writes.
+// The GLFW window: takes events, presents frames, and sleeps in between. All drawing goes into the studio's own
+// framebuffer and is copied to the window, so the window shows what a snapshot writes.
 #include "app/desktop/window.h"
-
-#include <backends/imgui_impl_glfw.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 
 #include "app/desktop/events.h"
 #include "app/desktop/full_screen.h"
+#include "app/desktop/imgui_window.h"
 #include "app/desktop/lecture_notes.h"
 #include "app/desktop/lost_display.h"
 #include "app/pictures_to_files.h"
@@ -28,9 +28,18 @@
 namespace viewing {
 namespace {
 
+/// Starts GLFW. GLFW 3.4 tries Wayland first, whose library complains on stderr if the session has no folder for its
+/// socket.
+bool start_glfw() {
+#ifdef GLFW_PLATFORM
+    if (!std::getenv("XDG_RUNTIME_DIR")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    return glfwInit() == GLFW_TRUE;
+}
+
 struct Glfw {
-    bool started = glfwInit() == GLFW_TRUE;
-    /// A window that fills a screen stays there when another one takes the keyboard.
+    bool started = start_glfw();
+    /// Keeps a full-screen window on screen when another window gets the keyboard focus.
     Glfw() {
         if (started) glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     }
@@ -46,12 +55,12 @@ struct DestroyWindow {
 };
 using Window = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-/// What GLFW says about its last failure.
+/// Returns GLFW's reason for its last failure, or `otherwise`.
 std::string glfw_reason(const char* otherwise) {
     const char* reason = nullptr;
     glfwGetError(&reason);
     std::string text = reason ? reason : otherwise;
-    text.erase(text.find_last_not_of(' ') + 1);  // an empty DISPLAY leaves one behind
+    text.erase(text.find_last_not_of(' ') + 1);  // with an empty DISPLAY, the message ends with a space
     return text;
 }
 
@@ -66,12 +75,12 @@ std::vector<WindowPlace> screens() {
     return screens;
 }
 
-/// Where it was the last time, if that is still on a screen.
+/// Restores the window's last place if it is still on a screen.
 void restore_place(GLFWwindow* window, const std::optional<WindowPlace>& place) {
     if (!place || !is_reachable(*place, screens())) return;
     glfwSetWindowSize(window, place->size.x, place->size.y);
     glfwSetWindowPos(window, place->position.x, place->position.y);
-    if (place->maximised) glfwMaximizeWindow(window);
+    if (place->maximized) glfwMaximizeWindow(window);
 }
 
 Result<Window> make_window(bool checks_gl) {
@@ -93,14 +102,14 @@ Result<Window> make_window(bool checks_gl) {
     }
     Window window(glfwCreateWindow(width, height, "Viewing Sandbox", nullptr, nullptr));
     if (!window) {
-        return Error{"no window with OpenGL 3.3 core: " + glfw_reason("the display refuses it") +
+        return Error{"cannot open a window with OpenGL 3.3 core: " + glfw_reason("the display refused it") +
                      "; viewing-sandbox snapshot needs no display"};
     }
     glfwSetWindowSizeLimits(window.get(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
     return window;
 }
 
-/// What is typed in a window that is closed counts: two more frames, which nobody sees.
+/// Saves text that is still being typed when the window closes, with two more frames that are not shown.
 void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory, bool keeps_answers) {
     if (!widgets::IsTyping(studio.workbench.widgets)) return;
     widgets::EndTyping(studio.workbench.widgets);
@@ -108,7 +117,7 @@ void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory
     glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
     float device_scale = 1.0F;
     glfwGetWindowContentScale(window, &device_scale, nullptr);
-    for (int i = 0; i < 2; ++i) {  // the field is left; what follows from it is noted
+    for (int i = 0; i < 2; ++i) {  // the first leaves the field, the second records the change
         const Requests requests = studio.frame({glm::max(size_px, glm::ivec2(1)), device_scale, true, {}});
         studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
     }
@@ -116,31 +125,32 @@ void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory
 
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
               LectureNotes& notes, bool keeps_answers) {
+    ImGuiWindow imgui_window(window);
     FullScreen full_screen;
     int frames_due = 0;
-    const auto report = [&](const Status& status) {  // after what it belongs to was drawn
+    const auto report = [&](const Status& status) {  // call after drawing the frame that it belongs to
         studio.session.report(status);
         events.any |= !status;
     };
-    // What was pressed before the window was closed still counts.
+    // Process events from before the window was closed, too.
     while (!glfwWindowShouldClose(window) || !events.queue.is_empty()) {
         const bool closes = glfwWindowShouldClose(window) == GLFW_TRUE;
         if (!closes) events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
 
-        // A click shows after a frame that lays out what it opened, and one more that fits it.
+        // A click takes effect in the first frame; the second lays out anything it opened, and the third adjusts sizes.
         constexpr int frames_after_an_event = 3;
         frames_due = std::exchange(events.any, false) ? frames_after_an_event : std::max(frames_due - 1, 0);
 
         glm::ivec2 size_px(0);
         glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
-        if (size_px.x == 0 || size_px.y == 0) {  // minimised
+        if (size_px.x == 0 || size_px.y == 0) {  // minimized
             if (closes) break;
             glfwWaitEvents();
             continue;
         }
         float device_scale = 1.0F;
         glfwGetWindowContentScale(window, &device_scale, nullptr);
-        ImGui_ImplGlfw_NewFrame();  // the pointer's shape
+        imgui_window.show_pointer();
         int window_width = 0;
         glfwGetWindowSize(window, &window_width, nullptr);
         const float pixels_per_unit =
@@ -184,7 +194,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
                   std::vector<std::string>* gl_errors) {
     const Glfw glfw;
     if (!glfw.started) {
-        return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
+        return Error{"there is no display for a window (" + glfw_reason("GLFW did not start") +
                      "); viewing-sandbox snapshot needs none"};
     }
     end_when_display_is_lost(lost_display_status);
@@ -213,7 +223,6 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     }
     const WakeUp wake_up;
     Events events(window);
-    ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
     glfwShowWindow(window);
     if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
     LectureNotes notes(start.notes);
@@ -226,7 +235,6 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     }
     run_loop(window, *renderer, studio, events, memory, notes, !start.hand_in);
     if (gl_errors) *gl_errors = log->errors();
-    ImGui_ImplGlfw_Shutdown();
     return std::monostate{};
 }
 

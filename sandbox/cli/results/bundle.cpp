@@ -27,7 +27,8 @@ constexpr const char* state_name = "state.json";
     throw Failure(ExitStatus::bad_input, "--bundle: " + what);
 }
 
-/// A file's name as every system takes it: no sign that one of them or a shell understands, no sign that is no text.
+/// Returns a file name that is valid on every system: without characters that are special to a system or a shell, and
+/// without unprintable ones.
 std::string safe_name(const fs::path& file) {
     std::string name = printable(file.filename().string());
     const auto is_unsafe = [](char sign) {
@@ -35,19 +36,19 @@ std::string safe_name(const fs::path& file) {
     };
     std::replace_if(name.begin(), name.end(), is_unsafe, '_');
     if (name.starts_with('-') || name.starts_with('.')) name.front() = '_';
-    constexpr std::size_t longest_stem = 150;  // bytes; file systems take 255, and a number may follow
+    constexpr std::size_t longest_stem = 150;  // bytes; file systems allow 255, and a number may follow
     const std::string ending = fs::path(name).extension().string();
     std::string stem = name.substr(0, name.size() - ending.size());
     while (stem.size() > longest_stem) remove_last_character(stem);
     return stem + ending.substr(0, longest_stem / 2);
 }
 
-/// Puts files into the prepared folder and says what they are called there.
+/// Copies files into the prepared folder and returns their names there.
 class Packer {
 public:
     explicit Packer(fs::path folder) : folder_(std::move(folder)) { taken_.insert(state_name); }
 
-    /// The name of a mesh file, copied at its first mention together with its material libraries.
+    /// Returns the new name of a mesh file, which is copied on first use together with its material libraries.
     std::string mesh(const fs::path& file) {
         const std::string place = place_of(file);
         if (const auto known = names_.find(file); known != names_.end()) return known->second;
@@ -66,7 +67,7 @@ public:
         value_or_end(write_file(folder_ / name, std::string_view(text)));
     }
 
-    /// A name that no other file of the bundle has, made into "name-2.obj" where it must be.
+    /// Returns a name that no other file in the bundle has, such as "name-2.obj" if necessary.
     std::string free_name(const std::string& place, const std::string& wanted) {
         const fs::path path(wanted);
         std::string name = wanted;
@@ -76,7 +77,8 @@ public:
     }
 
 private:
-    /// "" for files of the first folder, then "2/", "3/", …: names that belong together stay together.
+    /// Returns the subfolder for files from a file's folder: "" for the first such folder, then "2/", "3/", …, so that
+    /// files that belong together stay together.
     std::string place_of(const fs::path& file) {
         const auto [found, is_new] = places_.try_emplace(file.parent_path(), places_.size() + 1);
         if (found->second == 1) return "";
@@ -95,7 +97,7 @@ private:
         if (error) refuse(from.string() + ": cannot be copied: " + error.message());
     }
 
-    /// The plain names behind "mtllib"; the program itself reads none of them.
+    /// Returns the file names after "mtllib" that need no change; the program itself does not read these files.
     static std::vector<std::string> material_libraries(const fs::path& mesh) {
         std::vector<std::string> names;
         std::ifstream lines(mesh, std::ios::binary);
@@ -112,16 +114,16 @@ private:
     fs::path folder_;
     std::map<fs::path, std::size_t> places_;
     std::map<fs::path, std::string> names_;
-    std::set<std::string> taken_;  ///< in lower case: names that differ in case alone are one file on some systems
+    std::set<std::string> taken_;  ///< in lower case: on some systems, names that differ only in case are the same file
 };
 
-/// A scene whose objects' files are called as they are in the bundle.
+/// Packs the files of the scene's objects, and updates their names in the scene.
 void pack_objects(Packer& packer, SceneDescription& scene, const fs::path& base) {
     for (ObjectDescription& object : scene.objects)
         if (!object.file.empty()) object.file = packer.mesh(resolved(base / object.file));
 }
 
-/// The same of a scene's file, with everything else as its author has it.
+/// Returns the text of a scene file with the files of its objects packed and renamed, and everything else unchanged.
 std::string packed_scene_file(Packer& packer, const fs::path& file) {
     const std::string text = value_or_end(read_text_file(file));
     return value_or_end(guarded([&] {
@@ -134,14 +136,14 @@ std::string packed_scene_file(Packer& packer, const fs::path& file) {
     }));
 }
 
-/// The state's scene as it is called in the bundle.
+/// Packs the state's scene, and updates the names in the state.
 void pack_scene(Packer& packer, LoadedState& state, const Scene& scene) {
     SceneSource& source = state.params.scene;
     if (auto* inline_scene = std::get_if<SceneDescription>(&source)) {
         pack_objects(packer, *inline_scene, state.base);
     } else if (is_obj_file(scene.file)) {
         const std::string name = packer.mesh(resolved(scene.file));
-        // The object is called after its file.
+        // The object's name is derived from its file's name.
         const std::string before = scene.file.stem().string(), after = fs::path(name).stem().string();
         if (state.params.follow && state.params.follow->object == before) state.params.follow->object = after;
         if (state.params.view.pin && state.params.view.pin->object == before) state.params.view.pin->object = after;
@@ -158,7 +160,7 @@ void pack_scene(Packer& packer, LoadedState& state, const Scene& scene) {
 }  // namespace
 
 std::string write_bundle(const std::string& folder, const LoadedState& state, const Scene& scene) {
-    if (folder.empty()) refuse("must be the name of a new folder, got an empty text");
+    if (folder.empty()) refuse("must be the name of a new folder, got an empty string");
     WholeFolder whole = value_or_end(WholeFolder::begin(folder));
     Packer packer(whole.beside());
     LoadedState packed = state;

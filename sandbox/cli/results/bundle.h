@@ -1,4 +1,4 @@
-// A state with all the files it needs in one folder, to be given to somebody.
+// A state with all the files it needs in one folder, ready to share.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace viewing {
 
-/// Writes the folder: state.json, and beside it the scene's file, the meshes and the material libraries that these
-/// name, from each further folder in one of its own ("2", "3", …). What comes with the program is named, not copied.
-/// `scene` is the state's. The folder must not be there yet, or be empty; it appears whole (whole_folder.h).
-/// Returns the path of its state.json. Throws Failure.
+/// Writes state.json, and in the same folder the scene file, the meshes and the material libraries that these name.
+/// Files from each additional source folder go into a subfolder ("2", "3", …). Files that come with the program are
+/// named, not copied. `scene` is the scene of `state`. The folder must be new or empty; it appears only when complete
+/// (whole_folder.h). Returns the path of its state.json. Throws Failure.
 std::string write_bundle(const std::string& folder, const LoadedState& state, const Scene& scene);
 
 }  // namespace viewing

@@ -14,14 +14,14 @@ constexpr std::array names{"world_from_view", "view_from_world",   "clip_from_vi
                            "clip_from_world", "shadow_from_world", "mirror_from_world"};
 constexpr const char* allowed = "C, V, P, PV, S, S[plane,light], R or R[plane]";
 
-/// One word of the list: "S[2,1]" is letter 4 with the indices 2 and 1.
+/// One word of the list: "S[2,1]" is the letter S with the indices 2 and 1.
 struct Word {
     std::string text;
     std::size_t letter = 0;
     std::vector<std::size_t> indices = {};
 };
 
-/// None for what has another form.
+/// Returns nothing if the word has another form.
 std::optional<Word> parse(const std::string& text) {
     Word word{text};
     const std::size_t bracket = text.find('[');
@@ -42,7 +42,7 @@ std::optional<Word> parse(const std::string& text) {
     return word.indices.size() == most ? std::optional(word) : std::nullopt;
 }
 
-/// The indices that a word has, counted from 0; ends the command for a plane or a light that there is not.
+/// Returns the indices of a word, counted from 0. Ends the command if there is no such plane or light.
 Choice pair_of(const Options& options, const Word& word, const Derived& derived) {
     const auto index = [&](std::size_t place, std::size_t count, const char* what) {
         if (place >= word.indices.size()) return std::size_t{0};

@@ -1,4 +1,4 @@
-// Pictures in rows and columns on one sheet, each with a line below it.
+// Pictures in rows and columns on one sheet, each with a caption below it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,14 +10,14 @@
 namespace viewing {
 
 struct SheetPicture {
-    Image image;                        ///< all of one size
-    std::vector<std::string> captions;  ///< from long to short: the first that fits stands there
+    Image image;                        ///< all have the same size
+    std::vector<std::string> captions;  ///< from long to short: the first one that fits is drawn
 };
 
-/// `columns`: 1 or more; what is missing in the last row stays empty. Not empty.
+/// `columns`: 1 or more; the last row may have gaps. `pictures` must not be empty.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, int columns);
 
-/// The size that the sheet would have.
+/// Returns the size of the sheet.
 glm::ivec2 contact_sheet_size_px(glm::ivec2 picture_px, int count, int columns);
 
 }  // namespace viewing

@@ -1,11 +1,11 @@
-// Cells of comma-separated values, as RFC 4180 has them.
+// Cells for comma-separated values (RFC 4180).
 #pragma once
 
 #include <string>
 
 namespace viewing {
 
-/// In quotes where a comma, a quote or the end of a line asks for them.
+/// Returns the text, in quotes if it contains a comma, a quote or a line break.
 std::string csv_quoted(const std::string& text);
 
 }  // namespace viewing

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a program stands on PATH; empty: nowhere.
+/// Returns the path of a program found on PATH; empty if there is none.
 std::string found_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::string folders = path ? path : "";
@@ -29,7 +29,8 @@ std::string found_program(const std::string& name) {
     return "";
 }
 
-/// A file that is gone when nobody has it open any more, however that comes; −1 with errno. A child has it open too.
+/// Opens a file without a name, which disappears once no process has it open, however the processes end. Returns −1,
+/// with errno, on failure. A child process inherits the file.
 int nameless_file() {
     std::string name = (fs::temp_directory_path() / "viewing-sandbox-film-XXXXXX").string();
     const int file = ::mkstemp(name.data());
@@ -37,7 +38,7 @@ int nameless_file() {
     return file;
 }
 
-/// Its name for this process, and for ffmpeg.
+/// Returns a path for an open file, valid in this process and in ffmpeg.
 std::string name_of(int file) {
     return "/proc/self/fd/" + std::to_string(file);
 }
@@ -62,7 +63,7 @@ Result<Film> Film::begin(const std::string& ending, glm::ivec2 size_px, double f
     if (program.empty())
         return Error{
             "a film needs ffmpeg, which is not installed (apt-get install ffmpeg); a folder of pictures or a .png "
-            "sheet needs nothing"};
+            "sheet does not"};
     const int file = nameless_file();
     if (file < 0) return write_error(fs::temp_directory_path(), errno);
     std::vector<std::string> words{program,
@@ -110,7 +111,7 @@ Result<std::string> Film::finish() {
     process_.wait();
     if (process_.exit_status() != 0) return failure();
     std::string bytes = all_bytes(name_of(file_));
-    if (bytes.empty()) return Error{"ffmpeg has written nothing"};
+    if (bytes.empty()) return Error{"ffmpeg wrote nothing"};
     return bytes;
 }
 

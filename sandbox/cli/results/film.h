@@ -1,4 +1,4 @@
-// Pictures one after the other as a film, through ffmpeg where that is installed.
+// Encodes pictures as a film with ffmpeg, if it is installed.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,15 +13,15 @@ namespace viewing {
 
 class Film {
 public:
-    /// `ending`: ".mp4" (H.264, sides even), ".gif" (a palette made for these pictures) or ".webp" (lossless). The
-    /// error: ffmpeg is not installed.
+    /// Starts ffmpeg. `ending`: ".mp4" (H.264, both sides even), ".gif" (with a palette made for these pictures) or
+    /// ".webp" (lossless). Fails if ffmpeg is not installed.
     static Result<Film> begin(const std::string& ending, glm::ivec2 size_px, double frames_per_second);
     Film(Film&& other) noexcept : process_(std::move(other.process_)), file_(std::exchange(other.file_, -1)) {}
     Film& operator=(Film&&) = delete;
     ~Film();
 
     Status add(const Image& picture);
-    /// The whole file.
+    /// Returns the content of the finished file.
     Result<std::string> finish();
 
 private:
@@ -29,7 +29,7 @@ private:
     Error failure();
 
     ChildProcess process_;
-    int file_ = -1;  ///< where it grows; without a name, so that nothing is left
+    int file_ = -1;  ///< the growing film; has no name, so that nothing is left behind
 };
 
 }  // namespace viewing

@@ -8,8 +8,10 @@
 #include "app/picture.h"
 #include "cli/results/grade_tables.h"
 #include "cli/state_arguments.h"
+#include "cli/values.h"
 #include "image/png.h"
 #include "lesson/typed_matrix.h"
+#include "state/person/language.h"
 #include "text/catalogue.h"
 #include "text/html.h"
 #include "text/words.h"
@@ -41,13 +43,13 @@ figcaption { font-size: 9pt; color: #5a6470 }
 img { display: block; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
 )";
 
-/// A text of a hand-in: nothing of it is markup, and nothing turns the direction of writing.
+/// Returns a text from a hand-in, without markup or changes of writing direction.
 std::string foreign(const std::string& text) {
     return escaped(printable(text));
 }
 
 std::string heading(const char* text) {
-    return "<h2>" + std::string(text) + "</h2>\n";
+    return "<h2>" + std::string(tr(text)) + "</h2>\n";
 }
 
 std::vector<const StudentGrade*> read_ones(const std::vector<StudentGrade>& grades) {
@@ -67,17 +69,18 @@ std::string title(const std::vector<Exercise>& exercises, const std::vector<Stud
         if (!course.empty()) of_courses += (of_courses.empty() ? "" : ", ") + foreign(course);
     int points = 0;
     for (const Exercise& exercise : exercises) points += exercise.points;
-    std::string text = "<h1>Exercises" + (of_courses.empty() ? "" : ": " + of_courses) + "</h1>\n<p>" +
-                       counted(std::ssize(read), "student") + ", " + counted(std::ssize(exercises), "exercise") + ", " +
-                       counted(points, "point") + "</p>\n<p>" + escaped(files) + "</p>\n";
+    std::string text = "<h1>" + std::string(tr("Exercises")) + (of_courses.empty() ? "" : ": " + of_courses) +
+                       "</h1>\n<p>" + say_count(std::ssize(read), "1 student", "{count} students") + ", " +
+                       say_count(std::ssize(exercises), "1 exercise", "{count} exercises") + ", " +
+                       points_text(points) + "</p>\n<p>" + escaped(files) + "</p>\n";
     for (const StudentGrade& grade : grades)
-        if (!grade.error.empty()) text += "<p>Not read: " + foreign(grade.error) + "</p>\n";
+        if (!grade.error.empty()) text += "<p>" + say("Not read: {error}", "error"_a = foreign(grade.error)) + "</p>\n";
     return text;
 }
 
 // ---- points --------------------------------------------------------------------------------------------------------
 
-/// How many students have so many points, in bars of `width` points each.
+/// The number of students by points; each bar covers a range of `width` points.
 struct Histogram {
     int width = 1;
     std::vector<int> bars;
@@ -106,10 +109,10 @@ std::string points_chart(const std::vector<StudentGrade>& grades) {
     const int most = std::max(1, *std::max_element(histogram.bars.begin(), histogram.bars.end()));
     const double step = width / static_cast<double>(histogram.bars.size());
     std::string svg = fmt::format(
-        "<svg class=\"histogram\" role=\"img\" aria-label=\"Students by points\" "
+        "<svg class=\"histogram\" role=\"img\" aria-label=\"{2}\" "
         "viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
         "text-anchor=\"middle\">\n",
-        width, top + height + below);
+        width, top + height + below, tr("Students by points"));
     for (std::size_t bar = 0; bar < histogram.bars.size(); ++bar) {
         const int count = histogram.bars[bar];
         const double tall = height * count / most, middle = (static_cast<double>(bar) + 0.5) * step;
@@ -121,8 +124,8 @@ std::string points_chart(const std::vector<StudentGrade>& grades) {
                            histogram.label(bar));
     }
     svg += fmt::format("<path d=\"M0 {0:g}H{1:g}\" stroke=\"#8a94a0\"/>\n", top + height, width);
-    return svg + fmt::format("<text x=\"{:g}\" y=\"{:g}\" fill=\"#5a6470\">points</text>\n</svg>\n", width / 2,
-                             top + height + 33.0);
+    return svg + fmt::format("<text x=\"{:g}\" y=\"{:g}\" fill=\"#5a6470\">{}</text>\n</svg>\n", width / 2,
+                             top + height + 33.0, tr("points"));
 }
 
 // ---- misconceptions ------------------------------------------------------------------------------------------------
@@ -137,12 +140,12 @@ std::string share_cell(int students, int of) {
 }
 
 std::string misconceptions(const std::vector<TagCount>& tags) {
-    if (tags.empty()) return "<p>None was shown.</p>\n";
+    if (tags.empty()) return "<p>" + std::string(tr("No misconceptions were found.")) + "</p>\n";
     std::string table =
-        "<table>\n<tr><th></th><th>misconception</th><th>shown by</th><th>at the last attempt</th>"
-        "<th class=\"number\">of students</th></tr>\n";
+        fmt::format("<table>\n<tr><th></th><th>{}</th><th>{}</th><th>{}</th><th class=\"number\">{}</th></tr>\n",
+                    tr("misconception"), tr("shown by"), tr("at the last attempt"), tr("of students"));
     for (const TagCount& tag : tags)
-        table += "<tr><td>" + escaped(tag.tag) + "</td><td>" + escaped(tag.text.in_english()) + "</td>" +
+        table += "<tr><td>" + escaped(tag.tag) + "</td><td>" + escaped(tag.text.shown()) + "</td>" +
                  share_cell(tag.students, tag.students_of) + share_cell(tag.at_last, tag.students_of) +
                  "<td class=\"number\">" + std::to_string(tag.students_of) + "</td></tr>\n";
     return table + "</table>\n";
@@ -150,17 +153,17 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
 
 // ---- exercises -----------------------------------------------------------------------------------------------------
 
-/// How an exercise went for somebody, as the bars tell it apart.
+/// A student's result for an exercise, as the bars distinguish it.
 enum class AnswerOutcome { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
 };
-constexpr std::array<OutcomeLook, 6> outcome_looks{{{"right at once", "#2e7d4f"},
-                                                    {"right later", "#86bf9a"},
-                                                    {"partly right", "#e3b341"},
-                                                    {"wrong", "#cf5a3c"},
-                                                    {"not theirs, not judged", "#8a63b8"},
-                                                    {"missing", "#d5dae0"}}};
+constexpr std::array<OutcomeLook, 6> outcome_looks{{{marked("right at first try"), "#2e7d4f"},
+                                                    {marked("right later"), "#86bf9a"},
+                                                    {marked("partly right"), "#e3b341"},
+                                                    {marked("wrong"), "#cf5a3c"},
+                                                    {marked("not judged"), "#8a63b8"},
+                                                    {marked("missing"), "#d5dae0"}}};
 using OutcomeCounts = std::array<int, outcome_looks.size()>;
 
 AnswerOutcome outcome_of(const ItemGrade& item) {
@@ -196,17 +199,17 @@ std::string stacked_bar(const OutcomeCounts& counts, std::size_t students) {
 
 std::string exercises_table(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
     const std::vector<const StudentGrade*> read = read_ones(grades);
-    std::string table = "<table>\n<tr><th>exercise</th><th></th>";
+    std::string table = "<table>\n<tr><th>" + std::string(tr("exercise")) + "</th><th></th>";
     for (const OutcomeLook& look : outcome_looks)
         table += fmt::format(
             "<th class=\"number\"><svg class=\"swatch\"><rect width=\"10\" height=\"10\" "
             "fill=\"{}\"/></svg> {}</th>",
-            look.color, look.name);
+            look.color, tr(look.name));
     table += "</tr>\n";
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         OutcomeCounts counts{};
         for (const StudentGrade* const grade : read) ++counts[static_cast<std::size_t>(outcome_of(grade->items[i]))];
-        table += "<tr><td>" + escaped(exercises[i].short_id()) + " " + escaped(exercises[i].title.in_english()) +
+        table += "<tr><td>" + escaped(exercises[i].short_id()) + " " + escaped(exercises[i].title.shown()) +
                  "</td><td>" + stacked_bar(counts, read.size()) + "</td>";
         for (const int count : counts) table += "<td class=\"number\">" + std::to_string(count) + "</td>";
         table += "</tr>\n";
@@ -214,7 +217,7 @@ std::string exercises_table(const std::vector<Exercise>& exercises, const std::v
     return table + "</table>\n";
 }
 
-// ---- what was answered ---------------------------------------------------------------------------------------------
+// ---- answers -------------------------------------------------------------------------------------------------------
 
 constexpr int answer_digits = 6;
 
@@ -238,17 +241,17 @@ std::string names_of_items(const Answer& answer, const Ask& ask) {
     for (const int item : answer.items) {
         const auto at = static_cast<std::size_t>(item);
         const LessonText& text = ask.kind == AskKind::choice ? ask.choices[at].say : ask.items[at];
-        list += (list.empty() ? "" : " | ") + escaped(text.in_english());
+        list += (list.empty() ? "" : " | ") + escaped(text.shown());
     }
     return list;
 }
 
-/// As a person reads it; without the question, or where it cannot be an answer to it, in numbers.
+/// Returns the answer in readable form; as plain numbers if the question is unknown or the answer does not fit it.
 std::string answer_cell(const Attempt& attempt, const Ask* ask) {
     if (attempt.is_goal) {
         std::string lines;
         for (const std::string& setting : attempt.settings) lines += (lines.empty() ? "" : "<br>") + foreign(setting);
-        return lines.empty() ? "nothing changed" : lines;
+        return lines.empty() ? tr("nothing changed") : lines;
     }
     if (!attempt.answer) return "";
     const std::optional<Answer> answer = ask ? answer_in(attempt, *ask) : std::nullopt;
@@ -258,39 +261,40 @@ std::string answer_cell(const Attempt& attempt, const Ask* ask) {
 }
 
 std::string told_cell(const Verdict& verdict) {
-    if (verdict.right) return "right";
-    std::string text = verdict.points > 0 ? "partly right. " : "";
-    text += verdict.say.empty() ? "wrong" : escaped(verdict.say.in_english());
+    if (verdict.right) return tr("right");
+    std::string text = verdict.points > 0 ? std::string(tr("partly right")) + ". " : "";
+    text += verdict.say.empty() ? tr("wrong") : escaped(verdict.say.shown());
     return verdict.tag.empty() ? text : text + " (" + escaped(verdict.tag) + ")";
 }
 
 // ---- students ------------------------------------------------------------------------------------------------------
 
-/// The question that was answered; none for another variant, or where no answer was judged.
+/// Returns the question that was answered; null for another variant, or if no answer was judged.
 const LessonStep* step_of(Grader& grader, const ItemGrade& item, std::size_t exercise) {
     if (item.judged() == 0) return nullptr;
     const Result<LessonStep>& step = grader.step(exercise, item.variant);
     return step ? &*step : nullptr;
 }
 
-/// What is said where no verdict is.
+/// Returns the text that is shown if there is no verdict.
 std::string why_not_judged(const ItemGrade& item) {
-    if (item.standing == Standing::other_variant) return "not this student's variant";
-    return item.trouble.empty() ? "not judged" : "not judged: " + foreign(item.trouble);
+    if (item.standing == Standing::other_variant) return tr("not this student's variant");
+    return item.trouble.empty() ? tr("not judged") : tr("not judged") + (": " + foreign(item.trouble));
 }
 
 std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t exercise) {
     const ItemGrade& item = grade.items[exercise];
     const HandInItem* const handed_in = grade.hand_in.find(item.exercise);
     const std::string begin = "<tr><td>" + escaped(item.exercise) + "</td><td class=\"number\">";
-    if (!handed_in || handed_in->attempts.empty()) return begin + "</td><td></td><td></td><td>missing</td></tr>\n";
+    if (!handed_in || handed_in->attempts.empty())
+        return begin + "</td><td></td><td></td><td>" + tr("missing") + "</td></tr>\n";
     const LessonStep* const step = step_of(grader, item, exercise);
     std::string rows;
     std::size_t answers = 0;
     for (const Attempt& attempt : handed_in->attempts) {
         rows += begin + std::to_string(handed_in->variant) + "</td><td>" + foreign(attempt.at) + "</td><td>";
         if (attempt.hint > 0) {
-            rows += "</td><td>hint " + std::to_string(attempt.hint) + "</td></tr>\n";
+            rows += "</td><td>" + say("hint {number}", "number"_a = attempt.hint) + "</td></tr>\n";
             continue;
         }
         rows += answer_cell(attempt, step ? &step->ask : nullptr) + "</td><td>";
@@ -305,24 +309,25 @@ std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t
 std::string student_details(Grader& grader, const StudentGrade& grade) {
     std::string text = "<details><summary><b>" + foreign(grade.hand_in.student) + "</b> " +
                        foreign(grade.hand_in.name) +
-                       fmt::format(" · {}/{} points · {}/{} at the first try · {}", grade.points(), grade.of(),
-                                   grade.at_first_try(), grade.tried(), counted(grade.hints(), "hint"));
+                       say(" · {points}/{of} points · {first}/{tried} at the first try · {hints}",
+                           "points"_a = grade.points(), "of"_a = grade.of(), "first"_a = grade.at_first_try(),
+                           "tried"_a = grade.tried(), "hints"_a = say_count(grade.hints(), "1 hint", "{count} hints"));
     text += "</summary>\n<p>" + escaped(grade.file) + "</p>\n";
-    for (const std::string& note : grade.notes) text += "<p>Note: " + foreign(note) + "</p>\n";
-    text +=
-        "<table>\n<tr><th>exercise</th><th class=\"number\">variant</th>"
-        "<th>time</th><th>answer</th><th>told</th></tr>\n";
+    for (const std::string& note : grade.notes)
+        text += "<p>" + say("Note: {note}", "note"_a = foreign(note)) + "</p>\n";
+    text += fmt::format("<table>\n<tr><th>{}</th><th class=\"number\">{}</th><th>{}</th><th>{}</th><th>{}</th></tr>\n",
+                        tr("exercise"), tr("variant"), tr("time"), tr("answer"), tr("verdict"));
     for (std::size_t exercise = 0; exercise < grade.items.size(); ++exercise)
         text += attempts_rows(grader, grade, exercise);
     return text + "</table>\n</details>\n";
 }
 
-// ---- what their matrices do ----------------------------------------------------------------------------------------
+// ---- what the wrong matrices do ------------------------------------------------------------------------------------
 
 constexpr std::size_t most_pictures = 24;
 constexpr glm::ivec2 answer_picture_px{320, 180};
 
-/// A wrong answer that a picture can be drawn with.
+/// A wrong answer whose matrix can be used for drawing.
 struct WrongMatrix {
     std::size_t exercise = 0, variant = 0;
     std::vector<double> numbers;
@@ -352,7 +357,7 @@ void collect(Grader& grader, const StudentGrade& grade, std::size_t exercise, Wr
     }
 }
 
-/// The most frequent first.
+/// Returns the wrong matrices, those of most students first.
 std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const std::vector<StudentGrade>& grades) {
     WrongMatrices found;
     for (const StudentGrade* const grade : read_ones(grades))
@@ -365,7 +370,7 @@ std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const
 }
 
 std::string answer_picture(Headless& headless, LoadedState state) {
-    state.params.ui.theme = Theme::light;  // paper
+    state.params.ui.theme = Theme::light;  // for printing
     PictureRequest request;
     request.view = PictureView::camera;
     request.size_px = answer_picture_px;
@@ -386,32 +391,33 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         const Exercise& exercise = grader.exercises()[wrong.exercise];
         const LessonStep& step = *grader.step(wrong.exercise, wrong.variant);
         const Result<LoadedState> typed = with_typed_matrix(step, wrong.numbers);
-        if (!typed) continue;  // its field refuses such numbers
+        if (!typed) continue;  // the exercise's field rejects such numbers
         ++count;
-        section += "<div class=\"pair\">" +
-                   captioned(answer_picture(headless, *typed), escaped(exercise.short_id()) + ", variant " +
-                                                                   std::to_string(wrong.variant) + ": typed by " +
-                                                                   counted(std::ssize(givers.students), "student")) +
-                   captioned(answer_picture(headless, with_right_matrix(step)), "the right one") + "<div>" +
-                   matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
+        section +=
+            "<div class=\"pair\">" +
+            captioned(answer_picture(headless, *typed),
+                      say_count(std::ssize(givers.students), "{exercise}, variant {variant}: entered by 1 student",
+                                "{exercise}, variant {variant}: entered by {count} students",
+                                "exercise"_a = escaped(exercise.short_id()), "variant"_a = wrong.variant)) +
+            captioned(answer_picture(headless, with_right_matrix(step)), tr("the right matrix")) + "<div>" +
+            matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
-    return section.empty() ? "" : heading("What their matrices do") + section;
+    return section.empty() ? "" : heading(marked("What the wrong matrices do")) + section;
 }
 
 }  // namespace
 
 std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
                          const std::vector<TagCount>& tags, const std::string& files) {
-    std::string page =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Exercises, graded</title>\n"
-        "<style>" +
-        std::string(report_style) + "</style>\n";
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + std::string(name_of(spoken_language())) +
+                       "\">\n<meta charset=\"utf-8\">\n<title>" + tr("Graded exercises") + "</title>\n<style>" +
+                       std::string(report_style) + "</style>\n";
     page += title(grader.exercises(), grades, files);
-    page += heading("Points") + points_chart(grades);
-    page += heading("Misconceptions") + misconceptions(tags);
-    page += heading("Exercises") + exercises_table(grader.exercises(), grades);
+    page += heading(marked("Points")) + points_chart(grades);
+    page += heading(marked("Misconceptions")) + misconceptions(tags);
+    page += heading(marked("Exercises")) + exercises_table(grader.exercises(), grades);
     page += matrix_pictures(headless, grader, grades);
-    page += heading("Students");
+    page += heading(marked("Students"));
     for (const StudentGrade* const grade : read_ones(grades)) page += student_details(grader, *grade);
     return page + "</html>\n";
 }

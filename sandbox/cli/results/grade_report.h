@@ -1,4 +1,4 @@
-// Grades as one HTML page for a lecturer: what the class has, what it misunderstands, and every attempt.
+// Grades as one HTML page for a lecturer: points, misconceptions, and every attempt.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// `grader` is the one that made the grades. Texts are in English. Throws Failure where GL does not draw.
+/// Returns the page. `grader` made the grades. Texts are in English. Throws Failure if GL fails.
 std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
                          const std::vector<TagCount>& tags, const std::string& files);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// As a table has it: "3", "p1", "w:M33", "-".
+/// Returns the cell of a table: "3", "p1", "w:M33", "-".
 std::string cell(const ItemGrade& item) {
     switch (item.standing) {
         case Standing::right:
@@ -37,7 +37,7 @@ const char* name_of(Standing standing) {
     return names[static_cast<std::size_t>(standing)];
 }
 
-/// The notes, and why an exercise could not be judged.
+/// Returns the notes, and the reasons why exercises could not be judged.
 std::vector<std::string> remarks(const StudentGrade& grade) {
     std::vector<std::string> all;
     for (const std::string& note : grade.notes) all.push_back(printable(note));
@@ -72,7 +72,8 @@ FileCounts counts_of(const std::vector<StudentGrade>& grades) {
 
 // ---- for a terminal ------------------------------------------------------------------------------------------------
 
-/// Aligned to the right but for the first and the last column. A row of one cell is a sentence that no column fits.
+/// Returns the rows with all columns except the first and last right-aligned. A row with one cell is a sentence that
+/// spans the columns.
 std::string aligned(const std::vector<Row>& rows) {
     const std::size_t columns = rows.front().size();
     std::vector<std::size_t> widths(columns, 0);
@@ -80,7 +81,7 @@ std::string aligned(const std::vector<Row>& rows) {
         for (std::size_t i = 0; row.size() == columns && i < columns; ++i)
             widths[i] = std::max(widths[i], character_count(row[i]));
     const auto gap = [columns](std::size_t column) {
-        constexpr std::size_t wide = 3;  // columns of several words, at the end
+        constexpr std::size_t wide = 3;  // the last columns, which contain several words
         return column == 0 ? "" : column == 1 || column + wide >= columns ? "  " : " ";
     };
     std::string text;
@@ -239,7 +240,7 @@ std::string grades_as_json(const std::vector<Exercise>& exercises, const std::ve
 std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files) {
     const FileCounts counts = counts_of(grades);
     std::string text = counted(counts.judged, "file judged", "files judged");
-    if (counts.cut > 0) text += ", " + std::to_string(counts.cut) + " not judged to the end";
+    if (counts.cut > 0) text += ", " + std::to_string(counts.cut) + " not fully judged";
     if (counts.not_read > 0) text += ", " + std::to_string(counts.not_read) + " not read";
     if (files.skipped.empty()) return text;
     std::map<WhySkipped, int> by_reason;

@@ -1,5 +1,5 @@
-// Grades as tables: for a terminal, for a spreadsheet, for another program. Texts of hand-ins are shown as printable()
-// has them. Read report/grading.h for what a grade is.
+// Grades as tables: for a terminal, for a spreadsheet, or for another program. Texts from hand-ins go through
+// printable(). Read report/grading.h first.
 #pragma once
 
 #include <string>
@@ -10,23 +10,26 @@
 
 namespace viewing {
 
-/// A line for each student, a column for each exercise by its short id; a file that cannot be read is its sentence.
+/// Returns a line for each student, with a column for each exercise under its short id; a file that cannot be read
+/// shows its error.
 std::string grades_as_text(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
-/// "M04 last column of V taken for the eye: 41 % of 87 students, 12 % at the last attempt", a line each.
+/// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% at the last attempt".
 std::string tags_as_text(const std::vector<TagCount>& tags);
 
-/// RFC 4180; what a spreadsheet would take for a formula has an apostrophe before it. Missing is an empty cell.
+/// Follows RFC 4180; an apostrophe precedes text that a spreadsheet would take for a formula. The cell of a missing
+/// answer is empty.
 std::string grades_as_csv(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 std::string tags_as_csv(const std::vector<TagCount>& tags);
 
-/// Everything, ended by a newline.
+/// Returns all data about the grades, with a newline at the end.
 std::string grades_as_json(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
                            const std::vector<TagCount>& tags, const HandInFiles& files);
 
-/// "12 files judged, 1 not read, 3 skipped: 2 not JSON, 1 a link": what there is of these, without a full stop.
+/// Returns, for example, "12 files judged, 1 not read, 3 skipped: 2 not JSON, 1 a link": only counts above 0, without a
+/// period.
 std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files);
 
-/// Of 0 … 1; 0 where nobody was.
+/// Returns students / of, clamped to 0 … 1; 0 if `of` is 0.
 double share(int students, int of);
 
 }  // namespace viewing

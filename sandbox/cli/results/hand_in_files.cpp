@@ -24,7 +24,7 @@ std::optional<WhySkipped> why_skipped(const fs::directory_entry& entry) {
     return std::nullopt;
 }
 
-/// Folders wait in a list, so that their depth costs no stack.
+/// Keeps pending folders in a list, so that deep nesting needs no stack.
 void add_folder(const fs::path& root, HandInFiles& found) {
     const auto first = static_cast<std::ptrdiff_t>(found.files.size());
     const std::size_t troubles = found.troubles.size();
@@ -45,7 +45,7 @@ void add_folder(const fs::path& root, HandInFiles& found) {
     }
     std::sort(found.files.begin() + first, found.files.end());
     if (std::ssize(found.files) == first && found.troubles.size() == troubles)
-        found.troubles.push_back(one_line(root.string()) + ": a folder without a .json file");
+        found.troubles.push_back(one_line(root.string()) + ": the folder contains no .json file");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which files of the arguments of grade are hand-ins, and what lies beside them.
+// The hand-ins that grade's arguments name, and the files that were skipped.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,20 @@
 
 namespace viewing {
 
-/// In the order in which a sentence names them.
+/// In the order in which the summary lists them.
 enum class WhySkipped { not_json, link, hidden, no_file };
-/// As it stands behind a number: "not JSON", "a link".
+/// Returns the words that follow a count: "not JSON", "a link".
 const char* name_of(WhySkipped why);
 
 struct HandInFiles {
-    std::vector<std::filesystem::path> files;  ///< arguments in their order, what is in a folder sorted by its path
+    std::vector<std::filesystem::path> files;  ///< in the order of the arguments; those in a folder sorted by path
     std::vector<std::pair<std::filesystem::path, WhySkipped>> skipped;
-    std::vector<std::string> troubles;  ///< a sentence for each folder that cannot be looked into or has nothing
+    std::vector<std::string> troubles;  ///< a sentence for each folder that cannot be read or has no hand-in
     bool has_folders = false;
 };
 
-/// An argument that is a file is taken whatever its name; of a folder, and of the folders in it, all that end in .json,
-/// in letters of either case. Links in a folder are not followed, so that it ends; what begins with a point is hidden.
+/// Accepts a file argument whatever its name. Searches folders and their subfolders for .json, in upper or lower case.
+/// Does not follow links inside a folder, so that the search ends; names that begin with a dot count as hidden.
 HandInFiles hand_in_files(const std::vector<std::string>& arguments);
 
 }  // namespace viewing

@@ -5,6 +5,7 @@
 #include "image/png.h"
 #include "lesson/notes.h"
 #include "report/lesson_numbers.h"
+#include "text/catalogue.h"
 #include "text/html.h"
 
 namespace viewing {
@@ -14,24 +15,35 @@ constexpr glm::ivec2 step_picture_px{1600, 800};
 
 constexpr const char* handout_style = R"(
 @page { size: A4; margin: 18mm }
-body { font: 12pt/1.4 Inter, "NanumBarunGothic", "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
+body { font: 12pt/1.4 Inter, "NanumBarunGothic", "Noto Sans KR", "Malgun Gothic", "Apple SD Gothic Neo", "DejaVu Sans", sans-serif;
+       color: #15181d; max-width: 174mm; margin: auto; word-break: keep-all; overflow-wrap: break-word }
 section { break-after: page }
 section:last-child { break-after: auto }
 h1 { font-size: 12pt; font-weight: 600; color: #5a6470; margin: 0 0 4mm }
 img { width: 100%; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
 p { margin: 4mm 0 0 }
 .question { font-weight: 600 }
+.person { display: flex; gap: 6mm; margin: 0 0 4mm; color: #5a6470 }
+.person span { flex: 1; border-bottom: 0.3mm solid #8a94a0 }
 ol { list-style: upper-alpha; margin: 2mm 0 0; padding-left: 8mm }
 ol.items { list-style: disc }
 .blank { margin-top: 6mm; border-bottom: 0.3mm solid #8a94a0; height: 9mm }
 .answer { margin-top: 6mm; padding: 3mm 4mm; background: #eef2f6; border-left: 1mm solid #2f7de1 }
 )";
 
+/// Returns a line for the student's name and number.
+std::string person_line() {
+    std::string line = "<p class=\"person\">";
+    for (const char* what : {marked("Student number"), marked("Name"), marked("Class"), marked("Date")})
+        line += std::string("<span>") + tr(what) + "</span>";
+    return line + "</p>\n";
+}
+
 std::string paragraph(const char* name, const std::string& text) {
     return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + escaped(text) + "</p>\n";
 }
 
-/// What there is to choose from, or a line to write on.
+/// Returns the choices, or a line to write on.
 std::string answers(const Ask& ask) {
     std::string list;
     for (const LessonChoice& choice : ask.choices) list += "<li>" + escaped(choice.say.shown()) + "</li>\n";
@@ -49,7 +61,7 @@ std::string answer_of(const LessonStep& step) {
 
 std::string step_picture(Headless& headless, const Lesson& lesson, std::size_t index) {
     LoadedState state = lesson.steps[index].start;
-    state.params.ui = {.theme = Theme::light, .language = spoken_language()};  // paper
+    state.params.ui = {.theme = Theme::light, .language = spoken_language()};  // for printing
     PictureRequest request;
     request.size_px = step_picture_px;
     request.lesson = std::make_shared<const LessonPicture>(LessonPicture{lesson, index, false, true, false});
@@ -68,6 +80,7 @@ std::string handout(Headless& headless, const Lesson& lesson, bool with_answers)
         const LessonStep& step = lesson.steps[i];
         page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
                 std::to_string(lesson.steps.size()) + "</h1>\n";
+        if (i == 0) page += person_line();
         page += step_picture(headless, lesson, i);
         page +=
             paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) + answers(step.ask);

@@ -1,4 +1,4 @@
-// A lesson on paper: a page for each step with its picture, as one HTML file that any browser prints.
+// A lesson for printing: one HTML file with a page and a picture for each step.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace viewing {
 
-/// `with_answers`: the right answer and what is shown then, below each question. Throws Failure where GL does not draw.
+/// Returns the page. `with_answers` adds the right answer and the reveal below each question. Throws Failure if GL
+/// fails.
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// A picture in the form that its file's name says: pixels as PNG, shapes and text as SVG or PDF.
+// A picture in the format of its file name: pixels as PNG, shapes and text as SVG or PDF.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,18 @@
 
 namespace viewing {
 
-/// Whether shapes and text are wanted: .svg or .pdf.
+/// Whether the name is that of a vector format: .svg or .pdf.
 bool is_vector_name(const std::string& target);
 
-/// Pixels, or where there are none shapes and text.
+/// Pixels or, if there are none, shapes and text.
 struct DrawnPicture {
     Image image;
     Drawing drawing;
 
-    bool is_blank() const;  ///< all pixels have the same colour, or nothing is drawn
+    bool is_blank() const;  ///< all pixels have the same color, or nothing is drawn
 };
 
-/// The state that a figure carries; "", with a sentence on standard error, where it is longer than one can be read
-/// back.
+/// Returns the state to store in a figure; "", with a sentence on standard error, if it is too long to be read back.
 std::string carried_state(const Params& params);
 
 std::vector<std::uint8_t> picture_file(const std::string& target, const DrawnPicture& picture,

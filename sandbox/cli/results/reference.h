@@ -1,4 +1,4 @@
-// The reference of snapshot --compare: read before anything is drawn, then held against the picture.
+// The reference for snapshot --compare: read before anything is drawn, then compared with the picture.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,19 +14,20 @@ namespace viewing {
 
 class Reference {
 public:
-    /// A file that is not there is no failure yet; one that is no PNG, or a mask of another size than the picture is
-    /// going to have, throws Failure.
+    /// A missing file is not an error yet. Throws Failure if the file is not a PNG, or if a mask's size is not that of
+    /// the picture.
     Reference(std::string file, const ThresholdOptions& thresholds, glm::ivec2 size_px);
 
-    /// Tells the report of it, and adds the picture of the differences where a name for it is given and the reference
-    /// is there.
+    /// Adds the comparison to the report, and, if `diff` is given, the picture of the differences to the outputs. Adds
+    /// neither if the reference does not exist.
     void hold_against(const Image& drawn, const std::optional<std::string>& diff, Outputs& outputs,
                       EndingReport& report);
 
-    /// How the command ends by it, and what it says then.
+    /// Return the exit status and the message for this comparison.
     ExitStatus status() const;
     std::string told() const;
-    /// Says so on standard output, unless that is taken; throws Failure where only standard error is left for it.
+    /// Prints the message on standard output, unless a result goes there. Throws Failure if the message must go to
+    /// standard error.
     void tell(bool stdout_is_taken) const;
 
 private:

@@ -22,7 +22,7 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// The fonts of this program as Cairo takes them.
+/// This program's fonts, loaded for Cairo.
 class PdfFaces {
 public:
     PdfFaces() { FT_Init_FreeType(&library_); }
@@ -151,7 +151,7 @@ private:
         cairo_paint_with_alpha(page_, inset.tint.a / 255.0);
     }
 
-    /// Cairo's pixels are premultiplied, in one word of the machine's order.
+    /// Copies pixels into Cairo's format: premultiplied, each pixel one word in native byte order.
     static void copy(const Image& image, cairo_surface_t* surface) {
         unsigned char* const data = cairo_image_surface_get_data(surface);
         const int stride = cairo_image_surface_get_stride(surface);
@@ -177,18 +177,20 @@ private:
 std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& options) {
     std::vector<std::uint8_t> bytes;
     const double points_per_px = 72.0 / options.dpi;
-    PdfFaces faces;  // outlive the surface, which writes them when it ends
+    PdfFaces faces;  // must outlive the surface, which writes them when it ends
     const Owned<cairo_surface_t> surface(
         cairo_pdf_surface_create_for_stream(append, &bytes, drawing.size_px.x * points_per_px,
                                             drawing.size_px.y * points_per_px),
         cairo_surface_destroy);
+    // From PDF 1.5 on, cairo 1.18 compresses objects, and image/figure_note.cpp could not find the state.
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
     const auto tell = [&](cairo_pdf_metadata_t what, const std::string& text) {
         cairo_pdf_surface_set_metadata(surface.get(), what, text.c_str());
     };
     tell(CAIRO_PDF_METADATA_TITLE, options.title);
     tell(CAIRO_PDF_METADATA_CREATOR, "viewing-sandbox");
     tell(CAIRO_PDF_METADATA_KEYWORDS, note_as_keyword(options.note));
-    tell(CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing, the same bytes
+    tell(CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing gives the same bytes
     {
         const Owned<cairo_t> page(cairo_create(surface.get()), cairo_destroy);
         cairo_scale(page.get(), points_per_px, points_per_px);

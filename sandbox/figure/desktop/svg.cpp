@@ -19,12 +19,12 @@ std::string rounded(float value, double parts) {
     return shortest_number(nearest == 0.0 ? 0.0 : nearest);
 }
 
-/// A hundredth of a pixel is enough.
+/// Rounds to a hundredth of a pixel, which is precise enough.
 std::string px(float value) {
     return rounded(value, 100.0);
 }
 
-/// Of a length that is a whole picture's: it is off by a hundredth of a pixel at most.
+/// Rounds a scale so that the length of a whole picture is off by at most a hundredth of a pixel.
 std::string factor(float value) {
     return rounded(value, 1e6);
 }
@@ -55,7 +55,7 @@ std::string path_of(const std::vector<Ring>& rings) {
     return path;
 }
 
-/// The name that the embedded face has here, its weight, and what takes its place where embedded ones are not read.
+/// The embedded font's name in this file, its weight, and the fallback for viewers that ignore embedded fonts.
 struct Css {
     std::string name, families;
     int weight = 400;
@@ -147,7 +147,7 @@ private:
     }
 
     void write(const Inset& inset) {
-        // The whole picture is placed so that the wanted part of it lies in the box.
+        // Place the whole picture so that the visible part fills the box.
         const glm::vec2 scale = (inset.box.max - inset.box.min) / (inset.from.max - inset.from.min);
         const glm::vec2 origin = inset.box.min - inset.from.min * scale;
         std::string element = "<image" +
@@ -165,7 +165,7 @@ private:
         add(inset.box, "<g" + attribute("clip-path", "url(#" + id + ")") + ">" + element + "</g>");
     }
 
-    /// Only what goes beyond its clip has to be cut.
+    /// Adds an element with a clip path only if it extends beyond its clip.
     void add(const DrawingBox& box, const std::string& element) {
         const bool fits = box.min.x >= clip_.min.x - 0.5F && box.min.y >= clip_.min.y - 0.5F &&
                           box.max.x <= clip_.max.x + 0.5F && box.max.y <= clip_.max.y + 0.5F;
@@ -187,7 +187,7 @@ private:
         return id;
     }
 
-    /// Its place among the faces of the drawing, as style() counts them.
+    /// Returns the index of a font in the drawing, in the order in which style() counts them.
     std::ptrdiff_t face_number(const std::string& face) const {
         return std::distance(faces_.begin(), faces_.find(face));
     }

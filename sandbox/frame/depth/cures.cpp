@@ -12,8 +12,7 @@ Cure near_for_what_is_seen(const Params& params, const Derived& derived, const S
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
     cure.params.projection.near = largest_near(seen).value_or(params.projection.near);
     cure.name = say("near {near}", "near"_a = figures(cure.params.projection.near, 3));
-    cure.explanation =
-        tr("The near plane as far away as what is in view lets it: nine tenths of the nearest distance.");
+    cure.explanation = tr("The near plane as far away as the view allows: nine tenths of the nearest distance.");
     return cure;
 }
 
@@ -46,21 +45,21 @@ std::vector<Cure> cures(const Params& params, const Derived& derived, const Scen
         near_for_what_is_seen(params, derived, scene),
         with_mapping(params, CureKind::float_format, DepthMapping::standard, DepthFormat::d32f, tr("float"),
                      tr("Standard depth as a 32-bit float. It is finest near 0, at the near plane; near 1, where most "
-                        "of what is seen lies, it has the codes of 24 bits.")),
+                        "visible surfaces lie, it is no finer than 24 bits.")),
         with_mapping(params, CureKind::reversed_float, DepthMapping::reversed, DepthFormat::d32f, tr("reversed"),
-                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: what is finest, near 0, lies far away.")),
+                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: the finest steps, near 0, lie far away.")),
         with_mapping(params, CureKind::logarithmic, DepthMapping::logarithmic, format, tr("log"),
-                     tr("Logarithmic depth: as many codes for each tenfold distance.")),
+                     tr("Logarithmic depth: the same number of codes for each tenfold distance.")),
     };
     if (!has_decals(scene)) return all;
     all.push_back(for_decals(params, CureKind::offset, DecalMethod::offset, tr("offset"),
-                             tr("glPolygonOffset(−1, −1) for what lies on top.")));
+                             tr("glPolygonOffset(−1, −1) for the surface on top.")));
     all.push_back(for_decals(params, CureKind::equal, DecalMethod::equal, "GL_EQUAL",
-                             tr("What lies on top is drawn last, where its depth is that of what it lies on: only the "
-                                "very same triangles without a gap have that.")));
+                             tr("The surface on top is drawn last, where its depth equals that of the surface below: "
+                                "only identical triangles without a gap match.")));
     all.push_back(for_decals(params, CureKind::stencil, DecalMethod::stencil, tr("stencil"),
-                             tr("What lies below marks its pixels, and what lies on top is drawn there without a depth "
-                                "test: nowhere else, so that what sticks out is lost.")));
+                             tr("The surface below marks its pixels; the one on top is drawn only there, without a "
+                                "depth test, so any part that sticks out is lost.")));
     return all;
 }
 

@@ -1,5 +1,5 @@
-// What is done against depth fighting, each by itself: the state with that one thing changed, so that all of them can
-// be counted on the same fight. Pure.
+// The cures for depth fighting, each applied alone: the state with one change, so that all cures can be counted on the
+// same fight. Pure.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ enum class CureKind { near, float_format, reversed_float, logarithmic, offset, e
 struct Cure {
     CureKind kind = CureKind::near;
     std::string name;         ///< short: "near 3.4"
-    std::string explanation;  ///< what it sets, in a sentence or two
-    Params params;            ///< the state with it, or just the state where it is so already
+    std::string explanation;  ///< its setting, in a sentence or two
+    Params params;            ///< the state with the cure applied; unchanged if it already has it
 };
 
-/// In the order of CureKind, those for decals only where the scene has some. Near goes to what near_advice() would have
-/// it at, wherever it is now, and stays where something reaches up to the eye.
+/// Returns the cures in the order of CureKind; those for decals only if the scene has decals. The cure for near uses
+/// the value of near_advice() in any case, and changes nothing if something reaches up to the eye.
 std::vector<Cure> cures(const Params& params, const Derived& derived, const Scene& scene);
 
 }  // namespace viewing

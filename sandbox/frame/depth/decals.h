@@ -1,4 +1,5 @@
-// Which object each decal of a scene lies on, as marks in the stencil buffer. Read plan.cpp for their use.
+// Finds the object under each decal of a scene, and marks both in the stencil buffer. Read plan.cpp for the use of the
+// marks.
 #pragma once
 
 #include <vector>
@@ -9,9 +10,9 @@ namespace viewing {
 
 bool has_decals(const Scene& scene);
 
-/// Of each object the stencil value that belongs to it: one of its own for what has a decal on it, the same one for the
-/// decal, 0 for anything else. A decal lies on the first object that is flat, no decal, and nearly coplanar with it
-/// (frame/depth/fighting.h); one that lies on nothing has 0. Above 252 the values repeat.
+/// Returns each object's stencil value: its own value if it has a decal on it, the value of the object below for a
+/// decal, 0 for anything else. A decal lies on the first flat object that is not a decal and nearly coplanar with it
+/// (frame/depth/fighting.h); a decal on nothing has 0. After 252 objects the values repeat.
 std::vector<int> decal_marks(const Scene& scene);
 
 }  // namespace viewing

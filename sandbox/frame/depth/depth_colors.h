@@ -1,4 +1,4 @@
-// The bands that tell neighbouring depths apart. Read ground.h for the other colours that are no object's.
+// The bands of color that distinguish neighboring depths. Read ground.h for the other colors that belong to no object.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Bands of equal width over the range that a depth picture shows, near first: as bright as the greys in their place,
-/// from dark to bright by equal steps of lightness, and every second one coloured. So they are in order without colour,
-/// and neighbours differ in both. None is bluish, as pixels are that were never written.
+/// Bands of equal width over the range of a depth picture, near first. Each is as bright as the gray that it replaces.
+/// Lightness rises in equal steps, so the bands are in order even without color; every second band is colored, so
+/// neighbors differ in both. None is bluish, because pixels that were never written are.
 inline constexpr std::array<Color, 16> depth_bands = {{{0x18, 0x18, 0x18},
                                                        {0x3d, 0x19, 0x06},
                                                        {0x30, 0x30, 0x30},
@@ -28,7 +28,7 @@ inline constexpr std::array<Color, 16> depth_bands = {{{0x18, 0x18, 0x18},
                                                        {0xe3, 0xe3, 0xe3},
                                                        {0xff, 0xf3, 0xcf}}};
 
-/// What the ends of the shown range look like: black and white, or the first and the last band.
+/// Returns the colors at the ends of the shown range: black and white, or the first and the last band.
 inline Color near_color(DepthColors colors) {
     return colors == DepthColors::bands ? depth_bands.front() : Color{0, 0, 0};
 }

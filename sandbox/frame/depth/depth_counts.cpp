@@ -1,4 +1,4 @@
-// Depths go through in small blocks, each in plain loops that a compiler turns into vector code.
+// Processes depths in small blocks, each in plain loops that a compiler vectorizes.
 #include "frame/depth/depth_counts.h"
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t bins = 128, block_length = 512;
 
-/// Shares of the window's depth, 0 … 1 and together 1: from near to here, and from here to far. Each is exact where it
-/// is small.
+/// Fractions of the window depth range, 0 … 1, which add up to 1: from near to the depth, and from the depth to far.
+/// Each is exact where it is small.
 struct Shares {
     std::array<float, block_length> from_near, to_far;
 };
 
-/// What is no depth becomes the nearest that is; signed numbers go through vector code.
+/// Clamps a value that is not a valid depth code to the nearest valid one; signed arithmetic vectorizes.
 std::int32_t within(std::uint32_t stored, std::int32_t last) {
     return std::max(std::min(static_cast<std::int32_t>(stored), last), 0);
 }
@@ -41,14 +41,14 @@ void read_codes(std::span<const std::uint32_t> stored, const DepthPrecision& rea
     }
 }
 
-/// In place of the share of the window's depth, that of the eye distance between near and far.
+/// Replaces the fraction of the window depth with that of the eye distance between near and far.
 void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) {
     const auto near = static_cast<float>(lens.near), range = static_cast<float>(lens.far - lens.near);
     for (std::size_t i = 0; i < count; ++i)
         shares.from_near[i] = near * shares.from_near[i] / (near + range * shares.to_far[i]);
 }
 
-/// What the logarithm leaves of depth is looked up, with straight lines between.
+/// Inverts logarithmic depth with a table, linearly interpolated.
 class ExponentialDistances {
 public:
     explicit ExponentialDistances(const Lens& lens) {
@@ -71,7 +71,7 @@ private:
     std::array<float, steps + 2> shares_;
 };
 
-/// Shares of the plan's scale in place of depths as they were read.
+/// Converts depths as read to fractions of the plan's scale.
 class Scale {
 public:
     Scale(const DepthPrecision& read_as, const FramePlan& plan)
@@ -124,7 +124,7 @@ public:
 
 private:
     static constexpr std::int32_t last_bin = bins - 1, unwritten = bins;
-    static constexpr std::size_t turns = 4;  // neighbours are often alike: so additions need not wait for one another
+    static constexpr std::size_t turns = 4;  // separate counters, so that additions to one bin need not wait
 
     std::uint32_t sum_of(std::size_t bin) const {
         return std::accumulate(counts_[bin].begin(), counts_[bin].end(), std::uint32_t{0});

@@ -1,5 +1,5 @@
-// The histogram of a depth buffer. Pure, and quick enough to follow every frame. Read render/buffer_read.h for where
-// the depths come from.
+// The histogram of a depth buffer. Pure, and fast enough to run every frame. Read render/buffer_read.h for the source
+// of the depths.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace viewing {
 
-/// Depths as they were read: integer codes, or bits of floats in 0 … 1. What the plan clears to counts as unwritten.
-/// 128 bins of equal width on the plan's depth scale: eye distances between near and far, or window depths. In float32:
-/// a depth within 10⁻⁵ of its bin's edge may be counted beside it.
+/// Counts depths as read: integer codes, or bits of floats in 0 … 1. The plan's clear value counts as unwritten. Has
+/// 128 bins of equal width on the plan's depth scale: eye distances between near and far, or window depths. Computes in
+/// float32, so a depth within 10⁻⁵ of a bin's edge may be counted in the neighboring bin.
 DepthCounts count_depths(std::span<const std::uint32_t> stored, const DepthPrecision& read_as, const FramePlan& plan);
 
 }  // namespace viewing

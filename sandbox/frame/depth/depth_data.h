@@ -1,5 +1,5 @@
-// What the views of the depth buffer tell about, read back from the buffers whenever a view wants it and something
-// changed. The studio fills it; the views only read it.
+// Data for the views of the depth buffer, read back from the buffers whenever a view needs them and something has
+// changed. The studio fills in the data; the views only read them.
 #pragma once
 
 #include <memory>
@@ -13,21 +13,21 @@
 
 namespace viewing {
 
-/// Just after the triangle that sends a fragment; none where GL is sent no such call.
+/// Returns the limit just after the triangle that sends a fragment; none if GL does not draw that triangle.
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls);
 
 struct DepthData {
-    std::optional<PixelReport> pixel;  ///< the pinned pixel, else the one under the pointer; none: neither
+    std::optional<PixelReport> pixel;  ///< the pinned pixel, else the one under the pointer; none if there is neither
     std::vector<Fragment> fragments;   ///< on its ray, in drawing order
 
     std::vector<DrawCall> calls;     ///< of the whole frame, in order
-    std::vector<DrawLimit> touches;  ///< of the whole frame: just after each triangle that sends that pixel a fragment
-    CellBlock before, now;           ///< around that pixel, one step before and at the step that is shown
-    std::vector<std::optional<Fragment>> incoming;  ///< of each cell: the fragment that the step sends to it
+    std::vector<DrawLimit> touches;  ///< just after each triangle of the whole frame that sends that pixel a fragment
+    CellBlock before, now;           ///< around that pixel, one step earlier and at the step shown
+    std::vector<std::optional<Fragment>> incoming;  ///< per cell: the fragment that the step sends to that cell
 
     DepthCounts depth_counts;  ///< of the camera's picture
 
-    std::shared_ptr<const FightingReport> fighting;  ///< null: nothing is counted yet
+    std::shared_ptr<const FightingReport> fighting;  ///< null: nothing has been counted yet
 };
 
 }  // namespace viewing

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr int curve_points = 240;  // enough for the teeth of a float's step over ten decades
+constexpr int curve_points = 240;  // enough for the sawtooth of a float's step over ten decades
 constexpr std::uint32_t code_of_one = std::bit_cast<std::uint32_t>(1.0F);
 
 struct Steps {
@@ -30,7 +30,7 @@ Steps steps_of(const DepthCoding& coding) {
     return steps;
 }
 
-/// The largest code: that of window depth 1.
+/// Returns the largest code, that of window depth 1.
 std::uint32_t last_code(const DepthPrecision& precision) {
     return precision.is_float ? code_of_one : (std::uint32_t{1} << static_cast<unsigned>(precision.bits)) - 1;
 }
@@ -56,7 +56,7 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
     for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
             if (format == params.depth.format && mapping == params.depth.mapping) continue;
-            // Others are shown as they are at their best, with the clip range that reversed depth wants.
+            // Shows the other mappings at their best: reversed depth gets the clip range that it needs.
             const bool zero_to_one =
                 mapping == DepthMapping::reversed && (mapping != params.depth.mapping || derived.clip_zero_to_one);
             curves.others.push_back(
@@ -103,7 +103,7 @@ std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPr
     const std::uint32_t code =
         std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(window_depth(lens, mapping, middle), 0.0, 1.0)));
     const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
-    return say("Of the {all} floats from 0 to 1, {farther} lie in the farther half of the way, beyond z = {z}.",
+    return say("Of the {all} floats from 0 to 1, {farther} lie in the farther half of the distance, beyond z = {z}.",
                "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
                "z"_a = figures(middle, 3));
 }

@@ -1,4 +1,4 @@
-// The range of eye distances that a depth picture needs to have contrast.
+// Finds the range of eye distances that gives a depth picture contrast.
 #include <algorithm>
 
 #include "frame/plan.h"

@@ -1,5 +1,5 @@
-// What a driver makes of the depth formats: GL leaves open how many bits are behind a name and how much a unit of
-// glPolygonOffset is. Read render/driver_depth.h for how it is measured.
+// How a driver implements the depth formats: GL does not define how many bits a format has or how large a unit of
+// glPolygonOffset is. Read render/driver_depth.h for the measurement.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 namespace viewing {
 
 struct StoredDepth {
-    DepthPrecision precision;  ///< what is stored: {32, true} is a float32
-    /// Codes that one unit of glPolygonOffset is, of a float those between 1/2 and 1; a multiple of 1/4, 0 to 16. None
-    /// where it was not measured.
+    DepthPrecision precision;  ///< as stored: {32, true} is float32
+    /// Codes per unit of glPolygonOffset; for a float, the codes between 1/2 and 1 count. A multiple of 1/4, 0 to 16.
+    /// None if not measured.
     std::optional<double> unit_codes;
     bool operator==(const StoredDepth&) const = default;
 };

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double parallel_sine = 0.01745;  ///< of one degree
 constexpr double largest_gap_share = 0.1;  ///< of the smaller object's size
-constexpr double coplanar_share = 1e-9;    ///< of the same: below it the gap counts as none
+constexpr double coplanar_share = 1e-9;    ///< of the same size; a smaller gap counts as none
 constexpr std::size_t most_triangles = 2;
 
-/// An object as a pair may have it.
+/// An object that may belong to a pair.
 struct FlatObject {
     int object = 0;
     std::vector<Polygon> triangles;
@@ -53,7 +53,7 @@ std::vector<FlatObject> flat_objects(const Scene& scene) {
     return found;
 }
 
-/// What of a polygon lies within a triangle, seen along the triangle's normal; no corners where nothing does.
+/// Returns the part of a polygon within a triangle, seen along the triangle's normal; without corners if that is empty.
 Polygon part_within(Polygon polygon, const Polygon& triangle, double epsilon) {
     const glm::dvec3 normal(triangle.plane);
     for (std::size_t corner = 0; corner < triangle.vertices.size(); ++corner) {
@@ -68,7 +68,7 @@ Polygon part_within(Polygon polygon, const Polygon& triangle, double epsilon) {
     return polygon;
 }
 
-/// What of the first object has the second one before or behind it; none without overlap.
+/// Returns the part of the first object with the second in front of or behind it; empty without overlap.
 std::vector<Polygon> overlap_of(const FlatObject& first, const FlatObject& second) {
     const double epsilon = 1e-9 * std::min(first.size(), second.size());
     std::vector<Polygon> parts;
@@ -88,7 +88,7 @@ glm::dvec3 center_of(std::span<const Polygon> parts) {
     return weighted / total_area(parts);
 }
 
-/// The distance of the farthest corner.
+/// Returns the distance from the center to the farthest corner.
 double radius_about(const glm::dvec3& center, const FlatObject& flat) {
     double radius = 0.0;
     for (const Polygon& triangle : flat.triangles)
@@ -128,7 +128,7 @@ std::vector<FlatPair> found_pairs(const Scene& scene) {
     return pairs;
 }
 
-/// The pairs of the scene that was asked for last: every frame asks for the same one. Safe to use from several threads.
+/// Keeps the pairs of the latest scene, since every frame needs them again. Safe to use from several threads.
 class KeptPairs {
 public:
     std::vector<FlatPair> of(const Scene& scene) {
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    /// What of an object its pairs depend on.
+    /// The properties of an object that determine its pairs.
     struct Known {
         std::weak_ptr<const Mesh> mesh;
         glm::dmat4 world_from_model;
@@ -161,21 +161,21 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
-/// How far apart the window depths of two surfaces may come although they should be the same, in units of 2⁻²⁴. Each of
-/// the two is off by half a unit in the last place of whatever is rounded to float32 on the way, so together by one:
-/// clip z and clip w, which both move their quotient, and the depth as it is made of it and interpolated. The matrix is
-/// multiplied in double and rounded at the end.
+/// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. For
+/// every value that is rounded to float32 on the way, each of the two is off by half a unit in the last place, and both
+/// together by one. These values are clip z and clip w, which both affect their quotient, and the depth, first as
+/// computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded at the end.
 double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
     const double depth = window_depth(lens, coding.mapping, z);
     if (coding.mapping == DepthMapping::logarithmic) {
-        // Eye z, w and their quotient, which moves the logarithm by as much; then the logarithm, and the depth.
+        // Eye z, w and their quotient, whose errors change the logarithm by as much; then the logarithm and the depth.
         const double range = std::log(lens.far / lens.near);
         return (3.0 + 2.0 * std::log(z / lens.near)) / range + depth;
     }
     if (coding.clip_zero_to_one)
         return lens.orthographic ? depth : 2.0 * lens.far * lens.near / ((lens.far - lens.near) * z) + depth;
-    const double ndc_z = std::abs(2.0 * depth - 1.0);  // halved and moved to 0 … 1
+    const double ndc_z = std::abs(2.0 * depth - 1.0);  // later halved and moved to 0 … 1
     return (lens.orthographic ? 0.5 * ndc_z : ndc_z) + 2.0 * depth;
 }
 
@@ -199,13 +199,14 @@ double depth_rounding(const DepthCoding& coding, double distance, double span) {
 FightingOnset fighting_onset(const DepthCoding& coding, double distance, double span) {
     const Lens& lens = coding.lens;
     const double z = std::clamp(distance, lens.near, lens.far);
-    // Width in distance over width in codes of any integer format: how far a change of depth reaches.
+    // A code's width in distance divided by its width in depth is the distance per change of depth, in any integer
+    // format.
     constexpr DepthPrecision any_bits{24, false};
     const double distance_per_depth = depth_step(lens, coding.mapping, any_bits, z) * (std::exp2(24) - 1.0);
     const double code = depth_step(lens, coding.mapping, coding.precision, z) / distance_per_depth;
     const double rounding = depth_rounding(coding, distance, span);
 
-    // The slope changes within a wide code, so the way is found from its two ends.
+    // The slope changes within a wide code, so compute the distance from the code's two ends.
     const double towards_eye = coding.mapping == DepthMapping::reversed ? 1.0 : -1.0;
     const double depth = window_depth(lens, coding.mapping, z);
     const auto way_of = [&](double change) {

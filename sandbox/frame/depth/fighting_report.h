@@ -1,6 +1,6 @@
-// What the view of depth fighting tells: pair by pair what is predicted and what was counted, and the smallest gap that
-// was found. Plain data; measure/fighting_measure.h counts, measure/minimum_gap.h searches, measure/fighting_counter.h
-// fills it in.
+// The data of the depth fighting view: each pair's prediction and counts, and the smallest gap found. Plain data;
+// measure/fighting_measure.h counts pixels, measure/minimum_gap.h searches, measure/fighting_counter.h fills in the
+// data.
 #pragma once
 
 #include <cstdint>
@@ -13,76 +13,76 @@
 
 namespace viewing {
 
-/// A pair and its pixels: those through whose centre, and through those of all their neighbours, both objects are met
-/// and one of the two is what is seen.
+/// A pair and its pixels. A pixel belongs to the pair if the rays through its center and through the centers of all its
+/// neighbors meet both objects, and one of the two is visible.
 struct CountedPair {
     FlatPair pair;
-    std::int64_t wrong = 0;     ///< where GL shows something else than what is seen
-    std::int64_t vanished = 0;  ///< of them: where GL shows the background
+    std::int64_t wrong = 0;     ///< where GL shows something other than the visible surface
+    std::int64_t vanished = 0;  ///< of these, where GL shows the background
     std::int64_t pixels = 0;
 
-    double wrong_fraction() const;  ///< 0 where there are no pixels
+    double wrong_fraction() const;  ///< 0 without pixels
 };
 
 struct FightingCounts {
     std::vector<CountedPair> pairs;
-    std::int64_t wrong_elsewhere = 0;     ///< away from edges too
-    std::int64_t bleeding_elsewhere = 0;  ///< of them: where GL shows an object that is behind what is seen
-    std::int64_t vanished_elsewhere = 0;  ///< of them: where GL shows the background
+    std::int64_t wrong_elsewhere = 0;     ///< likewise away from edges
+    std::int64_t bleeding_elsewhere = 0;  ///< of these, where GL shows an object behind the visible one
+    std::int64_t vanished_elsewhere = 0;  ///< of these, where GL shows the background
     std::int64_t pixels_elsewhere = 0;
 
-    std::int64_t vanished() const;  ///< of all pairs, and elsewhere
-    /// Of all pairs' pixels; 0 where there are none.
+    std::int64_t vanished() const;  ///< in all pairs and elsewhere
+    /// Share of the pixels of all pairs; 0 without pixels.
     double wrong_fraction() const;
 };
 
-/// The share of a pair's wrong pixels from several cameras that tremble as animation.jiggle does: which codes meet the
-/// pixels goes by chance, so one picture says little.
+/// The share of a pair's wrong pixels, from several cameras that jitter like animation.jiggle: the codes that the
+/// pixels meet are random, so one picture says little.
 struct ShareSpread {
-    int cameras = 0;  ///< from which the pair has pixels
+    int cameras = 0;  ///< those that see pixels of the pair
     double sum = 0.0, least = 1.0, most = 0.0;
     double mean() const { return cameras > 0 ? sum / cameras : 0.0; }
     void take(double share);
 };
 
-/// The smallest gap that is told apart. Lengths are eye distances. The quads that it was searched with face the eye but
-/// for a few degrees, so that their depths cross many codes.
+/// The smallest gap that depth resolves. Lengths are eye distances. The quads of the search face the eye to within a
+/// few degrees, so that their depths cross many codes.
 struct MinimumGap {
     double distance = 0.0;      ///< of the farther quad
     FightingOnset predicted;    ///< at that distance
-    std::optional<double> gap;  ///< the smallest one with no wrong pixel, to within 5 %
+    std::optional<double> gap;  ///< the smallest gap without a wrong pixel, to within 5 %
     int pictures = 0;           ///< drawn and read back
-    std::string problem;        ///< a sentence where no gap was found
+    std::string problem;        ///< a sentence if no gap was found
 };
 
 struct FightingReport {
-    /// One of counts.pairs.
+    /// One row per entry of counts.pairs.
     struct Row {
         std::string first, second;  ///< the objects' names, in drawing order
         PairPrediction predicted;
-        ShareSpread spread;  ///< of no camera until they are counted
+        ShareSpread spread;  ///< cameras is 0 until counted
     };
     FightingCounts counts;
-    /// A cure, and what is counted with it, of the same pairs and in a picture of the same size.
+    /// A cure and its counts, for the same pairs and in a picture of the same size.
     struct Cured {
         Cure cure;
-        std::optional<FightingCounts> counts;  ///< none until they are there
+        std::optional<FightingCounts> counts;  ///< none until counted
     };
-    std::vector<Row> rows;                  ///< of each pair in the counts
-    std::vector<Cured> cured;               ///< in the order of cures(); none where there are no pairs
-    glm::ivec2 size_px{0};                  ///< of the picture in which they were counted
-    std::optional<MinimumGap> minimum_gap;  ///< none: not searched yet
-    bool counts_are_behind = false;         ///< they belong to an earlier state
+    std::vector<Row> rows;                  ///< one per pair in the counts
+    std::vector<Cured> cured;               ///< in the order of cures(); empty without pairs
+    glm::ivec2 size_px{0};                  ///< of the counted picture
+    std::optional<MinimumGap> minimum_gap;  ///< none: not searched for yet
+    bool counts_are_behind = false;         ///< the counts belong to an earlier state
     bool gap_is_behind = false;
     bool spread_is_behind = false;
-    std::string problem;  ///< a sentence where nothing could be counted
+    std::string problem;  ///< a sentence if nothing could be counted
 };
 
-/// How many cameras a spread is taken from, and one of them, from 0: the state's own camera, trembling.
+/// The number of cameras for a spread, and one of these cameras, counted from 0: the state's own camera, jittered.
 constexpr int spread_cameras = 12;
 Params trembling(const Params& state, int camera);
 
-/// The counts with the names and predictions of their pairs.
+/// Returns the counts with the names and predictions of their pairs.
 FightingReport fighting_report(FightingCounts counts, const Params& params, const Derived& derived, const Scene& scene,
                                glm::ivec2 size_px);
 

@@ -14,9 +14,9 @@ double distance_of(const PixelTriangle& triangle, const glm::dvec3& weights) {
     return weights.x * triangle[0].distance + weights.y * triangle[1].distance + weights.z * triangle[2].distance;
 }
 
-/// z and w of clip space, as the vertex shader gives them with a logarithm and GL interpolates them.
+/// Returns clip z and w: the vertex shader computes them with a logarithm, GL interpolates them.
 glm::dvec2 logarithmic_zw(const FramePlan& plan, const PixelTriangle& triangle, const glm::dvec3& weights) {
-    constexpr double nearest = 1e-30;  // behind the eye there is no logarithm
+    constexpr double nearest = 1e-30;  // there is no logarithm behind the eye
     glm::dvec2 zw(0.0);
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         const double distance = std::max(triangle[i].distance, nearest);
@@ -33,7 +33,7 @@ double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm:
     return 0.5 * zw.x / zw.y + 0.5;
 }
 
-/// One code, as depth: of a float the one at the triangle's greatest depth, as GL has it.
+/// Returns one code as depth; for a float, the code at the triangle's greatest depth, as GL does.
 double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     const bool by_shader = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const DepthPrecision precision = by_shader ? precision_of(plan.depth_format) : plan.stored_depth.precision;
@@ -44,22 +44,22 @@ double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     return std::exp2(std::ilogb(std::min(greatest, 1.0)) - 23);
 }
 
-/// What is counted as one unit of an offset.
+/// Returns one unit of an offset as depth.
 double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes.value_or(1.0) * code_of_unit(plan, triangle);
 }
 
-/// GL leaves open how many codes a unit is: not measured, it may be another one.
+/// Returns the error of one unit: GL does not define how many codes a unit is, so it may differ unless measured.
 double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
 
-/// The steepest change of depth to a neighbour in x or y.
+/// Returns the largest change of depth to a neighboring pixel in x or y.
 double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit,
-                const glm::dvec2& neighbours_px) {
+                const glm::dvec2& neighbors_px) {
     const double here = depth_at(plan, triangle, hit.weights);
     double steepest = 0.0;
-    for (const glm::dvec2 beside_px : {glm::dvec2(neighbours_px.x, 0.0), glm::dvec2(0.0, neighbours_px.y)}) {
+    for (const glm::dvec2 beside_px : {glm::dvec2(neighbors_px.x, 0.0), glm::dvec2(0.0, neighbors_px.y)}) {
         glm::dvec3 there = weights_beside(triangle, beside_px);
         const bool beyond_horizon = !(distance_of(triangle, there) > 0.0);
         if (beyond_horizon) there = weights_beside(triangle, -beside_px);
@@ -68,8 +68,8 @@ double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
     return steepest;
 }
 
-/// GL halves −1 … 1 and adds a half in float32, which keeps nothing finer than its places near 1: reversed depth has
-/// its finest steps there.
+/// Returns a depth after its way through the clip range −1 … 1: GL halves it and adds a half in float32, which rounds
+/// away the finest steps of reversed depth.
 double as_clip_range_keeps(const FramePlan& plan, double depth) {
     if (plan.clip_zero_to_one || plan.depth_mapping != DepthMapping::reversed) return depth;
     const auto z_ndc = static_cast<float>(2.0 * depth - 1.0);
@@ -85,27 +85,27 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 }
 
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
-                const glm::dvec2& neighbours_px) {
+                const glm::dvec2& neighbors_px) {
     double depth = as_clip_range_keeps(plan, depth_at(plan, triangle, hit.weights));
-    if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbours_px);
+    if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbors_px);
     if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
-    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits are great
+    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits would be a large code
 }
 
 double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
-                   const glm::dvec2& neighbours_px, glm::ivec2 size_px) {
+                   const glm::dvec2& neighbors_px, glm::ivec2 size_px) {
     constexpr double coarser_than_ieee = 3.0, corner_px = 1.0 / 256.0;
     const double nearest = std::min({triangle[0].distance, triangle[1].distance, triangle[2].distance});
     const DepthCoding coding{plan.lens, plan.depth_mapping, plan.stored_depth.precision, plan.clip_zero_to_one};
     const double arithmetic = depth_rounding(coding, hit.distance, hit.distance - nearest);
     const double place_px = std::exp2(-24) * (size_px.x + size_px.y);
     return coarser_than_ieee * arithmetic +
-           slope_of(plan, triangle, hit, neighbours_px) * (corner_px + coarser_than_ieee * place_px) +
+           slope_of(plan, triangle, hit, neighbors_px) * (corner_px + coarser_than_ieee * place_px) +
            std::abs(offset.units) * unit_error(plan, triangle);
 }
 
 double stored_within(double depth, double error, const DepthPrecision& precision) {
-    // Places are as wide as where the range begins: there they are narrowest.
+    // Floats at the start of the range are closest together.
     const double width = code_width(precision, precision.is_float ? std::max(depth - error, 0.0) : depth);
     return std::floor(error / width) + 1.0;
 }

@@ -1,4 +1,4 @@
-// The plan's passes once more, for one pixel: what covers it, what its depth becomes, and what the tests make of it.
+// Repeats the plan's passes for one pixel: the surfaces that cover it, their depths, and the outcome of the tests.
 #include "frame/depth/fragments.h"
 
 #include <algorithm>
@@ -25,15 +25,15 @@ struct Met {
     DepthOffset offset;
 };
 
-/// Finds what one pass draws over one pixel.
+/// Finds everything that one pass draws over one pixel.
 class Meeting {
 public:
-    /// `clip_from_world`: the pass's, or that part of it of which `size_px` are the pixels.
+    /// `clip_from_world`: that of the pass, or of the part of it that has `size_px` pixels.
     Meeting(const FramePlan& plan, const Pass& pass, const glm::dmat4& clip_from_world, glm::ivec2 pixel,
             glm::ivec2 size_px)
         : plan_(plan), pass_(pass), clip_from_world_(clip_from_world), pixel_(pixel), size_px_(size_px) {}
 
-    /// `drawn`: how many of the mesh's triangles.
+    /// `drawn`: how many of the mesh's triangles to draw.
     void mesh(int object, const Mesh& mesh, int drawn, const BoxTree& triangles, const glm::dmat4& world_from_model,
               const DepthOffset& offset) {
         const PixelView view = view_of(world_from_model);
@@ -81,7 +81,7 @@ private:
     const glm::ivec2 pixel_, size_px_;
 };
 
-/// The picture that a pass shows pixel by pixel, as a method in software found it; null: GL draws it.
+/// Returns the picture of a software method that a pass shows pixel by pixel; null if GL draws.
 const HiddenDrawing* picture_of(const FramePlan& plan, const Pass& pass) {
     return pass.subject == Subject::pixels ? plan.hidden.camera.get() : nullptr;
 }
@@ -90,8 +90,8 @@ std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::iv
     return picture ? raster_pixel(glm::dvec2(pixel) + 0.5, size_px, picture->size_px, picture->share) : std::nullopt;
 }
 
-/// The index of the object that a method's picture of large pixels has there, −1 for the background; none where GL
-/// draws, or the pixels are the view's.
+/// Returns the index of the object that a method's picture of large pixels shows, −1 for the background; none if GL
+/// draws, or if the picture has the view's own pixels.
 std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     if (!picture || picture->size_px == size_px) return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, gl
     return static_cast<int>(seen.color.w) - 1;
 }
 
-/// What one pass draws over one pixel. A method's pixel may be larger: its middle counts.
+/// Returns everything that one pass draws over one pixel. A method's pixel may be larger: its center counts.
 Meeting meeting_of(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);
@@ -118,26 +118,26 @@ bool is_culled(const CullParams& cull, bool front_facing) {
     return cull.face == CullFace::front_and_back || (cull.face == CullFace::front) == front_facing;
 }
 
-/// Depth and stencil of one pixel, and what they make of the surfaces that are sent to it.
+/// Depth and stencil of one pixel; tests the surfaces sent to it.
 class PixelBuffers {
 public:
     PixelBuffers(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px)
         : plan_(plan),
           size_px_(size_px),
           precision_(precision_of(plan.depth_format)),
-          neighbours_px_(pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0),
+          neighbors_px_(pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0),
           depth_(code_of(plan.clear_depth_value, precision_)) {}
 
     void clear_stencil() { stencil_ = 0; }
 
-    /// Tests, and writes what the pass writes. What GL never gets passes nothing.
+    /// Tests a surface and writes the values that the pass writes. A surface that GL never gets does not pass.
     Fragment send(const Pass& pass, const Met& met, bool gl_gets_it) {
         Fragment made;
         made.object_index = met.object;
         made.triangle = static_cast<int>(met.place);
         made.eye_z = -met.hit.distance;
-        made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbours_px_);
-        made.depth_error = depth_error(plan_, met.triangle, met.hit, met.offset, neighbours_px_, size_px_);
+        made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbors_px_);
+        made.depth_error = depth_error(plan_, met.triangle, met.hit, met.offset, neighbors_px_, size_px_);
         made.stored = code_of(made.window_depth, precision_);
         made.within = stored_within(made.window_depth, made.depth_error, precision_);
         made.is_sent = gl_gets_it;
@@ -148,7 +148,7 @@ public:
         made.compared_with = depth_;
         made.tie = pass.depth.test && !made.culled && made.stored == depth_;
         const std::uint32_t reference = reference_of(pass, met);
-        // The reference stands on the left of the stencil's comparison.
+        // The reference is the left operand of the stencil comparison.
         const auto read_bits = static_cast<std::uint32_t>(pass.stencil.read_bits);
         const bool by_stencil =
             !pass.stencil.test || compare(pass.stencil.func, reference & read_bits, stencil_ & read_bits);
@@ -171,11 +171,11 @@ private:
     const FramePlan& plan_;
     const glm::ivec2 size_px_;
     const DepthPrecision precision_;
-    const glm::dvec2 neighbours_px_;
+    const glm::dvec2 neighbors_px_;
     std::uint32_t depth_, stencil_ = 0;
 };
 
-/// Masks and shadows are drawn in one flat colour, and so is the scene where overdraw is added up.
+/// Masks and shadows have one flat color; so does the scene when overdraw is added up, but it counts.
 bool shows_surfaces(const Pass& pass) {
     return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
 }
@@ -184,7 +184,7 @@ bool is_mask(const Pass& pass) {
     return pass.subject == Subject::patch && !shows_surfaces(pass);
 }
 
-/// Everywhere, before marks of another kind.
+/// Returns whether the pass clears the stencil everywhere, before marks of another kind.
 bool clears_marks(const Pass& pass) {
     return pass.subject == Subject::backdrop && pass.stencil.on_pass == StencilOp::zero;
 }
@@ -194,15 +194,15 @@ bool is_cut_off(const Pass& pass, const glm::dvec3& point_scene) {
                        [&](const ClipPlane& plane) { return glm::dot(plane, glm::dvec4(point_scene, 1.0)) < 0.0; });
 }
 
-/// A pass and what it sends to the pixel.
+/// A pass and the surfaces that it sends to the pixel.
 struct Batch {
     std::size_t number;
     const Pass* pass;
     std::vector<Met> found;
-    std::optional<std::size_t> only;  ///< the one that GL gets where a method finds one surface for each pixel
+    std::optional<std::size_t> only;  ///< the surface that GL gets, if a method finds one surface per pixel
 };
 
-/// The nearest that is not culled, of those that the picture may show.
+/// Returns the nearest surface that is not culled and that the picture can show.
 std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found, std::optional<int> object) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -213,7 +213,7 @@ std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met
     return nearest;
 }
 
-/// One frame, into a stencil that is clear.
+/// Sends the surfaces of one frame, starting with a cleared stencil.
 std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& buffers) {
     std::vector<Fragment> fragments;
     buffers.clear_stencil();
@@ -240,7 +240,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     static const Mesh quad = quad_mesh();
     static const BoxTree quad_tree = BoxTree::of_triangles(quad);
     std::vector<Batch> batches;
-    std::set<std::size_t> patches;  // lit and in shadow they are drawn by two passes, of which one reaches a pixel
+    std::set<std::size_t> patches;  // two passes draw a patch, lit and in shadow; only one draws a pixel
     int next_call = 0;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         if (plan.limit.pass >= 0 && static_cast<int>(number) > plan.limit.pass) break;

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// How far `value` lies between the two, by its logarithm; 0 where they are the same.
+/// Returns the position of `value` between `from` and `to` on a logarithmic scale; 0 if these are equal.
 double logarithmic_place(double value, double from, double to) {
     const double range = std::log(to / from);
     return range > 0.0 ? std::clamp(std::log(value / from) / range, 0.0, 1.0) : 0.0;
@@ -32,7 +32,7 @@ HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scen
     const DepthCoding coding = depth_coding(params, derived);
     made.near = coding.lens.near;
     made.far = coding.lens.far;
-    constexpr double narrowest = 1e-12;  // of the distance: less than a double tells apart
+    constexpr double narrowest = 1e-12;  // of the distance: less than a double can resolve
     for (std::size_t entry = HeatMap::entry_count; entry-- > 0;) {
         const double distance = made.distance_of(entry);
         const FightingOnset onset = fighting_onset(coding, distance);

@@ -14,11 +14,11 @@
 namespace viewing {
 namespace {
 
-constexpr double least_gain = 4.0;   // below it near is fine
-constexpr double margin = 0.9;       // of the nearest distance, so that a small move of the camera cuts nothing
-constexpr double least_near = 1e-3;  // what reaches nearer than that reaches up to the eye
+constexpr double least_gain = 4.0;   // with a smaller factor, near is fine
+constexpr double margin = 0.9;       // fraction of the nearest distance, so that a small camera move clips nothing
+constexpr double least_near = 1e-3;  // anything nearer reaches up to the eye
 
-/// Eye distances; empty until something was added.
+/// A range of eye distances; empty until something is added.
 struct Reach {
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = -std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ struct Reach {
     }
 };
 
-/// The sides of the view, the plane through the eye, and far, in view space: p·(x, y, z, 1) ≥ 0 inside.
+/// Returns the sides of the view, the plane through the eye, and far, in view space: p·(x, y, z, 1) ≥ 0 inside.
 std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
     const glm::dvec4 front(0.0, 0.0, -1.0, 0.0), far(0.0, 0.0, 1.0, lens.far);
     if (lens.orthographic) {
@@ -41,12 +41,12 @@ std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
     return {{{1, 0, -x, 0}, {-1, 0, -x, 0}, {0, 1, -y, 0}, {0, -1, -y, 0}, front, far}};
 }
 
-/// Finds the eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
+/// Finds the range of eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
 class View {
 public:
     View(const Params& params, const Derived& derived) : sides_(sides_of(params.lens(), derived.aspect)) {}
 
-    /// Adds what is inside of a polygon in view space.
+    /// Adds the part of a polygon inside the view, in view space.
     void add(std::span<const glm::dvec3> polygon_view, Reach& reach) {
         polygon_.assign(polygon_view.begin(), polygon_view.end());
         for (const glm::dvec4& side : sides_) {
@@ -56,7 +56,7 @@ public:
         for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
     }
 
-    /// The same sides for boxes of a model: negative outside.
+    /// Returns the same sides for boxes of a model: negative outside.
     std::vector<BoxForm> inwards(const glm::dmat4& view_from_model) const {
         std::vector<BoxForm> forms;
         for (const glm::dvec4& side : sides_) forms.emplace_back(side, view_from_model);
@@ -80,7 +80,7 @@ private:
     std::vector<glm::dvec3> polygon_, kept_;
 };
 
-/// Only triangles that would make it longer are cut: the nearest ones first, then the farthest.
+/// Clips only triangles that may extend the range: the nearest first, then the farthest.
 Reach reach_of(const SceneObject& object, const glm::dmat4& view_from_world, View& view) {
     const Mesh& mesh = *object.mesh;
     const glm::dmat4 view_from_model = view_from_world * object.world_from_model;
@@ -128,7 +128,7 @@ Reach reach_of(const PlanePatch& patch, const glm::dmat4& view_from_world, View&
 }
 
 struct Change {
-    double now = 0.0, then = 0.0;  ///< the smallest gap that depth is sure to tell at `z`
+    double now = 0.0, then = 0.0;  ///< the smallest gap that depth surely resolves at `z`
     double z = 0.0;
 };
 
@@ -145,8 +145,8 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
     const std::string near_now = figures(params.projection.near, 3);
     if (!better)
         return {true, std::nullopt,
-                say("near = {near} cuts into {object}, which reaches up to the eye: no near would keep it whole.",
-                    "near"_a = near_now, "object"_a = nearest.name)};
+                say("near = {near} cuts into {object}, which reaches up to the eye: no near plane would keep it whole.",
+                    "near"_a = near_now, "object"_a = object_text(nearest.name))};
     const double near = *better;
     const Change change = change_of(params, derived, near, z);
     const bool is_finer = change.then < change.now;
@@ -154,13 +154,13 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
     const char* const sentence =
         is_finer
             ? marked(
-                  "near = {near} cuts into {object}, which comes as near as {nearest}: near = {better} would keep it "
-                  "whole, and the safe gap at z = {z} would be {then} in place of {now}, {factor} times finer.")
+                  "near = {near} cuts into {object}, whose nearest point is at {nearest}: near = {better} would keep "
+                  "it whole, and the safe gap at z = {z} would be {then} instead of {now}, {factor} times finer.")
             : marked(
-                  "near = {near} cuts into {object}, which comes as near as {nearest}: near = {better} would keep it "
-                  "whole, and the safe gap at z = {z} would be {then} in place of {now}, {factor} times coarser.");
+                  "near = {near} cuts into {object}, whose nearest point is at {nearest}: near = {better} would keep "
+                  "it whole, but the safe gap at z = {z} would be {then} instead of {now}, {factor} times coarser.");
     return {true, near,
-            say(fmt::runtime(sentence), "near"_a = near_now, "object"_a = nearest.name,
+            say(fmt::runtime(sentence), "near"_a = near_now, "object"_a = object_text(nearest.name),
                 "nearest"_a = figures(rounded_down(nearest.nearest)), "better"_a = figures(near), "z"_a = figures(z),
                 "then"_a = figures(change.then), "now"_a = figures(change.now), "factor"_a = figures(factor))};
 }
@@ -197,7 +197,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
 }
 
 std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std::size_t most) {
-    constexpr double told_apart = 1.02;  // nearer together than that is one mark in any case
+    constexpr double told_apart = 1.02;  // things with a smaller ratio of distances share a mark
     std::vector<const SeenThing*> things;
     for (const SeenThing& thing : seen)
         if (thing.nearest > 0.0) things.push_back(&thing);
@@ -246,8 +246,8 @@ std::optional<NearAdvice> near_advice(const Params& params, const Derived& deriv
     const Change change = change_of(params, derived, near, z);
     if (!(change.now >= least_gain * change.then)) return std::nullopt;
     return NearAdvice{false, near,
-                      say("Nothing is nearer than {nearest}: with near = {near} the safe gap at z = {z} would be "
-                          "{then} in place of {now}, {factor} times finer.",
+                      say("Nothing is nearer than {nearest}: with near = {near}, the safe gap at z = {z} would be "
+                          "{then} instead of {now}, {factor} times finer.",
                           "nearest"_a = figures(rounded_down(nearest.nearest)), "near"_a = figures(near),
                           "z"_a = figures(change.z), "then"_a = figures(change.then), "now"_a = figures(change.now),
                           "factor"_a = figures(change.now / change.then))};

@@ -9,15 +9,15 @@
 namespace viewing {
 namespace {
 
-constexpr double says_nothing = 0.9;  ///< an interval as wide as this
-constexpr double fewest_codes = 2.0;  ///< that a surface crosses, for its pixels to meet a code at any place
+constexpr double says_nothing = 0.9;  ///< an interval this wide or wider
+constexpr double fewest_codes = 2.0;  ///< that a surface must cross so that its pixels sample all phases of a code
 constexpr double most_codes_a_pixel = 0.5;
 
 ShareInterval certainly(double share) {
     return {share, share};
 }
 
-/// What of the overlap lies within the view, in view space.
+/// Returns the part of the overlap inside the view, in view space.
 std::vector<Polygon> seen_part(const FlatPair& pair, const Derived& derived, const Lens& lens) {
     const glm::dmat4 rows = glm::transpose(derived.clip_from_view);
     const glm::dvec4 planes[] = {{0.0, 0.0, -1.0, -lens.near},
@@ -41,13 +41,13 @@ std::vector<Polygon> seen_part(const FlatPair& pair, const Derived& derived, con
     return seen;
 }
 
-/// Where lines of sight meet a plane.
+/// Intersects view rays with a plane.
 class SeenPlane {
 public:
     SeenPlane(const glm::dvec4& plane_world, const Derived& derived, const Lens& lens)
         : plane_(plane_world * effective_camera(derived)), clip_from_view_(derived.clip_from_view), lens_(lens) {}
 
-    /// Eye distance along the line of sight through a point in normalized device coordinates.
+    /// Returns the eye distance along the view ray through a point in normalized device coordinates.
     double distance(const glm::dvec2& ndc) const {
         const glm::dvec2 scale(clip_from_view_[0][0], clip_from_view_[1][1]);
         const glm::dvec3 normal(plane_);
@@ -61,22 +61,22 @@ private:
     Lens lens_;
 };
 
-/// How two surfaces lie to each other and to the codes, over all corners of what is seen of them. In codes; of a float,
-/// whose codes differ in width, by the width at each corner.
+/// Positions of two surfaces relative to each other and to the codes, over all corners of their visible part. In codes;
+/// for a float, whose codes differ in width, by the width at each corner.
 struct SeenCodes {
-    double least_lead = 1e300, most_lead = -1e300;  ///< by how much the second one is nearer
+    double least_lead = 1e300, most_lead = -1e300;  ///< how much nearer the second surface is
     double arithmetic = 0.0;
-    bool has_cleared_code = false;                    ///< so that GL_LESS lets none of it pass
-    double least_place = 1e300, most_place = -1e300;  ///< of the depths of both, as codes before they are rounded
-    glm::dvec2 least_slope{1e300}, most_slope{0.0};   ///< of the first one's depth, a pixel, along x and y
+    bool has_cleared_code = false;                    ///< GL_LESS rejects all of it
+    double least_place = 1e300, most_place = -1e300;  ///< of both depths, as codes before rounding
+    glm::dvec2 least_slope{1e300}, most_slope{0.0};   ///< of the first one's depth per pixel, along x and y
     glm::dvec2 least_ndc{1e300}, most_ndc{-1e300};
     glm::dvec2 size_px{1.0};
 
-    /// Both have one and the same code everywhere.
+    /// Returns whether both surfaces have one and the same code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// How far the share of the pixels can be from the share of all phases of a code: a depth that is linear over a
-    /// polygon has a density with one maximum, of twice the mean at most, and is sampled once a pixel.
+    /// Widens the share over all phases of a code to the share of the pixels: a depth that is linear over a polygon has
+    /// a density with one maximum, of at most twice the mean, and is sampled once per pixel.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {
@@ -131,7 +131,7 @@ SeenCodes seen_codes(const FlatPair& pair, std::span<const Polygon> seen, const 
     return made;
 }
 
-/// A decal drawn where the stencil says that what it lies on is seen.
+/// Returns the share for a decal that is drawn only where the stencil shows its base.
 std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right,
                                                     const std::vector<int>& marks) {
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
@@ -141,9 +141,9 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
     return certainly(decal_is_right ? 0.0 : 1.0);
 }
 
-/// One of the two is moved by a polygon offset. How many codes a unit is GL leaves open: it is measured, or known to be
-/// one where the sandbox itself moves depths of few bits, or else at least one. `lead` and `most_lead` are how many
-/// codes the right one is nearer without it.
+/// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit is: it is
+/// measured; it is one if the sandbox itself moves depths of few bits; otherwise it is at least one. `lead` and
+/// `most_lead`: how many codes the right surface is nearer without the offset, at least and at most.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {
@@ -153,7 +153,7 @@ std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, c
     const bool moves_whole_codes = stores_fewer_bits(depth.format) && units == std::round(units);
     if (moves_whole_codes && factor == 0.0 && codes.is_one_code())
         return certainly(units >= (tie_is_wrong ? 1.0 : 0.0) ? 0.0 : 1.0);
-    const bool is_known = stored.unit_codes && !stored.precision.is_float;  // of a float it goes with the depth
+    const bool is_known = stored.unit_codes && !stored.precision.is_float;  // for a float it varies with the depth
     if (is_known && factor == 0.0) {
         const double moved = units * *stored.unit_codes;
         return codes.widened(share_of_random_codes(lead + moved, most_lead + moved, codes.arithmetic, tie_is_wrong));
@@ -204,10 +204,10 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     PairPrediction made;
     made.distance = -center_view.z;
     made.step = depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
-    // How far it reaches towards the eye, which looks along −z: nothing where the pair faces the view direction.
+    // How far the pair reaches toward the eye, which looks along −z: 0 if the pair faces the view direction.
     const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
     made.onset = fighting_onset(coding, made.distance, span);
-    // Along the line of sight through the centre, for each unit of eye distance.
+    // Along the view ray through the center, per unit of eye distance.
     const glm::dvec3 sight =
         coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
     made.slant = std::abs(glm::dot(normal_view, sight));

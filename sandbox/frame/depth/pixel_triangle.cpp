@@ -1,4 +1,5 @@
-// Twice the signed areas between a pixel's centre and a triangle's edges say everything about the triangle there.
+// Twice the signed areas between a pixel's center and a triangle's edges determine the triangle's coverage, distance
+// and slopes there.
 #include "frame/depth/pixel_triangle.h"
 
 #include <cmath>
@@ -6,23 +7,23 @@
 namespace viewing {
 namespace {
 
-/// A share of the size of the sum's terms: boxes are passed on rather than lost to rounding.
+/// Relative to the terms of the sum: rounding must never reject a box that covers the pixel.
 constexpr double rounding = 1e-9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Of the areas that the edges opposite to the corners span with a point beside the centre: the weights of the corners
-/// there, up to their sum.
+/// Returns the areas between a point next to the center and the edges opposite the corners: the corners' weights at
+/// that point, up to their sum.
 glm::dvec3 areas(const PixelTriangle& triangle, const glm::dvec2& beside_px) {
     std::array<glm::dvec2, 3> to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = triangle[i].offset_px - triangle[i].w * beside_px;
     return {cross(to[1], to[2]), cross(to[2], to[0]), cross(to[0], to[1])};
 }
 
-/// Whether an edge through the centre, with the triangle to its left, counts as inside: when the area grows to the
-/// right, or, where it does not change, downwards.
+/// Returns whether an edge through the center, with the triangle to its left, counts as inside: the area must grow to
+/// the right or, if it does not change in that direction, downward.
 bool owns_edge(const PixelCorner& from, const PixelCorner& to, double sign) {
     const glm::dvec2 growth = sign * (to.w * glm::dvec2(from.offset_px.y, -from.offset_px.x) -
                                       from.w * glm::dvec2(to.offset_px.y, -to.offset_px.x));

@@ -1,4 +1,5 @@
-// The depth buffer of a frame, and decals by equal depth or by a mark in the stencil buffer: parts of plan().
+// Configures a frame's depth buffer, and draws decals by equal depth or by a mark in the stencil buffer: parts of
+// plan().
 #include <algorithm>
 
 #include "frame/plan_parts.h"
@@ -29,12 +30,12 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
 
 namespace {
 
-/// Patches have marked the stencil: objects begin anew.
+/// Clears the marks of patches, so that objects can set new ones.
 Pass without_marks(const Pass& objects) {
     Pass pass = objects;
     fill_picture(pass, 0.0, 1.0);
     pass.name = tr("Clear marks");
-    pass.reason = tr("clears the stencil of the planes' marks, which must not be taken for those of objects");
+    pass.reason = tr("clears the planes' marks from the stencil, so that they are not mistaken for object marks");
     pass.color_write = false;
     pass.depth = without_depth;
     pass.stencil = stencil_of_wiping();
@@ -54,7 +55,7 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     objects.chosen = Chosen::bases;
     Pass decals = objects;
     decals.name = tr("Decals");
-    decals.reason = tr("draws decals where the depth is that of what they lie on");
+    decals.reason = tr("draws decals where their depth equals that of the surface below");
     decals.chosen = Chosen::decals;
     decals.depth.write = false;
     decals.offset = DepthOffset{};
@@ -63,7 +64,8 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     } else {
         objects.marks_objects = decals.marks_objects = true;
         objects.stencil = stencil_of_decal_bases();
-        decals.reason = tr("draws decals where the stencil says that what they lie on is seen: no depth decides");
+        decals.reason =
+            tr("draws decals where the stencil shows that the surface below is visible: depth plays no part");
         decals.depth.test = false;
         decals.stencil = stencil_of_decals();
     }

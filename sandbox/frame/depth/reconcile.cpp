@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Whether GL's depth of the fragment may be the one that was read back.
+/// Returns whether GL's depth of the fragment may equal the depth read back.
 bool is_close(const Fragment& fragment, const PixelReport& report) {
     return std::abs(fragment.window_depth - report.window_depth) <=
            fragment.depth_error + code_width(report.precision, report.window_depth);
@@ -22,8 +22,8 @@ bool is_compared(const Fragment& fragment) {
     return fragment.is_sent && fragment.depth.test && !fragment.culled && !fragment.stencil_fails;
 }
 
-/// The last one that is drawn if it is of the surface that is read back; else the nearest of that surface that rounding
-/// may have let through. None: the end.
+/// Returns the last fragment drawn if it belongs to the surface read back, otherwise the nearest fragment of that
+/// surface that rounding may have let through; end() if there is none.
 std::vector<Fragment>::iterator read_back_one(std::vector<Fragment>& fragments, const PixelReport& report) {
     auto last = fragments.end();
     for (auto one = fragments.begin(); one != fragments.end(); ++one)
@@ -43,7 +43,8 @@ std::vector<Fragment>::iterator read_back_one(std::vector<Fragment>& fragments, 
     return is_explained ? nearest : fragments.end();
 }
 
-/// Numbers that say something else than GL did, or than they said before, are not what decides.
+/// Sets whether a fragment passes, and whether rounding decided: the result contradicts its codes or its earlier
+/// result.
 void decide(Fragment& fragment, bool passes) {
     fragment.tie = fragment.stored == fragment.compared_with;
     const bool by_numbers = compare(fragment.depth.func, fragment.stored, fragment.compared_with);
@@ -51,7 +52,7 @@ void decide(Fragment& fragment, bool passes) {
     fragment.passes = passes;
 }
 
-/// Nothing has written depth, so everything was compared with what is still there.
+/// Nothing wrote depth, so everything was compared with the previous frame's value.
 void compare_with_last_frame(std::vector<Fragment>& fragments, const PixelReport& report) {
     for (Fragment& fragment : fragments) {
         if (!is_compared(fragment)) continue;
@@ -74,7 +75,7 @@ void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool
     const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
                                   return later.passes && !later.drawn;
                               });
-    // The frame before has left the depth of the same surface.
+    // The previous frame wrote the depth of the same surface.
     const std::uint32_t computed = seen->stored;
     if (leaves_depth && !clears_depth)
         for (auto one = fragments.begin(); one <= seen; ++one)

@@ -1,5 +1,5 @@
-// The fragments that are computed for a pixel, made to agree with what was read back there: where surfaces fight, GL's
-// rounding decides. Read fragments.h first.
+// Makes the fragments computed for a pixel agree with the values read back there: where surfaces fight, GL's rounding
+// decides. Read fragments.h first.
 #pragma once
 
 #include "frame/depth/fragments.h"
@@ -7,15 +7,15 @@
 
 namespace viewing {
 
-/// `report` and `fragments` are of the same pixel of the same plan. The fragment that is read back becomes the last one
-/// that is drawn and gets the code that is read back; what is compared with it is compared with that code. Those whose
-/// fate is no longer what their numbers say are marked as decided by rounding.
+/// `report` and `fragments` belong to the same pixel of the same plan. The fragment read back becomes the last one
+/// drawn and gets the code read back; comparisons with it use that code. Fragments whose codes no longer explain their
+/// fate are marked as decided by rounding.
 ///
-/// Left alone are the background and pixels that rounding does not explain: where GL has no or another surface because
-/// an edge is near, or depth of a mirror image.
+/// Changes nothing for the background, or for pixels that rounding does not explain: GL shows no surface or another one
+/// because an edge is near, or a mirror image wrote the depth.
 ///
-/// Where depth is not cleared the buffer holds what the frame before has left: what is compared with that is compared
-/// with the code that is read back, also where nothing passes.
+/// If depth is not cleared, the buffer holds values of the previous frame: comparisons with these use the code read
+/// back, even if nothing passes.
 void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool clears_depth);
 
 }  // namespace viewing

@@ -10,11 +10,11 @@ Status check_hidden_budget(const Scene& scene, bool builds_tree) {
     const std::int64_t most = builds_tree ? most_bsp_polygons : most_hidden_polygons;
     if (count <= most) return std::monostate{};
     const std::string polygons = grouped_number(count), limit = grouped_number(most);
-    return Error{builds_tree ? say("The scene has {count} polygons, and a BSP tree is built of at most {most}: leave "
-                                   "objects out, or take coarser meshes and teapots.",
+    return Error{builds_tree ? say("The scene has {count} polygons, but a BSP tree is limited to {most}: remove "
+                                   "objects, or use coarser meshes and teapots.",
                                    "count"_a = polygons, "most"_a = limit)
-                             : say("The scene has {count} polygons, and this method takes at most {most}: leave "
-                                   "objects out, or take coarser meshes and teapots.",
+                             : say("The scene has {count} polygons, but this method is limited to {most}: remove "
+                                   "objects, or use coarser meshes and teapots.",
                                    "count"_a = polygons, "most"_a = limit)};
 }
 

@@ -1,4 +1,4 @@
-// What hidden-surface methods take on at most. Read hidden_views.h for what they are asked.
+// The limits of the hidden-surface methods. Read hidden_views.h for their input.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace viewing {
 
-/// About ten seconds of one processor and a gigabyte, where all of them run through one another: with its pieces in a
-/// BSP tree a polygon takes up to seven thousand bytes.
+/// These take about ten seconds of one processor and a gigabyte if all polygons intersect one another: with its pieces
+/// in a BSP tree, a polygon takes up to seven thousand bytes.
 inline constexpr std::int64_t most_hidden_polygons = 400'000, most_bsp_polygons = 100'000;
 
-/// The sentence why the methods do not take a scene on, before anything is spent on it. `builds_tree`: one of them is
-/// the BSP tree.
+/// Returns why the methods refuse a scene, before any work is spent on it. `builds_tree`: one of them builds the BSP
+/// tree.
 Status check_hidden_budget(const Scene& scene, bool builds_tree);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Orders become vertices, id pictures become surface points.
+// Converts orders to vertices, and ID images to surface points.
 #include "frame/hidden/hidden_drawing.h"
 
 #include <cmath>
@@ -32,7 +32,7 @@ void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, c
     }
 }
 
-/// What turns a pixel and its depth into a point, and a point into what is shaded.
+/// Converts a pixel and its depth to a point, and the point to the inputs of shading.
 class Pixels {
 public:
     explicit Pixels(const HiddenResult& result)
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// As GL decides it: by the winding on the screen, which a mirrored view turns around.
+    /// Decides as GL does: by the winding on the screen, which a mirrored view reverses.
     bool is_front(bool seen_from_front) const {
         const bool is_counter_clockwise = seen_from_front != mirrors_;
         return is_counter_clockwise == (result_.request.cull.front_face == FrontFace::ccw);
@@ -77,7 +77,7 @@ private:
     const glm::dmat4 world_from_clip_;
     const glm::dvec4 eye_;
     const bool mirrors_;
-    std::vector<glm::dvec3> faces_;  ///< unit normals of the triangles by source
+    std::vector<glm::dvec3> faces_;  ///< unit normals of the triangles, by source
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a method is asked: the camera's picture, and that of the eye behind the mirror. Read hidden_surfaces.cpp next.
+// Makes a method's requests: for the camera, and for the eye behind the mirror. Read hidden_surfaces.cpp next.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -8,7 +8,7 @@ namespace viewing {
 
 namespace {
 
-/// Squares, as large as the view has room for.
+/// Returns the share of the view that a picture with square pixels fills if they are as large as possible.
 glm::dvec2 share_of(glm::ivec2 raster, glm::ivec2 size_px) {
     const glm::dvec2 view(glm::max(size_px, glm::ivec2(1))), room = view / glm::dvec2(raster);
     return std::min(room.x, room.y) * glm::dvec2(raster) / view;
@@ -46,7 +46,7 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     request.viewpoint.view_from_world = derived.view_from_world * plane.mirrored_world_from_world;
     request.visibility.step = -1;
     if (params.reflection.clip != MirrorClip::none) {
-        // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
+        // Objects behind the mirror would block this eye's view: its picture begins at the mirror.
         const glm::dvec4 towards_eye = plane_facing(plane.unit_plane, derived.eye_world);
         request.viewpoint.clip_from_view = with_oblique_near_plane(
             request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));

@@ -11,12 +11,12 @@ bool draws(const NewellStep& step) {
     return step.action == NewellAction::draws || step.action == NewellAction::forces;
 }
 
-/// How many polygons are drawn after so many rungs of the ladder.
+/// Returns how many polygons the first `steps` of Newell's steps draw.
 int drawn_after(const NewellOrder& newell, int steps) {
     return static_cast<int>(std::count_if(newell.steps.begin(), newell.steps.begin() + steps, draws));
 }
 
-/// How many polygons are drawn by the visits so far; `order` is the walk's without those that are culled.
+/// Returns how many polygons the visits so far draw; `order` is the traversal's order without the culled polygons.
 int drawn_by_visits(const HiddenResult& result) {
     int passed = 0, drawn = 0;
     for (int visit = 0; visit < result.visited_nodes; ++visit) {
@@ -36,7 +36,8 @@ int as_step(std::int64_t number) {
     return static_cast<int>(std::min(number, most_steps));
 }
 
-/// Newell's polygons end with their drawing; a tree is built and then walked; rays go row by row.
+/// Groups the steps: Newell's steps for a polygon end when it is drawn; a tree is built, then traversed; rays go row by
+/// row.
 void find_groups(HiddenResult& result) {
     std::vector<int>& ends = result.group_ends;
     if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) return;
@@ -44,7 +45,7 @@ void find_groups(HiddenResult& result) {
     if (result.newell) {
         for (std::size_t step = 0; step < result.newell->steps.size(); ++step)
             if (draws(result.newell->steps[step])) ends.push_back(static_cast<int>(step) + 1);
-        // A record that is full ends within a polygon.
+        // A full record may end in the middle of a polygon.
         if (result.step_count > 0 && (ends.empty() || ends.back() < result.step_count))
             ends.push_back(result.step_count);
     } else if (result.tree) {

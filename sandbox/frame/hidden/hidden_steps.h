@@ -1,19 +1,21 @@
-// How far a step of a method has come: what is drawn by then, and what has been counted. Part of hidden_surfaces.cpp.
+// Finds the polygons drawn and the operations counted up to a step. Part of hidden_surfaces.cpp.
 #pragma once
 
 #include "frame/hidden/hidden_surfaces.h"
 
 namespace viewing {
 
-/// From all that the software depth buffer tests: the last fragment of each polygon, and those of the followed pixel.
+/// Finds each polygon's last fragment and the fragments of the followed pixel, among all tests of the software depth
+/// buffer.
 void find_fragment_steps(HiddenResult& result, const RasterResult& all);
-/// From the whole order painted: the steps that draw a polygon over the followed pixel.
+/// Finds the steps that draw a polygon over the followed pixel, by painting the whole order.
 void find_polygon_steps(HiddenResult& result, const RasterResult& all);
 
-/// Counts steps and says how far the wanted one reaches into the order, which has been found.
+/// Counts steps, and finds how far into the order the requested step reaches; the order must be known.
 void find_step(HiddenResult& result);
 
-/// What Newell's ladder and the tree's build have done by the step; the other numbers are those of all steps.
+/// Counts the operations of Newell's tests and of the tree's construction up to the step; the other counts cover all
+/// steps.
 void count_to_step(HiddenResult& result);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Each method: order first, then the picture at the step. Read hidden_drawing.cpp next.
+// Runs each method: the order first, then the picture at the step. Read hidden_drawing.cpp next.
 #include "frame/hidden/hidden_surfaces.h"
 
 #include <algorithm>
@@ -22,14 +22,14 @@ private:
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// The same but for the step and the pixel that is followed: order, tree and counters of one serve the other.
+/// Returns whether requests differ only in step and followed pixel, and therefore share order, tree and counters.
 bool have_one_order(HiddenRequest a, const HiddenRequest& b) {
     a.visibility.step = b.visibility.step;
     a.visibility.pixel = b.visibility.pixel;
     return a == b;
 }
 
-/// A mirrored view turns every winding around.
+/// Returns the winding of front faces, which a mirrored view reverses.
 FrontFace winding_for(const HiddenRequest& request) {
     const bool mirrors = glm::determinant(glm::dmat3(request.viewpoint.view_from_world)) < 0.0;
     const FrontFace turned = request.cull.front_face == FrontFace::cw ? FrontFace::ccw : FrontFace::cw;
@@ -54,10 +54,10 @@ PaintRule rule_of(const VisibilityParams& visibility) {
     return is_masked ? PaintRule::keep_first : PaintRule::overwrite;
 }
 
-/// The whole order, with the followed pixel watched.
+/// Paints the whole order and records the followed pixel.
 RasterResult paint_all(const HiddenResult& result, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
-    return rasterise(*result.fragments, result.order, request.viewpoint.clip_from_world(),
+    return rasterize(*result.fragments, result.order, request.viewpoint.clip_from_world(),
                      {.rule = rule_of(request.visibility),
                       .width = request.size_px.x,
                       .height = request.size_px.y,
@@ -73,11 +73,11 @@ void take_picture(HiddenResult& result, RasterResult raster) {
     result.written_per_pixel = std::move(raster.written_per_pixel);
 }
 
-/// Paints what the step has reached. Asked for pixel steps, `stop_after` counts tested pixels.
+/// Paints up to the step. For pixel steps, `stop_after` counts tested pixels.
 void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const std::span<const int> drawn(result.order.data(), static_cast<std::size_t>(result.drawn));
-    take_picture(result, rasterise(*result.fragments, drawn, request.viewpoint.clip_from_world(),
+    take_picture(result, rasterize(*result.fragments, drawn, request.viewpoint.clip_from_world(),
                                    {.rule = rule_of(request.visibility),
                                     .width = request.size_px.x,
                                     .height = request.size_px.y,
@@ -86,7 +86,7 @@ void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress
                                    progress));
 }
 
-/// The pixel whose ray is shown: the step's, else the followed one.
+/// Returns the pixel whose ray is shown: the step's, else the followed one.
 std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
     const HiddenRequest& request = result.request;
     const int columns = request.size_px.x;
@@ -97,8 +97,8 @@ std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
 
 }  // namespace
 
-std::string sentence_of_cancelled() {
-    return tr("The method was cancelled: the picture is not finished.");
+std::string sentence_of_canceled() {
+    return tr("The method was canceled: the picture is not finished.");
 }
 
 HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress)
@@ -106,11 +106,11 @@ HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene, const WorkProgress*
 
 Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result, const WorkProgress* progress) const {
     const HiddenRequest& request = result.request;
-    if (is_cancelled(progress)) return std::make_shared<const std::vector<Polygon>>();
-    if (!request.cull.enabled) return {surface_, &surface_->polygons};  // not a copy: there may be a million
+    if (is_canceled(progress)) return std::make_shared<const std::vector<Polygon>>();
+    if (!request.cull.enabled) return {surface_, &surface_->polygons};  // no copy: there may be a million
     auto kept = std::make_shared<const std::vector<Polygon>>(
         culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request), progress));
-    if (!is_cancelled(progress))  // else some were not even looked at
+    if (!is_canceled(progress))  // if canceled, some polygons were never tested
         result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept->size());
     return kept;
 }
@@ -128,7 +128,7 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     result.tree = trees_.tree;
     result.build_ms = trees_.build_ms;
     result.problem = result.tree->problem;
-    if (is_cancelled(progress)) trees_ = {};  // what was cut short is not kept
+    if (is_canceled(progress)) trees_ = {};  // a canceled tree is incomplete
     result.fragments = {result.tree, &result.tree->fragments};
 
     const Stopwatch watch;
@@ -171,7 +171,7 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size() + (exact ? surface_->curved.size() : 0));
 
-    // The hierarchy serves every camera, unless facing decides what is in it.
+    // The hierarchy fits every camera, unless culling decides its contents.
     const bool serves = rays_.scene && uses_exact_curves(rays_.made_for) == exact && !rays_.made_for.cull.enabled &&
                         !request.cull.enabled;
     if (!serves) {
@@ -206,8 +206,8 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     std::transform(cast.image.ids.begin(), cast.image.ids.end(), result.written_per_pixel.begin(),
                    [](int id) { return id != IdImage::background ? 1U : 0U; });
     result.image = std::move(cast.image);
-    if (is_cancelled(progress)) {
-        result.problem = tr("Ray casting was cancelled: the rest of the picture is empty.");
+    if (is_canceled(progress)) {
+        result.problem = tr("Ray casting was canceled: the rest of the picture is empty.");
         rays_ = {};
     }
 }
@@ -286,12 +286,12 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
             }
         }
     }
-    result->is_cancelled = is_cancelled(progress);
-    if (result->is_cancelled) {
-        if (result->problem.empty()) result->problem = sentence_of_cancelled();
+    result->is_canceled = is_canceled(progress);
+    if (result->is_canceled) {
+        if (result->problem.empty()) result->problem = sentence_of_canceled();
         return result;
     }
-    constexpr std::size_t kept_count = 4;  // camera and mirrored eye, for two methods that are compared
+    constexpr std::size_t kept_count = 4;  // camera and mirrored eye, for the two methods of a comparison
     if (latest_.size() == kept_count) latest_.erase(latest_.begin());
     latest_.push_back(result);
     return result;

@@ -5,13 +5,14 @@
 namespace viewing {
 namespace {
 
-/// Of the others GL draws the polygons, and rounds their corners: what is judged is what is drawn.
+/// Returns whether the result has an image to judge. The other methods' polygons are drawn by GL, which rounds their
+/// corners.
 bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
 }
 
-/// What has been put in the place of R, or of the side that is mirrored, is no view that a method could take: GL draws
-/// that image as it comes.
+/// Returns whether no method can use the mirror's view, because R or the mirrored side was replaced: GL draws that
+/// image in scene order.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
@@ -19,7 +20,7 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
            has_other_camera;
 }
 
-/// What the painter's algorithm gets wrong, in a picture that costs little beside the view's.
+/// Returns the painter's algorithm's worst error, in a picture that costs little compared with the view's.
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;
@@ -31,7 +32,7 @@ std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequ
     request.visibility.method = VisibilityMethod::ray_cast;
     request.visibility.exact_curves = false;
     const auto seen = solver.solve(request, progress);
-    if (is_cancelled(progress)) return std::nullopt;
+    if (is_canceled(progress)) return std::nullopt;
     return worst_pair(seen->image, painted->image);
 }
 
@@ -59,7 +60,7 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
 
 std::string HiddenAnswer::problem() const {
     for (const auto* drawing : {&pictures.camera, &pictures.mirrored})
-        if (*drawing && (*drawing)->is_cut) return sentence_of_cancelled();
+        if (*drawing && (*drawing)->is_cut) return sentence_of_canceled();
     for (const auto* result : {&mirrored, &other})
         if (*result && camera->problem.empty() && !(*result)->problem.empty()) return (*result)->problem;
     return camera->problem;

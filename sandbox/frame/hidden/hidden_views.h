@@ -1,5 +1,5 @@
-// What a picture asks of hidden-surface methods, and the answer: the method for the camera, the same for the eye behind
-// the mirror, and the method that it is compared with. Read hidden_surfaces.h for one of them.
+// The question that a picture asks of the hidden-surface methods, and the answer: the method for the camera, the same
+// method for the eye behind the mirror, and the method to compare with. Read hidden_surfaces.h for a single one.
 #pragma once
 
 #include <optional>
@@ -13,37 +13,37 @@ namespace viewing {
 
 struct HiddenQuestion {
     HiddenRequest camera;
-    std::optional<HiddenRequest> mirrored{};  ///< where the mirror image is drawn by the method too
-    std::optional<HiddenRequest> other{};     ///< in the difference view
-    bool draws_camera = true;                 ///< false: GL draws the scene by itself, the order is wanted all the same
+    std::optional<HiddenRequest> mirrored{};  ///< if the method draws the mirror image, too
+    std::optional<HiddenRequest> other{};     ///< for the difference view
+    bool draws_camera = true;                 ///< false: GL draws the scene by itself, but the order is needed
     bool operator==(const HiddenQuestion&) const = default;
 };
 
-/// None where GL draws everything by itself and nothing of a method is shown.
+/// Returns none if GL draws everything by itself and nothing about a method is shown.
 std::optional<HiddenQuestion> hidden_question(const Params& params, const Derived& derived, glm::ivec2 size_px);
 
 struct HiddenAnswer {
     HiddenQuestion question;
     std::shared_ptr<const HiddenResult> camera{}, mirrored{}, other{};
-    HiddenPictures pictures{};  ///< the difference is missing where GL has to draw one of the two
+    HiddenPictures pictures{};  ///< without the difference if GL has to draw one of the two pictures
     std::int64_t different_pixels = -1, compared_pixels = -1;
-    std::optional<WrongPair> painter_fails{};  ///< of the painter's algorithm; searched in a small picture
+    std::optional<WrongPair> painter_fails{};  ///< by the painter's algorithm; searched for in a small picture
 
-    /// A sentence when some method stopped at a budget or was cancelled; else empty.
+    /// Returns a sentence if a method stopped at a budget or was canceled; otherwise empty.
     std::string problem() const;
 };
 
-/// Whether the scene is not too large for what is asked (hidden_budget.h).
+/// Checks that the scene is not too large for the question (hidden_budget.h).
 Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question);
 
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,
                                     WorkProgress* progress = nullptr);
 
-/// Fills the difference in from the two id pictures, which GL may have drawn. With exact curves on one side objects are
-/// compared, else polygons.
+/// Adds the difference of the two ID images, which GL may have drawn. Compares objects if one side has exact curves,
+/// otherwise polygons.
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other);
 
-/// A frame that shows the polygons of a request to be read back by number: only GL's own methods need it.
+/// Plans a frame that draws the IDs of a request's polygons for reading back: only GL's own methods need it.
 FramePlan plan_polygon_ids(Params params, const Derived& derived, const HiddenResult& result);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Hidden-surface methods as passes. The plane's patch is none of their polygons, so it divides the scene as the root of
-// a BSP tree would: what lies beyond its plane first, the patch, then what lies before it. Read gl_text.cpp next.
+// Hidden-surface methods as passes. The plane's patch is not one of their polygons, so it divides the scene like the
+// root of a BSP tree: first the part beyond its plane, then the patch, then the part in front. Read gl_text.cpp next.
 #include "frame/plan_parts.h"
 #include "text/catalogue.h"
 
@@ -10,7 +10,7 @@ bool shows_the_scene(const Pass& pass) {
     return pass.subject != Subject::patch && pass.subject != Subject::difference && pass.shading != Shading::flat;
 }
 
-/// Whether some corner of the bounds lies on the negative side of the plane.
+/// Returns whether a corner of the bounds is on the negative side of the plane.
 bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
     if (bounds.empty()) return false;
     const glm::dvec3 nearest_to_back(plane.x > 0.0 ? bounds.min.x : bounds.max.x,
@@ -19,13 +19,13 @@ bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
     return glm::dot(plane, glm::dvec4(nearest_to_back, 1.0)) < 0.0;
 }
 
-/// What a method found for each pixel has been compared already.
+/// A surface that a method found for a pixel has already won its comparisons.
 constexpr DepthState found_depth{.test = true, .func = CompareFunc::always, .write = true};
 
 const char* reason_of(Subject subject) {
     return subject == Subject::pixels ? tr("shades the surface that the method found for each pixel, and stores its "
                                            "depth")
-                                      : tr("draws the polygons one over the other, in the order that the method found");
+                                      : tr("draws the polygons over one another, in the order that the method found");
 }
 
 void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
@@ -33,9 +33,9 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     Pass beyond = passes.back();
     beyond.name = tr("Objects beyond the plane");
     beyond.clip_planes = {-towards_eye};
-    passes.back().name = tr("Objects before the plane");
+    passes.back().name = tr("Objects in front of the plane");
     passes.back().clip_planes = {towards_eye};
-    // A mirror lets its image through, and must not let through what stands behind it: there the mask keeps it out.
+    // A mirror lets its image show through, but must not show the objects behind it: the mask keeps them out.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
     if (has_mask) beyond.stencil = stencil_of_objects_beyond(passes.front());
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
@@ -56,7 +56,7 @@ Pass difference_pass(const char* reason) {
 
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden) {
     frame.hidden = hidden;
-    // Until the method has found something there is nothing to show under its name.
+    // Until the method has a result, draw nothing in its place.
     if (!hidden.camera && !is_drawn_by_gl_alone(params.visibility.method)) std::erase_if(frame.passes, shows_the_scene);
     const auto subject_of = [](const HiddenDrawing& drawing) {
         return drawing.pixels.empty() ? Subject::ordered : Subject::pixels;
@@ -68,7 +68,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         pass.reason = reason_of(pass.subject);
         if (pass.subject == Subject::pixels) pass.depth = found_depth;
     }
-    // In a picture of few pixels nothing is as fine as a patch of GL's would be.
+    // In a picture of few pixels, GL's patch would be too fine.
     if (has_raster(params.visibility))
         std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject == Subject::patch; });
     const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);
@@ -78,7 +78,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;
-    frame.passes.push_back(difference_pass(tr("red where the two methods see different polygons, a veil elsewhere")));
+    frame.passes.push_back(difference_pass(tr("red where the two methods see different polygons, dimmed elsewhere")));
 }
 
 void count_overdraw(FramePlan& frame) {

@@ -24,7 +24,7 @@ std::optional<CurvedKind> curved_kind(ShapeKind shape) {
     }
 }
 
-/// Weights of the corners a, b, c that make the point of their plane nearest to `point`.
+/// Returns the weights of the corners a, b, c for the point nearest to `point` in their plane.
 glm::dvec3 barycentric(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point) {
     const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], ap = point - corners[0];
     const glm::dvec3 normal = glm::cross(ab, ac);

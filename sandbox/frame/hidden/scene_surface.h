@@ -1,5 +1,5 @@
-// A scene as the hidden-surface methods take it: polygons and exact curved shapes in world space, and what it takes to
-// shade a point of them. Made once per scene. Read hidden_surfaces.h next.
+// A scene as the input of hidden-surface methods: polygons and exact curved shapes in world space, with the data needed
+// to shade a point on them. Made once per scene. Read hidden_surfaces.h next.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@ namespace viewing {
 
 struct SceneSurface {
     Scene scene;                                ///< shares the meshes
-    std::vector<Polygon> polygons;              ///< every triangle; `source` counts them over all objects, from 0
+    std::vector<Polygon> polygons;              ///< every triangle; `source` counts triangles over all objects, from 0
     int dropped = 0;                            ///< triangles without area
-    std::vector<int> first_source;              ///< of each object
+    std::vector<int> first_source;              ///< per object
     std::vector<CurvedShape> curved;            ///< objects with an exact shape; their sources follow the triangles'
     double diagonal = 1.0;                      ///< of the bounds, world units; 1 for an empty scene
-    std::vector<glm::dmat3> world_from_normal;  ///< of each object: normal_matrix() of its place
+    std::vector<glm::dmat3> world_from_normal;  ///< per object: normal_matrix() of its placement
 
     int source_count() const { return first_curved_source + static_cast<int>(curved.size()); }
     int object_of(int source) const;  ///< −1 for the background
@@ -27,11 +27,11 @@ struct SceneSurface {
     int first_curved_source = 0;
 };
 
-/// Cancelled: the first of its polygons.
+/// Makes a scene's surface. If canceled, it has only the first polygons.
 SceneSurface surface_of(const Scene& scene, const WorkProgress* progress = nullptr);
 
-/// The normal that GL interpolates there, not unit: from the corners of the triangle `source`, or of the curved shape.
-/// A point outside the triangle is carried on; a triangle without area has the normal of its first corner.
+/// Returns the normal that GL interpolates at the point, not unit: from the corners of the triangle `source`, or of the
+/// curved shape. Extrapolates outside the triangle; a triangle without area has the normal of its first corner.
 glm::dvec3 normal_at(const SceneSurface& surface, int source, const glm::dvec3& point_world);
 
 }  // namespace viewing

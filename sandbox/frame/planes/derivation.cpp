@@ -1,5 +1,5 @@
-// Each formula stands here as its slide has it, not as the rest of the sandbox computes it: that they agree is the
-// point.
+// Each formula is written as on its slide, not as the rest of the sandbox computes it, so that their agreement means
+// something.
 #include "frame/planes/derivation.h"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace viewing {
 namespace {
 
-constexpr double tiny = 1e-9;  ///< less than this, against the size of what is measured, counts as zero
+constexpr double tiny = 1e-9;  ///< smaller values, relative to the measured size, count as zero
 
-/// GLM lists columns; the slides, and the calls below, rows.
+/// GLM lists columns; the slides and the calls below list rows.
 glm::dmat4 from_rows(const glm::dvec4& row1, const glm::dvec4& row2, const glm::dvec4& row3, const glm::dvec4& row4) {
     return glm::transpose(glm::dmat4(row1, row2, row3, row4));
 }
@@ -26,7 +26,7 @@ glm::dmat4 blinn_form(const glm::dvec3& l) {
                      {0.0, -1.0, 0.0, l.y});
 }
 
-/// Projection Shadow: any plane, a point light at l.
+/// Projection Shadow: an arbitrary plane, a point light at l.
 glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
     const double n_dot_l = n.x * l.x + n.y * l.y + n.z * l.z;
     return from_rows({n_dot_l + d - l.x * n.x, -l.x * n.y, -l.x * n.z, -l.x * d},  //
@@ -35,8 +35,8 @@ glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
                      {-n.x, -n.y, -n.z, n_dot_l});
 }
 
-/// Which of its cases a ray is; the derivation's lengths and heights are there already. `approach` is how fast the
-/// ray nears the plane: n·(l_xyz − l_w p), zero where it is parallel to it.
+/// Classifies a ray; the derivation's lengths and heights must be set already. `approach` is how fast the ray nears the
+/// plane: n·(l_xyz − l_w p), zero if it is parallel to it.
 ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_light, double plane_dot_light,
                  double approach) {
     if (lies_in_plane(derivation.unit_plane, derivation.light)) return ShadowRay::light_in_plane;
@@ -58,7 +58,8 @@ MirrorPlane mirror_plane_of(const glm::dvec4& unit_plane) {
     return MirrorPlane::general;
 }
 
-/// R of the slides: for the coordinate planes a sign on the diagonal, else by a, b, c and d.
+/// Returns R of the slides: for the coordinate planes, a diagonal with one negative entry; otherwise in terms of a, b,
+/// c and d.
 glm::dmat4 mirror_form(MirrorPlane plane, const glm::dvec4& unit_plane) {
     const double a = unit_plane.x, b = unit_plane.y, c = unit_plane.z, d = unit_plane.w;
     const auto diagonal = [](double x, double y, double z) {
@@ -100,15 +101,15 @@ const char* sentence_of(ShadowRay ray) {
         case ShadowRay::beyond_light:
             return tr(
                 "p is farther from the plane than the light: the line meets the plane behind the light, where w has "
-                "the other sign, so s is an anti-shadow.");
+                "the opposite sign, so s is an anti-shadow.");
         case ShadowRay::parallel:
             return tr("The ray is parallel to the plane: w = 0, and s lies at infinity.");
         case ShadowRay::light_in_plane:
             return tr(
-                "The light lies in the plane: S sends every point to the light itself, or to infinity if it is "
+                "The light lies in the plane: S sends every point to the light itself, or to infinity if the light is "
                 "parallel. There is no shadow.");
         case ShadowRay::at_light:
-            return tr("p is where the light is: there is no ray.");
+            return tr("p coincides with the light: there is no ray.");
     }
     return "";
 }

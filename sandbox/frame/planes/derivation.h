@@ -1,5 +1,5 @@
-// The lecture's two derivations with numbers in them: the shadow s of a point p, and the mirror image q′ of a point q.
-// Pure. Read derivation.cpp; ui/planes/derivation_views.cpp shows it.
+// The lecture's two derivations with numbers: the shadow s of a point p, and the mirror image q′ of a point q.
+// Pure. Read derivation.cpp next; ui/planes/derivation_views.cpp shows it.
 #pragma once
 
 #include <optional>
@@ -8,44 +8,44 @@
 
 namespace viewing {
 
-/// The point whose way is derived: the followed vertex; where none is followed, one unit from the middle of the
-/// chosen plane's patch, on the chosen light's side.
+/// Returns the point to derive: the followed vertex or, without one, a point one unit from the center of the chosen
+/// plane's patch, on the chosen light's side.
 glm::dvec3 derivation_point(const Derived& derived);
 
-/// What becomes of the ray from the light through p.
+/// The path of the ray from the light through p.
 enum class ShadowRay {
     regular,         ///< it passes p and then meets the plane
     point_in_plane,  ///< p is its own shadow
     point_behind,    ///< it meets the plane before it reaches p
-    beyond_light,    ///< p lies farther from the plane than the light: the line meets the plane behind the light
+    beyond_light,    ///< p is farther from the plane than the light: the line meets the plane behind the light
     parallel,        ///< to the plane, which it never meets
     light_in_plane,  ///< S sends every point to the light itself
-    at_light         ///< p is where the light is: there is no ray
+    at_light         ///< p is at the light: there is no ray
 };
 
-/// "" for a regular ray, else a sentence that says what is special.
+/// Returns "" for a regular ray, otherwise a sentence about the special case.
 const char* sentence_of(ShadowRay ray);
 
-/// All about s. `n` and `d` are those of the unit plane; heights are signed distances from it.
+/// All values of the derivation of s. `n` and `d` belong to the unit plane; heights are signed distances from it.
 /// Source: lecture, Projection Shadow; Blinn 1988.
 struct ShadowDerivation {
     glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};
     glm::dvec4 light{0.0, 1.0, 0.0, 1.0};  ///< homogeneous, as given
     bool parallel_light = false;
-    glm::dvec3 light_world{0.0};  ///< l = (x, y, z) ÷ l_w; of a parallel light the direction (x, y, z) towards it
+    glm::dvec3 light_world{0.0};  ///< l = (x, y, z) ÷ l_w; for a parallel light, the direction (x, y, z) toward it
     glm::dvec3 point_world{0.0};  ///< p
 
     ShadowRay ray = ShadowRay::regular;
     double n_dot_l = 0.0, n_dot_p = 0.0;
-    double light_height = 0.0;  ///< n·l + d; of a parallel light n·l
+    double light_height = 0.0;  ///< n·l + d; for a parallel light, n·l
     double point_height = 0.0;  ///< n·p + d
     double w = 0.0;             ///< of S p = (Π·L) p − (P·p) L
 
     /// Point light: s = l + t (p − l), t = (n·l + d)/(n·l − n·p).
-    /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 where there is no s.
+    /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 if there is no s.
     double t = 0.0;
-    std::optional<glm::dvec3> shadow_world;  ///< s; none where the ray is parallel, or where light or p leave none
-    glm::dvec3 light_foot_world{0.0};        ///< of l on the plane; of a parallel light of no meaning
+    std::optional<glm::dvec3> shadow_world;  ///< s; none if parallel, if the light is in the plane or p at the light
+    glm::dvec3 light_foot_world{0.0};        ///< of l on the plane; meaningless for a parallel light
     glm::dvec3 point_foot_world{0.0};        ///< of p
 
     double light_to_point = 0.0, light_to_shadow = 0.0;  ///< |p − l| and |s − l|; 0 for a parallel light
@@ -53,20 +53,20 @@ struct ShadowDerivation {
 };
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world);
 
-/// The same matrix three times, each written out as on its slide. The first two are made for l_w = 1, Blinn's for the
-/// plane y = 0 with its normal up as well; elsewhere they are not there.
+/// The same matrix three times, each as written on its slide. The first two require l_w = 1; Blinn's also requires the
+/// plane y = 0 with its normal up. Otherwise they are absent.
 struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …
     glm::dmat4 four_vectors{1.0};      ///< Projection Shadow Matrix: (Π·L) I − L Πᵀ
-    double largest_difference = 0.0;   ///< between any two that are there, of any entry
+    double largest_difference = 0.0;   ///< between any two of those present, for any entry
 };
 ShadowForms shadow_forms(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
 /// The coordinate planes for which the lecture gives R.
 enum class MirrorPlane { yz, xz, xy, general };
 
-/// All about q′ = q − 2 k n. Source: lecture, Planar Reflection.
+/// All values of q′ = q − 2 k n. Source: lecture, Planar Reflection.
 struct MirrorDerivation {
     glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< a, b, c, d
     glm::dvec3 point_world{0.0};                ///< q
@@ -74,12 +74,12 @@ struct MirrorDerivation {
     glm::dvec3 foot_world{0.0};                 ///< q − k n
     glm::dvec3 mirrored_world{0.0};             ///< q′
 
-    /// Row by row the four terms of the lecture's expansion: (1 − 2a²) x₀, −2ab y₀, −2ac z₀, −2ad for x₀′, …
+    /// Row by row, the four terms of the lecture's expansion: (1 − 2a²) x₀, −2ab y₀, −2ac z₀, −2ad for x₀′, …
     double terms[3][4] = {};
-    double expansion_difference = 0.0;  ///< the largest of a row's sum from q′
+    double expansion_difference = 0.0;  ///< largest difference of a row's sum from q′
 
     MirrorPlane plane = MirrorPlane::general;
-    glm::dmat4 mirrored_world_from_world{1.0};  ///< R as the slide has it for that plane
+    glm::dmat4 mirrored_world_from_world{1.0};  ///< R as on the slide for that kind of plane
 };
 MirrorDerivation derive_mirror(const glm::dvec4& unit_plane, const glm::dvec3& point_world);
 

@@ -9,7 +9,7 @@ std::string element(const char* name, int index) {
     return name + ("[" + std::to_string(index) + "]");
 }
 
-/// The slide's expression for an entry of R.
+/// Returns the slide's expression for an entry of R.
 std::string mirror_expression(int row, int column) {
     if (row == 3) return column == 3 ? "1.0" : "0.0";
     return (row == column ? "1 - 2 * " : "- 2 * ") + element("plane", row) + " * " + element("plane", column);
@@ -42,7 +42,7 @@ CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2
         const int row = index % 4, column = index / 4;
         const int mirror_row = printed_by_rows ? column : row, mirror_column = printed_by_rows ? row : column;
         std::string expression = mirror_expression(mirror_row, mirror_column);
-        if (plus_2ab && mirror_row == 1 && mirror_column == 0) expression.erase(0, 2);  // the minus
+        if (plus_2ab && mirror_row == 1 && mirror_column == 0) expression.erase(0, 2);  // drop the minus
         lines[static_cast<std::size_t>(index)] = {index, expression, row, column, mirror[mirror_column][mirror_row]};
     }
     return lines;

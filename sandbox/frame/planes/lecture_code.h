@@ -1,6 +1,6 @@
-// The lecture's two functions, ShadowMatrix and ReflectionMatrix, line by line: which element of the array a line
-// fills, by which expression, which entry of the matrix that is once GL has read the array, and its value now. Source:
-// lecture, Projection Shadow Matrix and Planar Reflection Matrix.
+// The lecture's two functions, ShadowMatrix and ReflectionMatrix, line by line: the array element that a line fills,
+// its expression, the matrix entry that GL reads it as, and its current value. Source: lecture, Projection Shadow
+// Matrix and Planar Reflection Matrix.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace viewing {
 
 /// One line of an array fill: name[index] = expression;
 struct CodeLine {
-    int index = 0;           ///< of the array
-    std::string expression;  ///< as C, of plane[0 … 3], lightpos[0 … 3] and dot
-    int row = 0;             ///< of the entry that GL, which reads columns, makes of it
+    int index = 0;           ///< in C, with plane[0 … 3], lightpos[0 … 3] and dot
+    std::string expression;  ///< in C, of plane[0 … 3], lightpos[0 … 3] and dot
+    int row = 0;             ///< of the entry that GL, which reads by columns, takes it as
     int column = 0;
     double value = 0.0;
 };
@@ -21,15 +21,14 @@ struct CodeLine {
 /// All lines in the order of their indices.
 using CodeLines = std::array<CodeLine, 16>;
 
-/// ShadowMatrix for a plane, of unit normal to give the S on show, and a light: it is filled by columns.
+/// Returns ShadowMatrix for a plane and a light, filled by columns. It equals the S shown only for a unit normal.
 CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// R of a plane, of unit normal to be right; with the slide's +2ab in its second line, if so.
+/// Returns R for a plane, correct for a unit normal; with `plus_2ab`, its second line has the slide's +2ab.
 glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab);
 
-/// ReflectionMatrix for a plane, of unit normal to be right. `printed_by_rows`: as on the slide, where the array is
-/// filled by rows, so that GL gets the transpose; else by columns, which is right. `plus_2ab`: with the slip of that
-/// name.
+/// Returns ReflectionMatrix for a plane, correct for a unit normal. `printed_by_rows`: filled by rows as on the slide,
+/// so that GL gets the transpose; otherwise by columns, which is correct. `plus_2ab`: with that mistake.
 CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab = false);
 
 }  // namespace viewing

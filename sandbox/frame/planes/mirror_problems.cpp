@@ -1,5 +1,5 @@
-// The switches of the planar mirror, each with the sentence that says why it breaks the picture, told only where that
-// can be seen. Part of problems.h; shadow_problems.cpp is its counterpart.
+// Reports why each switch of the planar mirror breaks the picture, but only if that is visible. Part of problems.h;
+// shadow_problems.cpp is its counterpart.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// A mirror whose image the frame draws.
+/// A mirror that has an image in the frame.
 struct Mirror {
     const DerivedPlane& plane;
     double eye_side;
@@ -29,13 +29,14 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     return mirrors;
 }
 
-/// S with the eye for its light: sends points to where they are seen against the plane, with w > 0 before the eye.
+/// Returns S with the eye as its light: projects points to the plane as the eye sees them, with w > 0 in front of the
+/// eye.
 glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
     return shadow_sign(mirror.plane.unit_plane, derived.eye_world) *
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
 }
 
-/// What the mirror as near plane costs, or gains.
+/// Reports the depth precision that the mirror as the near plane costs or gains.
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                  const FramePlan& frame) {
     constexpr double alike = 1.05;
@@ -44,50 +45,49 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
     if (!depth) return;
     tell.broken(depth->greatest > alike,
-                say("the mirror is the image's near plane, and depth is coarser for it: up to {factor} times, at z = "
-                    "{z}",
+                say("the mirror is the image's near plane, which makes depth coarser: up to {factor} times, at z = {z}",
                     "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance)),
                 "reflection.clip");
     const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
     tell(depth->greatest <= alike && 1.0 / depth->least > alike,
-         least == most ? say("the mirror is the image's near plane, and depth is finer for it: about {factor} times",
+         least == most ? say("the mirror is the image's near plane, which makes depth finer: about {factor} times",
                              "factor"_a = most)
-                       : say("the mirror is the image's near plane, and depth is finer for it: {least} to {most} times",
+                       : say("the mirror is the image's near plane, which makes depth finer: {least} to {most} times",
                              "least"_a = least, "most"_a = most));
 }
 
-/// What is kept out of the image, and what is not.
+/// Reports what clipping removes from the image, and what it fails to remove.
 void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& mirrors, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
-    tell.broken(reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
-                    params.depth.mapping == DepthMapping::logarithmic,
-                tr("the logarithm per vertex replaces the z that the oblique near plane clips by: nothing is clipped"),
-                "reflection.clip");
+    tell.broken(
+        reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
+            params.depth.mapping == DepthMapping::logarithmic,
+        tr("the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
+        "reflection.clip");
     tell.broken(!reflection.side_of_eye && std::any_of(mirrors.begin(), mirrors.end(),
                                                        [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
-                tr("the mirror is seen from behind, but what lies on the normal's side is mirrored: the eye sees the "
-                   "image of what is behind the mirror"),
+                tr("the mirror is seen from behind, but the normal's side is mirrored: the eye sees the image of the "
+                   "objects behind the mirror"),
                 "reflection.side_of_eye");
     if (reflection.clip != MirrorClip::none) return;
     for (const Mirror& mirror : mirrors) {
         const std::string across = objects_across(scene, mirror.towards_eye(), -standing);
         if (!across.empty())
             return tell.broken(true,
-                               say("the mirror's plane cuts {objects}: the part behind it is mirrored, too, and its "
+                               say("the mirror's plane cuts {objects}: the part behind it is mirrored too, and its "
                                    "image sticks out of the mirror",
                                    "objects"_a = across),
                                "reflection.clip");
         const std::string behind = objects_at_most(scene, mirror.towards_eye(), -standing);
         if (!behind.empty())
-            return tell.broken(
-                true,
-                say("{objects} behind the mirror: the image, which is not clipped, appears in front of it",
-                    "objects"_a = behind),
-                "reflection.clip");
+            return tell.broken(true,
+                               say("{objects} behind the mirror: without clipping, the image appears in front of it",
+                                   "objects"_a = behind),
+                               "reflection.clip");
     }
 }
 
-/// What keeps the image inside the mirror, and the mirror in its place among the objects.
+/// Reports errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
 void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
@@ -99,21 +99,21 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return lands_inside(scene, seen_on_plane(mirror, derived), mirror.towards_eye(), mirror.plane.patch);
     };
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    tell.broken(
-        !reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
-        tr("R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge"),
-        "reflection.stencil");
+    tell.broken(!reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
+                tr("R mirrors in the infinite plane, not its patch: without the stencil, the image shows beyond the "
+                   "mirror's edge"),
+                "reflection.stencil");
     tell.broken(
         reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
-        tr("the mask leaves the mirror's own depth behind: the image lies beyond it, fails the test and is hidden"),
+        tr("the mask writes the mirror's own depth: the image lies beyond it, fails the depth test and is hidden"),
         "reflection.mask_writes_depth");
     tell.broken(reflection.after_objects && is_drawn_by_gl_alone(params.visibility.method) &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
-                tr("the mirror is painted last and without a depth test: it covers what stands in front of it"),
+                tr("the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
 }
 
-/// R as the slips have it, of the first mirror that shows it.
+/// Reports the mistakes in R, for the first mirror that shows them.
 void say_slips(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     constexpr double least = 1e-9;
     const SlipParams& slips = params.slips;
@@ -123,54 +123,54 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
         const glm::dvec3 n(slips.normal_not_unit ? params.planes[index].equation : mirror.plane.unit_plane);
         const double length = glm::length(n), entry = 2.0 * n.x * n.y;
         tell.broken(slips.plus_2ab && std::abs(entry) > least,
-                    say("slip: row 2, column 1 of R is +2ab = {wrong} in place of −2ab = {right}: R R is not I, and "
+                    say("mistake: row 2, column 1 of R is +2ab = {wrong} instead of −2ab = {right}: R R is not I, and "
                         "the image does not fit its mirror",
                         "wrong"_a = figures(entry, 3), "right"_a = figures(-entry, 3)),
                     "slips.plus_2ab");
         tell.broken(slips.normal_not_unit && std::abs(length - 1.0) > least,
-                    say("slip: R takes (a, b, c, d) as typed, but |n| is {length}, not 1: every point is moved "
-                        "|n|² = {factor} times as far as to its mirror image",
+                    say("mistake: R uses (a, b, c, d) as entered, but |n| is {length}, not 1: every point moves |n|² = "
+                        "{factor} times the distance to its mirror image",
                         "length"_a = figures(length, 3), "factor"_a = figures(length * length, 3)),
                     "slips.normal_not_unit");
         return;
     }
 }
 
-/// What R, its winding and its camera make of the scene.
+/// Reports the effects of R, its winding and its camera on the scene.
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     const ReflectionParams& reflection = params.reflection;
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
     tell.broken(!reflection.flip_winding && (culls || params.view.shows == Shows::facing),
-                culls ? tr("R turns counter-clockwise into clockwise (det R = −1): without the flip the image's front "
-                           "faces are culled and it is seen inside out")
-                      : tr("R turns counter-clockwise into clockwise (det R = −1): without the flip the image's front "
-                           "faces count as back faces"),
+                culls ? tr("R reverses winding (det R = −1), counterclockwise to clockwise: without the flip, the "
+                           "image's front faces are culled and it appears inside out")
+                      : tr("R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
+                           "front faces count as back-facing"),
                 "reflection.flip_winding");
     tell.broken(!reflection.reflect_light,
-                tr("the light is not mirrored with the scene: its image is lit from where the light is, not from where "
-                   "the light's image is"),
+                tr("the light is not mirrored with the scene: the image is lit from the light's position, not from "
+                   "that of the light's image"),
                 "reflection.reflect_light");
     tell.broken(reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
-                tr("the mirrored camera sees with the aspect of a square picture: the image does not fit its mirror"),
+                tr("the mirrored camera uses the aspect ratio of a square picture: the image does not fit its mirror"),
                 "reflection.same_projection");
 
     const auto is_moved = [](const Mirror& mirror) {
         return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;
     };
     tell.broken(reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
-                tr("R is filled by rows as printed, and OpenGL reads columns: Rᵀ has −2d n in its last row, where it "
-                   "bends w instead of moving the image"),
+                tr("R is filled by rows as printed, but OpenGL reads columns: Rᵀ has −2d n in its last row, where it "
+                   "changes w instead of moving the image"),
                 "reflection.printed_by_rows");
 }
 
-/// Lines of sight are not followed further: no state asks for more bounces.
+/// Limit for following view rays: no state requests more bounces.
 constexpr int most_followed = 17;
 
 bool are_endless(const Mirror& one, const Mirror& other) {
     return glm::dot(glm::dvec3(one.towards_eye()), glm::dvec3(other.towards_eye())) < -1.0 + 1e-12;
 }
 
-/// How often a line is thrown back that has met a mirror at a point: by the patches, each from the eye's side.
+/// Returns how often patches reflect a view ray that has met a mirror at a point, each from the eye's side.
 int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm::dvec3 at, glm::dvec3 direction) {
     const Mirror* met = &first;
     int count = 0;
@@ -193,7 +193,7 @@ int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm:
     return count;
 }
 
-/// The most that lines of sight are thrown back, of a grid of them through each mirror's patch.
+/// Returns the most reflections of any view ray in a grid of rays through each mirror's patch.
 int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_world) {
     constexpr int grid = 24;
     int most = 0;
@@ -207,7 +207,7 @@ int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_w
     return most;
 }
 
-/// Mirrors that show each other.
+/// Reports mirrors that show each other.
 void say_bounces(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                  int depth) {
     if (mirrors.size() < 2 || !params.reflection.stencil) return;
@@ -218,34 +218,32 @@ void say_bounces(Sayer& tell, const Params& params, const Derived& derived, cons
     const int most = is_endless ? most_followed : most_reflections(mirrors, derived.eye_world);
     if (!is_endless && most <= depth) return;
     if (depth < params.reflection.bounces)
-        return tell(true, say("{depth} of {bounces} bounces are drawn: more would draw the scene too often, or be more "
-                              "than the stencil can count",
+        return tell(true, say("{depth} of {bounces} bounces are drawn: more would redraw the scene too often or exceed "
+                              "the stencil's range",
                               "depth"_a = depth, "bounces"_a = params.reflection.bounces));
     if (depth == 1) {
-        tell.broken(is_endless, tr("mirrors that face each other show one another without end: a mirror seen in a "
-                                   "mirror is drawn without its image"));
-        tell(!is_endless && most < most_followed,
-             say("a line of sight meets up to {count} mirrors, one after the other: a mirror seen in a mirror is drawn "
-                 "without its image",
-                 "count"_a = most));
+        tell.broken(
+            is_endless,
+            tr("mirrors facing each other reflect endlessly: a mirror seen in a mirror is drawn without its image"));
+        tell(!is_endless && most < most_followed, say("a line of sight hits up to {count} mirrors in a row: a mirror "
+                                                      "seen in a mirror is drawn without its image",
+                                                      "count"_a = most));
         tell(!is_endless && most == most_followed,
-             tr("a line of sight meets mirrors again and again: a mirror seen in a mirror is drawn without its image"));
+             tr("a line of sight hits mirrors again and again: a mirror seen in a mirror is drawn without its image"));
     } else {
-        tell.broken(is_endless, say("mirrors that face each other show one another without end: the mirror after "
-                                    "{depth} bounces is drawn without its image",
+        tell.broken(is_endless, say("mirrors facing each other reflect endlessly: the mirror after {depth} bounces is "
+                                    "drawn without its image",
                                     "depth"_a = depth));
-        tell(!is_endless && most < most_followed,
-             say("a line of sight meets up to {count} mirrors, one after the other: the mirror after {depth} bounces "
-                 "is drawn without its image",
-                 "count"_a = most, "depth"_a = depth));
-        tell(!is_endless && most == most_followed,
-             say("a line of sight meets mirrors again and again: the mirror after {depth} bounces is drawn without its "
-                 "image",
-                 "depth"_a = depth));
+        tell(!is_endless && most < most_followed, say("a line of sight hits up to {count} mirrors in a row: the mirror "
+                                                      "after {depth} bounces is drawn without its image",
+                                                      "count"_a = most, "depth"_a = depth));
+        tell(!is_endless && most == most_followed, say("a line of sight hits mirrors again and again: the mirror after "
+                                                       "{depth} bounces is drawn without its image",
+                                                       "depth"_a = depth));
     }
 }
 
-/// Shadows on what the mirror shows.
+/// Reports missing shadows in the mirror image.
 void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.reflection.shadows || !params.shadow.enabled) return;
     const auto shows_receiver = [&](const Mirror& mirror) {
@@ -257,7 +255,7 @@ void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derive
         });
     };
     tell.broken(std::any_of(mirrors.begin(), mirrors.end(), shows_receiver),
-                tr("the mirror image is drawn without shadows: inside the mirror the objects seem to float"),
+                tr("the mirror image is drawn without shadows: inside the mirror, the objects seem to float"),
                 "reflection.shadows");
 }
 

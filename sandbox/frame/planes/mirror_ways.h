@@ -1,5 +1,4 @@
-// The same mirror image made in several ways, and how much their pictures and depths differ: measure/mirror_measure.h
-// finds it.
+// The same mirror image made in several ways, and the differences in pictures and depths: see measure/mirror_measure.h.
 #pragma once
 
 #include <array>
@@ -13,18 +12,18 @@ enum class MirrorWay { clip_distance, none, oblique, camera };
 
 inline constexpr std::size_t mirror_way_count = 4;
 
-/// What the parameters are for one way; `camera` mirrors the camera and clips by distance.
+/// Returns the parameters for one way; `camera` mirrors the camera and uses clip distances.
 Params mirrored_in(Params params, MirrorWay way);
 
-/// "clip distance", "no clipping", "oblique near plane", "mirrored camera": in English, tr() for a person.
+/// Returns "clip distance", "no clipping", "oblique near plane", "mirrored camera": in English; use tr() to show it.
 const char* name_of(MirrorWay way);
 
-/// One way beside the first one, which the others are compared with.
+/// One way compared with the first.
 struct MirrorWayReport {
-    std::int64_t different = 0;                  ///< pixels without a like in the first way's picture, nor next to it
-    int worst = 0;                               ///< levels, of these pixels
+    std::int64_t different = 0;                  ///< pixels unlike the first picture's pixel there and its neighbors
+    int worst = 0;                               ///< largest difference of these pixels, in levels
     double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
-    std::int64_t distinct_depths = 0;            ///< how many different codes
+    std::int64_t distinct_depths = 0;            ///< number of different codes
     std::int64_t image_pixels = 0;
     std::int64_t compared = 0;
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_samples = 600;
 
-/// Window depth along a line of sight: how fast it changes, and how far apart two of its codes are.
+/// Window depth along a view ray: its rate of change, and the distance between its codes.
 class DepthAlong {
 public:
     DepthAlong(const glm::dmat4& clip_from_world, const DepthPrecision& precision, bool zero_to_one)
@@ -16,7 +16,7 @@ public:
 
     glm::dvec4 clip(const glm::dvec3& at_world) const { return clip_from_world_ * glm::dvec4(at_world, 1.0); }
 
-    /// World units along the direction.
+    /// Returns world units along the direction.
     double width_of_code(const glm::dvec3& at_world, const glm::dvec3& direction) const {
         const glm::dvec4 here = clip(at_world), change = clip_from_world_ * glm::dvec4(direction, 0.0);
         const double share = zero_to_one_ ? 1.0 : 0.5;
@@ -36,7 +36,7 @@ bool is_in_view(const glm::dvec4& clip, bool zero_to_one) {
            clip.z >= (zero_to_one ? 0.0 : -clip.w);
 }
 
-/// Whether the line of sight to a point passes through the patch on its way.
+/// Returns whether the view ray to a point passes through the patch.
 bool is_seen_in(const PlanePatch& patch, const glm::dvec3& at_world, const glm::dvec3& direction) {
     const double way = glm::dot(patch.normal, patch.center - at_world) / glm::dot(patch.normal, direction);
     return way < 0.0 && patch.holds(at_world + way * direction);
@@ -55,7 +55,7 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
     const DepthPrecision precision = precision_of(params.depth.format);
     const bool zero_to_one = frame.clip_zero_to_one;
     const glm::dmat4& image_from_scene = mirror.mirrored_world_from_world;
-    // The mirrored camera sees the scene where it is, as the camera sees its image.
+    // The mirrored camera sees the scene itself, as the camera sees its image.
     const bool by_camera = params.reflection.mirrored == MirroredThing::camera;
     const glm::dmat4 scene_from_image = glm::inverse(image_from_scene);
     const DepthAlong oblique(by_camera ? image->clip_from_world * scene_from_image : image->clip_from_world, precision,
@@ -66,7 +66,7 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
     for (const SceneObject& object : scene.objects) vertices += object.mesh->positions.size();
     const std::size_t stride = vertices / most_samples + 1;
     std::optional<ObliqueDepth> found;
-    std::size_t next = 0, before = 0;  // the next sample, of all vertices in a row
+    std::size_t next = 0, before = 0;  // the next sample, counted over all vertices
     for (const SceneObject& object : scene.objects) {
         const std::size_t count = object.mesh->positions.size();
         const glm::dmat4 image_from_model = image_from_scene * object.world_from_model;

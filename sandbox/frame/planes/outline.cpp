@@ -7,23 +7,23 @@ namespace viewing {
 namespace {
 
 constexpr std::size_t most_vertices = 20'000;
-constexpr double touching = 1e-6;      ///< what stands on the plane may lie this far behind it
-constexpr double farthest = 1e3;       ///< of a shadow, against its vertex
-constexpr double straight_on = 1e-12;  ///< a corner that turns by less, in squares of the shadow's size, is none
+constexpr double touching = 1e-6;      ///< objects on the plane may reach this far behind it
+constexpr double farthest = 1e3;       ///< distance of a shadow, relative to its vertex's
+constexpr double straight_on = 1e-12;  ///< corners with a smaller turn, in squares of the shadow's size, are straight
 
-/// A shadow in the plane's own coordinates, with its vertex.
+/// A shadow in the plane's own coordinates, with the vertex that casts it.
 struct Candidate {
     glm::dvec2 place;
     OutlineVertex vertex;
 };
 
-/// Twice the signed area of a b c: positive where it turns to the left.
+/// Returns twice the signed area of a b c: positive for a left turn.
 double turn(const Candidate& a, const Candidate& b, const Candidate& c) {
     const glm::dvec2 ab = b.place - a.place, ac = c.place - a.place;
     return ab.x * ac.y - ab.y * ac.x;
 }
 
-/// The shadows of the vertices that throw one.
+/// Returns the shadows of the vertices that cast one.
 std::vector<Candidate> candidates(const SceneObject& object, const glm::dvec4& plane, const glm::dvec4& light) {
     const double plane_dot_light = glm::dot(plane, light);
     const glm::dmat4 shadowed_world_from_world = shadow_matrix(plane, light);
@@ -45,7 +45,7 @@ std::vector<Candidate> candidates(const SceneObject& object, const glm::dvec4& p
     return found;
 }
 
-/// One half of the hull, from the first point to the last, without the last.
+/// Adds one half of the hull, from the first point to the last, which is left out.
 template <typename Iterator>
 void add_chain(Iterator begin, Iterator end, double least_turn, std::vector<OutlineVertex>& hull) {
     std::vector<const Candidate*> chain;

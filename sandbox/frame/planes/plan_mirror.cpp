@@ -1,5 +1,5 @@
-// Mirror images: the world once more, behind each mirror, inside the mirror's mask. Source: lecture, Planar Reflection;
-// Kilgard 1999. Mirrors in mirrors count the stencil up on the way in and down on the way out.
+// Mirror images: the world once more, behind each mirror, inside the mirror's mask. For mirrors in mirrors, the stencil
+// counts up on the way in and down on the way out. Source: lecture, Planar Reflection; Kilgard 1999.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_images = 64, most_drawings = 256;
 
-/// Mirror images in all for so many mirrors, each of which shows all others.
+/// Returns the total number of images if `mirrors` mirrors each show all the others.
 int image_count(int mirrors, int depth) {
     int all = 0, at_depth = mirrors;
     for (int level = 0; level < depth && all <= most_images; ++level) {
@@ -21,14 +21,14 @@ int image_count(int mirrors, int depth) {
     return all;
 }
 
-/// F: left and right change places.
+/// Returns F, which swaps left and right.
 glm::dmat4 flip() {
     glm::dmat4 flipped(1.0);
     flipped[0][0] = -1.0;
     return flipped;
 }
 
-/// The scene goes through R, and its lights with it.
+/// Transforms the scene and its lights by R.
 void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.world_from_scene = inside.world_from_scene * mirrored_world_from_world;
     inside.matrices = "P V" + inside.mirror_symbols;
@@ -38,10 +38,10 @@ void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.sky_world = glm::normalize(glm::dmat3(inside.world_from_scene) * sky_scene + 1e-30 * sky_scene);
 }
 
-/// The camera goes through R, and its picture is flipped: (F P) (F V R) = P V R. The lights stay where they are.
+/// Transforms the camera by R and flips its picture: (F P) (F V R) = P V R. The lights keep their positions.
 void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
-    // As wide as high, whatever the picture.
+    // The mistake: an aspect ratio of 1, whatever the picture's.
     if (!params.reflection.same_projection && inside.mirrors_met == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
@@ -58,12 +58,12 @@ ClipRange clip_range(const Level& level) {
     return level.derived.clip_zero_to_one ? ClipRange::reversed_zero_to_one : ClipRange::reversed;
 }
 
-/// Keeps of the scene, before it is mirrored, what lies on the side of `kept`.
+/// Keeps the part of the scene, before it is mirrored, that is on the positive side of `kept`.
 void clip_at_mirror(Level& inside, const glm::dvec4& kept) {
     const ReflectionParams& reflection = inside.params.reflection;
     inside.clip_from_view = inside.projection;
     inside.clip.reset();
-    // A matrix by hand may be one that there is no way back from.
+    // A matrix entered by hand may not be invertible.
     const bool has_view = std::abs(glm::determinant(inside.view_from_world)) > 1e-12;
     if (reflection.clip == MirrorClip::oblique && has_view) {
         const bool by_camera = reflection.mirrored == MirroredThing::camera;
@@ -96,11 +96,12 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     return inside;
 }
 
-/// Colour and depth as the frame began with, where the mask is: something else has been drawn here before.
+/// Resets color and depth inside the mask to the values at the start of the frame, because something has been drawn
+/// there.
 Pass fresh_picture(const Level& level, std::size_t plane) {
     Pass pass =
         level.pass(tr("Fresh picture"),
-                   tr("clears colour and depth inside the mask: what has been drawn there lies behind the mirror"),
+                   tr("clears color and depth inside the mask: everything drawn there so far lies behind the mirror"),
                    Subject::backdrop);
     const Color background = ground_of(level.params.ui.theme).background;
     const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
@@ -113,7 +114,7 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     return pass;
 }
 
-/// How often the scene's objects are drawn: once a world, and once for each shadow in it.
+/// Returns how often the scene's objects are drawn: once per world, plus once per shadow in it.
 int drawing_count(const Params& params, const Derived& derived, int images) {
     const auto receivers = static_cast<int>(std::count_if(
         derived.planes.begin(), derived.planes.end(), [](const DerivedPlane& plane) { return plane.receives_shadow; }));
@@ -130,7 +131,7 @@ void fill_picture(Pass& pass, double clip_z, double eye_distance) {
     pass.world_from_scene = glm::dmat4(1.0);
     pass.clip_planes.clear();
     pass.cull = CullParams{};
-    // The square of ±1 in x and z.
+    // The square from −1 to 1 in x and z.
     pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, clip_z, 1}};
     pass.view_from_world = glm::dmat4(0.0);
     pass.view_from_world[3] = {0.0, 0.0, -eye_distance, 1.0};
@@ -141,7 +142,7 @@ int reflection_depth(const Params& params, const Derived& derived) {
     if (!is_drawn_by_gl_alone(params.visibility.method)) return std::min(params.reflection.bounces, 1);
     const auto mirrors = static_cast<int>(std::count_if(derived.planes.begin(), derived.planes.end(),
                                                         [](const DerivedPlane& plane) { return plane.mirrors; }));
-    // Each mirror that is met takes one more of the values that the stencil's low bits can tell apart.
+    // Each mirror in a row uses one more value of the stencil's low bits.
     int depth = std::min(params.reflection.bounces, stencil_region_bits - static_cast<int>(derived.planes.size()));
     const auto is_too_much = [&] {
         const int images = image_count(mirrors, depth);
@@ -163,7 +164,7 @@ Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, st
 void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     const ReflectionParams& reflection = level.params.reflection;
     Level inside = world_inside(level, plane);
-    if (!reflection.stencil) {  // the objects, wherever depth lets them be
+    if (!reflection.stencil) {  // only depth limits where the objects appear
         inside.region = 0;
         passes.push_back(objects_pass(inside));
         return;

@@ -1,5 +1,5 @@
 // Planar shadows: casters flattened by S onto a patch, painted over it or, as missing light, counted before the patch
-// is drawn. Each light has a bit of the stencil. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
+// is drawn. Each light has a stencil bit. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +9,13 @@
 namespace viewing {
 namespace {
 
-/// What lies between the light and the plane: before the plane, and where w is positive.
+/// Returns planes that keep the space between light and plane: in front of the plane, and with a positive w.
 std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4& unit_plane, const CastShadow& cast) {
     const glm::dvec4 towards_light = plane_facing(unit_plane, cast.light_world);
     std::vector<ClipPlane> clips;
     if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
-        // A little before w = 0, where float32 begins to take its sign for another: a light may all but touch a caster.
+        // Slightly before w = 0, where float32 may get its sign wrong: a light may almost touch a caster.
         constexpr double smallest_w = 1e-5;
         glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
         w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
@@ -47,7 +47,7 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
     }
 }
 
-/// Casters flattened by S onto the plane, then seen as the level sees it.
+/// Flattens the casters onto the plane with S, then draws them as the level sees them.
 Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::string name, std::string reason) {
     const CastShadow& cast = level.plane(plane).shadows[light];
     Pass pass = level.pass(std::move(name), std::move(reason), Subject::objects);
@@ -57,10 +57,10 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
     pass.matrices = level.matrices + " " + level.shadow_symbol(plane, light);
-    // What is cut off at the light first has no negative w left to force.
+    // Clipping at the light leaves no negative w to force.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
-    pass.cull = CullParams{};  // which shadows fall never depends on culling
+    pass.cull = CullParams{};  // culling never decides which shadows fall
     pass.clip_planes = caster_clips(shadow, level.plane(plane).unit_plane, cast);
     return pass;
 }
@@ -76,14 +76,14 @@ std::string name_without(const Level& level, std::span<const std::size_t> missin
 void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     const ShadowParams& shadow = level.params.shadow;
     const std::vector<std::size_t> lights = level.casting_lights(plane);
-    // Together the lights' shadows are as dark as the one shadow of a single light.
+    // All shadows together are as dark as the shadow of a single light.
     const auto share = 1.0 / static_cast<double>(lights.size());
     const double opacity = lights.size() == 1 ? shadow.opacity : 1.0 - std::pow(1.0 - shadow.opacity, share);
     const bool is_alone = level.derived.lights_world.size() == 1;
     for (const std::size_t light : lights) {
         Pass pass = shadow_pass(level, plane, light,
                                 is_alone ? tr("Shadow") : say("Shadow of light {light}", "light"_a = light + 1),
-                                tr("draws the casters once more through S, flat on the plane"));
+                                tr("draws the casters once more through S, flattened onto the plane"));
         pass.color = color_of(shadow.color, opacity);
         pass.blend = Blend::alpha;
         pass.depth.write = shadow.write_depth && level.params.depth.write;
@@ -97,14 +97,14 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
     const bool mirrors = level.mirrors(plane);
     if (!(mirrors && level.params.reflection.stencil))
         passes.push_back(patch_mask(level, plane, {marked("Receiver mask"), marked("Receiver mask {plane}")},
-                                    tr("marks the patch in the stencil buffer as the receiver of shadows")));
+                                    tr("marks the patch in the stencil buffer as a shadow receiver")));
     const std::vector<std::size_t> lights = level.casting_lights(plane);
     const bool is_alone = level.derived.lights_world.size() == 1;
     for (const std::size_t light : lights) {
         Pass mask =
             shadow_pass(level, plane, light,
                         is_alone ? tr("Shadow mask") : say("Shadow mask of light {light}", "light"_a = light + 1),
-                        tr("marks where the light is missing: no colour yet"));
+                        tr("marks where the light is missing: no color yet"));
         mask.color_write = false;
         mask.depth.test = false;
         mask.stencil = stencil_of_shadow(level, plane, light);
@@ -119,9 +119,10 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
         patch.name = level.placed(name_without(level, missing));
-        patch.reason = missing.empty()   ? tr("where the stencil is clear, the light arrives")
-                       : shining.empty() ? tr("where the stencil counts a caster, only ambient light arrives")
-                                         : tr("where the stencil counts these lights as missing, the others arrive");
+        patch.reason = missing.empty() ? tr("where the stencil is clear, the light arrives")
+                       : shining.empty()
+                           ? tr("where the stencil marks a shadow, only ambient light arrives")
+                           : tr("where the stencil marks these lights as missing, only the others arrive");
         patch.stencil = stencil_of_patch_without(level, plane, missing);
         passes.push_back(patch);
     }

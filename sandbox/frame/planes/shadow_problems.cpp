@@ -1,5 +1,5 @@
-// The switches of the planar shadow, each with the sentence that says why it breaks the picture, told only where that
-// can be seen. Part of problems.h; mirror_problems.cpp is its counterpart.
+// Reports why each switch of the planar shadow breaks the picture, but only if that is visible. Part of problems.h;
+// mirror_problems.cpp is its counterpart.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ struct Thrown {
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
-    /// · p is the w of the projected p as it should be: positive between light and plane.
+    /// The dot product of right_w() and p is the w that p's projection should have: positive between light and plane.
     glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
@@ -38,25 +38,25 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived)
     return thrown;
 }
 
-/// Casters beyond a point light. Returns whether there are any.
+/// Reports casters beyond a point light. Returns whether there are any.
 bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
     const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
         across.empty() ? tell.broken(true,
-                                     say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
-                                         "throws an anti-shadow",
+                                     say("w ≤ 0 for the part of {objects} beyond the light: its sign is forced, so it "
+                                         "casts an anti-shadow",
                                          "objects"_a = beyond),
                                      "shadow.sign")
                        : tell.broken(true,
-                                     say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
-                                         "throws an anti-shadow, and what crosses w = 0 stretches to infinity",
+                                     say("w ≤ 0 for the part of {objects} beyond the light: its sign is forced, so it "
+                                         "casts an anti-shadow, and triangles that cross w = 0 stretch to infinity",
                                          "objects"_a = beyond),
                                      "shadow.clip_at_light");
     else if (!across.empty())
-        tell(true, say("the plane through the light, where w = 0, cuts {objects}: the shadow reaches to infinity, and "
-                       "GL alone cuts off what lies beyond (w ≤ 0)",
+        tell(true, say("the plane w = 0 through the light cuts {objects}: the shadow extends to infinity, and only "
+                       "GL's clipping removes the part beyond (w ≤ 0)",
                        "objects"_a = across));
     else
         tell(true, say("the part of {objects} that is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
@@ -64,19 +64,19 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
     return true;
 }
 
-/// Where a caster is not between light and plane, and what the switches make of it.
+/// Reports casters that are not between light and plane, and the effects of the switches on them.
 void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
     const bool vanishes = shadow.sign == ShadowSign::none &&
                           std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.side() < 0.0; });
     tell.broken(
         vanishes,
-        tr("S is uploaded as it is, and Π·L < 0: every caster gets a negative w, so the clipper removes every shadow"),
+        tr("S is uploaded unchanged, and Π·L < 0: every caster gets a negative w, so clipping removes every shadow"),
         "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
         tell.broken(true,
-                    say("behind the plane w is positive, too: what is there of {objects} is not clipped, and throws a "
+                    say("behind the plane, w is positive too: the part of {objects} there is not clipped and casts a "
                         "false shadow",
                         "objects"_a = names),
                     "shadow.clip_casters");
@@ -87,7 +87,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
         if (say_beyond(tell, shadow, one, scene)) return;
 }
 
-/// The offset that keeps a blended shadow from fighting with its plane.
+/// Reports the offset that keeps a blended shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
@@ -100,8 +100,7 @@ void say_offset(Sayer& tell, const Params& params) {
     if (is_nothing)
         return tell.broken(
             true,
-            tr("nothing lifts the shadow off the plane it lies in: the two have the same depth but for rounding, and "
-               "fight"),
+            tr("nothing lifts the shadow off its plane: the two depths differ only by rounding, so the surfaces fight"),
             shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
     tell.broken(by_polygon && factor >= 0.0 && units >= 0.0,
                 tr("the polygon offset pushes the shadow away from the eye: the plane hides it"));
@@ -109,24 +108,24 @@ void say_offset(Sayer& tell, const Params& params) {
                 tr("the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
                 "shadow.write_depth");
     tell.broken(by_lift,
-                say("the shadow floats {height} above the plane: at a grazing view it slides away from its caster",
+                say("the shadow floats {height} above the plane: at a grazing angle it slides away from its caster",
                     "height"_a = figures(shadow.lift, 3)),
                 "shadow.offset");
 }
 
-/// What paint cannot do that missing light does.
+/// Reports errors of painted shadows that missing light avoids.
 void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
     tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
-                tr("each face of each caster is blended where it falls, one over the other: without the stencil's "
-                   "count, shadow darkens shadow"),
+                tr("each face of each caster is blended over the others: without the stencil's count, the shadow "
+                   "darkens wherever they overlap"),
                 "shadow.stencil_once");
     const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
     tell.broken(
         has_gloss && shadow.opacity > 0.0,
-        tr("blending darkens the highlight, which should be missing: where the light does not arrive, it cannot gleam"),
+        tr("blending only darkens the highlight, which should be gone: where no light arrives, nothing can shine"),
         "shadow.style=missing_light");
     tell.broken(shadow.opacity >= 1.0,
-                tr("paint of opacity 1 covers the plane's pattern: in a true shadow ambient light still shows it"),
+                tr("opacity 1 covers the plane's pattern: in a true shadow, ambient light still shows it"),
                 "shadow.style=missing_light");
 }
 
@@ -146,8 +145,8 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
                                     one.plane.patch);
             });
         tell.broken(beyond_edge,
-                    tr("S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the "
-                       "floor's edge, in the air"),
+                    tr("S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
+                       "past the floor's edge into the air"),
                     "shadow.clip_to_receiver");
         say_paint(tell, shadow, thrown);
         say_offset(tell, params);
@@ -156,13 +155,12 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     const bool lights = derived.lights_world.size() > 1 && thrown.size() > 1,
                planes = drawn_planes(params, derived).size() > 1;
     tell.broken(lights && !planes,
-                tr("the lights share one stencil bit: where the shadow of one has been counted, that of another is "
-                   "missing"),
+                tr("the lights share one stencil bit: where one light's shadow was counted, another's is missing"),
                 "shadow.own_stencil");
     tell.broken(planes,
-                lights ? tr("planes and lights share one stencil value: where one shadow was counted the next one is "
+                lights ? tr("planes and lights share one stencil value: where one shadow was counted, the next is "
                             "missing, and shadows leak from plane to plane")
-                       : tr("the planes share one stencil value: where one shadow was counted the next one is missing, "
+                       : tr("the planes share one stencil value: where one shadow was counted, the next is missing, "
                             "and shadows leak from plane to plane"),
                 "shadow.own_stencil");
 }

@@ -1,11 +1,11 @@
-// WebGL 2: OpenGL ES 3.0's words, with extensions asked for by name.
+// WebGL 2: the calls of OpenGL ES 3.0, with extensions enabled by name.
 #include "gl/dialect.h"
 
 #include <emscripten.h>
 
 #include "gl/gl.h"
 
-// Extensions that this compiler's headers do not know are asked of the browser's own object.
+// Ask the browser's own object for extensions that this compiler's headers do not have.
 EM_JS(int, has_webgl_extension, (const char* name), { return GLctx.getExtension(UTF8ToString(name)) ? 1 : 0; });
 EM_JS(void, set_webgl_clip_depths, (int from_zero), {
     const clip = GLctx.getExtension("EXT_clip_control");
@@ -14,7 +14,7 @@ EM_JS(void, set_webgl_clip_depths, (int from_zero), {
 
 EM_JS(void, copy_webgl_pack_buffer, (void* place, int size),
       { GLctx.getBufferSubData(GLctx.PIXEL_PACK_BUFFER, 0, HEAPU8, place, size); });
-// In app/browser/page/page.js.
+// Defined in app/browser/page/page.js.
 EM_JS(void, tell_webgl_renderer, (char* name, int size), { stringToUTF8(page.rendererName(GLctx), name, size); });
 
 namespace viewing::gl {
@@ -50,7 +50,7 @@ bool has_clip_control() {
     return has;
 }
 
-// WEBGL_clip_cull_distance is in some browsers alone; what clips by discarding draws the same pixels in all.
+// Only some browsers have WEBGL_clip_cull_distance; clipping with discard draws the same pixels in all of them.
 bool has_clip_distance() {
     return false;
 }
@@ -59,7 +59,7 @@ bool can_read_depth_stencil() {
     return false;
 }
 
-// The page hears of each error (the console), and glGetError() knows it too.
+// The page reports each error on the console, and glGetError() also returns it.
 bool has_debug_output() {
     return false;
 }

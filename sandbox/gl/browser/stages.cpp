@@ -1,4 +1,4 @@
-// WebGL 2 has linked programs alone.
+// WebGL 2 has only linked programs.
 #include "gl/stages.h"
 
 namespace viewing::gl {
@@ -6,7 +6,7 @@ namespace viewing::gl {
 void DeletePipeline::operator()(GLuint /*name*/) const {}
 
 Result<Program> make_stage(GLenum /*stage*/, std::string_view /*source*/, std::string_view /*defines*/) {
-    return Error{"this dialect of GL has no programs of one stage"};
+    return Error{"this GL dialect has no separable programs"};
 }
 
 Pipeline make_pipeline(const Program& /*vertex*/, const Program& /*fragment*/) {

@@ -57,7 +57,8 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
     return get(platform, native, nullptr);
 }
 
-/// A device has one display in a process, however often it is asked for: its last context ends it.
+/// Counts contexts per display. A device has only one display per process, however often it is requested, and the last
+/// context must terminate it.
 struct DisplayUse {
     std::mutex mutex;
     std::map<EGLDisplay, int> contexts;
@@ -66,7 +67,7 @@ DisplayUse display_use;
 
 EGLContext core_context(EGLDisplay display) {
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
-    // No surface is ever made: drawing goes into own framebuffers, whose formats are chosen there.
+    // No surface is ever made: all drawing goes into our own framebuffers, which have their own formats.
     const EGLint config_wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -78,13 +79,13 @@ EGLContext core_context(EGLDisplay display) {
         3,
         EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-        EGL_CONTEXT_FLAGS_KHR,  // of the extension, since EGL 1.4 knows no attribute of its own
+        EGL_CONTEXT_FLAGS_KHR,  // from the extension, since EGL 1.4 itself has no such attribute
         EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
         EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
 }
 
-/// What EGL says of its last call: "EGL_BAD_MATCH".
+/// Returns the error of the last EGL call: "EGL_BAD_MATCH".
 std::string egl_error() {
     constexpr const char* names[] = {"no error",          "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
                                      "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",
@@ -92,10 +93,10 @@ std::string egl_error() {
                                      "EGL_BAD_MATCH",     "EGL_BAD_NATIVE_PIXMAP",   "EGL_BAD_NATIVE_WINDOW",
                                      "EGL_BAD_PARAMETER", "EGL_BAD_SURFACE",         "EGL_CONTEXT_LOST"};
     const EGLint code = eglGetError() - EGL_SUCCESS;
-    return code >= 0 && code < static_cast<EGLint>(std::size(names)) ? names[code] : "an error of its own";
+    return code >= 0 && code < static_cast<EGLint>(std::size(names)) ? names[code] : "an unknown error";
 }
 
-/// Adds to a list what a display did not do; nobody may want to know.
+/// Adds the step that failed on a display to a list; null: no list.
 void note(std::string* refused, const std::string& description, const char* what) {
     const std::string why = egl_error();
     if (refused == nullptr) return;
@@ -131,7 +132,7 @@ std::optional<EglContext> EglContext::on_display(void* display, std::string desc
     {
         const std::lock_guard lock(display_use.mutex);
         if (!eglInitialize(display, nullptr, nullptr)) {
-            note(refused, description, "cannot be initialised");
+            note(refused, description, "cannot be initialized");
             return std::nullopt;
         }
         ++display_use.contexts[display];
@@ -140,7 +141,7 @@ std::optional<EglContext> EglContext::on_display(void* display, std::string desc
     made.description_ = std::move(description);
     made.context_ = core_context(display);
     if (made.context_ == EGL_NO_CONTEXT || !made.is_made_current()) {
-        note(refused, made.description_, "gives no OpenGL 3.3 core context");
+        note(refused, made.description_, "provides no OpenGL 3.3 core context");
         return std::nullopt;
     }
     return made;
@@ -183,7 +184,7 @@ Result<EglContext> EglContext::make(const std::string& wish) {
         char* end = nullptr;
         const long index = std::strtol(wish.c_str(), &end, 10);
         if (*end != '\0' || index < 0 || index >= count)
-            return Error{"--device " + wish + ": there is no such EGL device; allowed are auto and 0 … " +
+            return Error{"--device " + wish + ": there is no such EGL device; use auto or 0 … " +
                          std::to_string(count - 1) + " (see viewing-sandbox doctor)"};
         const auto at = static_cast<int>(index);
         if (auto made = on_device(devices[static_cast<std::size_t>(at)], at, &refused)) return std::move(*made);

@@ -1,4 +1,4 @@
-// Apart from facts.cpp: EGL's own header and the GL loader's do not go together.
+// Separate from facts.cpp, because EGL's own header conflicts with the one of the GL loader.
 #include <dlfcn.h>
 #include <EGL/egl.h>
 

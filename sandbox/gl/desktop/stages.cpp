@@ -32,7 +32,7 @@ Pipeline make_pipeline(const Program& vertex, const Program& fragment) {
 }
 
 void use(const Pipeline& pipeline) {
-    glUseProgram(0);  // which would have precedence
+    glUseProgram(0);  // a current program would take precedence over the pipeline
     glBindProgramPipeline(pipeline.name());
 }
 

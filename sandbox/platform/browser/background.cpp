@@ -1,6 +1,6 @@
-// A page has one thread: work waits in a queue, and goes on between frames. Where the browser can suspend WebAssembly
-// (JavaScript Promise Integration), a work stands still wherever it asks whether it is cancelled, as soon as the page's
-// turn is due, on a stack of its own; elsewhere it is done in one go. The page's side is in app/browser/page/page.js.
+// A page has one thread: work waits in a queue and runs between frames. If the browser can suspend WebAssembly
+// (JavaScript Promise Integration), work runs on its own stack and pauses when it checks for cancellation and the page
+// is due for a frame; otherwise it runs without a pause. The JavaScript side is in app/browser/page/page.js.
 #include "platform/background.h"
 
 #include <emscripten.h>
@@ -16,7 +16,7 @@
 #include "text/catalogue.h"
 
 EM_JS(void, page_begin_work, (void* run, void* stack_end), { page.beginWork(run, stack_end); });
-// Replaced by one that suspends where there is such a thing: the name is known to page.js.
+// Does nothing, unless page.js replaces it, by name, with a function that suspends.
 EM_JS(void, page_pause, (), {});
 EM_JS(int, page_can_pause, (), { return page.canPause ? 1 : 0; });
 
@@ -50,9 +50,9 @@ struct BackgroundCall::State {
 namespace {
 
 std::deque<std::function<void()>> waiting;
-bool is_running = false;  ///< some work has begun, and may stand still
+bool is_running = false;  ///< some work has begun, and may be suspended
 
-/// Everything that waits, on the stack of works.
+/// Runs all waiting work, on the stack for work.
 void run_waiting() {
     is_at_work = true;
     slice_began_ms = emscripten_get_now();
@@ -74,7 +74,7 @@ void* end_of_stack() {
 
 void give_way() {
     if (!is_at_work || emscripten_get_now() - slice_began_ms < slice_ms) return;
-    is_at_work = false;  // what the page does meanwhile is none
+    is_at_work = false;  // the page's own code that runs in between is not work
     page_pause();
     is_at_work = true;
     slice_began_ms = emscripten_get_now();
@@ -96,7 +96,7 @@ BackgroundCall::BackgroundCall(std::function<void()> work) : state_(std::make_sh
     if (!std::exchange(is_running, true)) page_begin_work(reinterpret_cast<void*>(run_waiting), end_of_stack());
 }
 
-/// Tasks live as long as the page; one that goes earlier has been waited for, or has not begun.
+/// Tasks live as long as the page. Work whose task ends earlier has been waited for, or has not begun.
 BackgroundCall::~BackgroundCall() {
     if (!state_->has_begun) state_->is_done = true;
 }
@@ -105,7 +105,8 @@ bool BackgroundCall::is_done() const {
     return state_->is_done;
 }
 
-/// The page cannot wait: what has begun goes on after it. What has not is done here and now, if its end is needed.
+/// The page cannot wait, so work that has begun continues afterward. Work that has not begun runs here, if the call
+/// waits without a limit.
 void BackgroundCall::wait(double seconds) const {
     if (seconds < 0.0 && !state_->has_begun) state_->run();
 }

@@ -1,4 +1,5 @@
-// A browser has one program, whose files lie beside it at the root.
+// In a browser, the program cannot start others. Its files are at the root of the page's file system, as if the program
+// were there.
 #include "platform/child_process.h"
 
 namespace viewing {

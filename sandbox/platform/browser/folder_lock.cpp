@@ -1,4 +1,5 @@
-// One thread, and a file system of the page's own: what other tabs have written comes by storage events (page/kept.js).
+// Does nothing: a page has one thread and its own file system. Changes by other tabs arrive in storage events
+// (page/kept.js).
 #include <system_error>
 
 #include "platform/shared_file.h"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-// Both in app/browser/page/page.js.
+// page_ask_for_file and the next function call app/browser/page/page.js.
 EM_JS(void, page_ask_for_file, (), { page.askForFile(); });
 EM_JS(void, page_hand_over, (const char* file), { page.handOver(UTF8ToString(file)); });
 
@@ -39,7 +39,7 @@ std::string place_for_person(const std::filesystem::path& written) {
 
 }  // namespace viewing
 
-/// The page has put what the person chose where it can be read.
+/// Called when the page has stored the chosen file in its file system.
 extern "C" EMSCRIPTEN_KEEPALIVE void page_file_is_chosen(const char* file) {
     viewing::chosen = file;
 }

@@ -1,10 +1,10 @@
-// What a page's one thread costs where the browser cannot suspend WebAssembly: work is done in one go.
+// Reports freezes of a page's only thread: if the browser cannot suspend WebAssembly, work runs without a pause.
 #pragma once
 
 namespace viewing {
 
-/// How many milliseconds the longest work that has ended since this was asked last held the page; 0 where works stand
-/// still for the page's turns, and where none has ended.
+/// Returns how many milliseconds the longest work that ended since the last call blocked the page; 0 if none ended, or
+/// if work can be suspended.
 double take_standstill_ms();
 
 }  // namespace viewing

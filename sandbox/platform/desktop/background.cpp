@@ -54,7 +54,7 @@ bool can_start_threads(int count) {
     std::vector<std::thread> threads;
     bool could = true;
     {
-        const std::lock_guard closed(gate);  // none ends before the last one has begun
+        const std::lock_guard closed(gate);  // no thread ends before the last one has started
         try {
             for (int i = 0; i < count; ++i) threads.emplace_back([&gate] { const std::lock_guard passed(gate); });
         } catch (const std::system_error&) {

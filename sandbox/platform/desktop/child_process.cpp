@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t most_complaints = 64U << 10U;
 
-/// One direction of a pipe, closed at its end.
+/// One end of a pipe, closed by the destructor.
 class PipeEnd {
 public:
     PipeEnd() = default;
@@ -52,11 +52,12 @@ struct Pipe {
 
 Result<Pipe> make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Error{std::string("no pipe: ") + std::strerror(errno)};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return Error{std::string("cannot create a pipe: ") + std::strerror(errno)};
     return Pipe{PipeEnd(ends[0]), PipeEnd(ends[1])};
 }
 
-/// What is there, without waiting; closed at its end.
+/// Reads available output without waiting; closes the pipe at the end of its data.
 void read_available(PipeEnd& pipe, std::string& text) {
     std::array<char, 16384> part{};
     while (pipe.is_open()) {
@@ -128,7 +129,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argumen
 bool ChildProcess::give(std::string_view text) {
     struct sigaction ignore {};
     struct sigaction before {};
-    ignore.sa_handler = SIG_IGN;  // a child that has gone is an answer, no end of this process
+    ignore.sa_handler = SIG_IGN;  // a child that has ended is a result, and must not end this process
     ::sigaction(SIGPIPE, &ignore, &before);
     std::size_t written = 0;
     while (state_->input.is_open() && written < text.size()) {
@@ -202,7 +203,7 @@ int ChildProcess::exit_status() const {
 }
 
 void ChildProcess::listen(std::span<ChildProcess* const> children, double seconds, int wake_file) {
-    std::vector<pollfd> files{{wake_file, POLLIN, 0}};  // poll() passes over −1
+    std::vector<pollfd> files{{wake_file, POLLIN, 0}};  // poll() ignores −1
     for (const ChildProcess* const child : children)
         for (const PipeEnd* const end : {&child->state_->output, &child->state_->complaints})
             if (end->is_open()) files.push_back({end->file(), POLLIN, 0});
@@ -215,7 +216,7 @@ void ChildProcess::listen(std::span<ChildProcess* const> children, double second
 void end_with_parent() {
     leave_terminal_to_parent();
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    // Where it had ended before, nobody writes into standard input any more.
+    // If the parent ended before this call, no signal will come; but then standard input has no writer.
     pollfd input{STDIN_FILENO, 0, 0};
     if (::poll(&input, 1, 0) == 1 && (input.revents & POLLHUP) != 0) ::_exit(EXIT_FAILURE);
 }

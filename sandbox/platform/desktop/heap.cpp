@@ -18,13 +18,14 @@ std::uintptr_t end_of_heap() {
     return reinterpret_cast<std::uintptr_t>(sbrk(0));
 }
 
-/// Until the heap grows, by `heap_bytes` at once. A block that is taken from elsewhere ends the search.
+/// Allocates blocks until the heap grows, by `heap_bytes` in one step, then frees them. Stops after a few blocks if the
+/// heap does not grow.
 void grow_heap() {
     constexpr std::size_t block_bytes = 64 << 10;
-    constexpr int most_blocks = 8;  // what is free in a heap at a program's beginning is less
+    constexpr int most_blocks = 8;  // at program start, the free space in the heap is less than this
     const std::uintptr_t before = end_of_heap();
     mallopt(M_TOP_PAD, heap_bytes);
-    void* volatile blocks[most_blocks] = {};  // volatile: a compiler may leave out what is freed unused
+    void* volatile blocks[most_blocks] = {};  // volatile: otherwise a compiler may omit unused blocks
     for (void* volatile& block : blocks)
         if (block = std::malloc(block_bytes); end_of_heap() != before) break;
     for (void* block : blocks) std::free(block);
@@ -51,7 +52,7 @@ void give_large_blocks_back() {
 void take_large_pages(std::chrono::microseconds longest) {
     using Clock = std::chrono::steady_clock;
     std::uintptr_t at = (reserve_begin + large_page_bytes - 1) / large_page_bytes * large_page_bytes;
-    reserve_begin = reserve_end;  // each is asked for once
+    reserve_begin = reserve_end;  // request each page only once
     for (; at + large_page_bytes <= reserve_end; at += large_page_bytes) {
         void* const page = reinterpret_cast<void*>(at);
         const Clock::time_point begin = Clock::now();

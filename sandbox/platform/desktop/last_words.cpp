@@ -21,13 +21,13 @@ namespace fs = std::filesystem;
 
 struct LastWords {
     std::string target;  ///< "" for standard output
-    std::string beside;  ///< where a plain file grows; "" for others
+    std::string beside;  ///< a plain file is first written under this name; "" for others
     std::vector<std::pair<int, std::string>> text_by_status;
 };
 
 std::atomic<const LastWords*> current = nullptr;
 
-/// False where it would have to wait, or something fails.
+/// Writes a text. Returns false if that would block, or if it fails.
 bool write_without_waiting(int file, std::string_view text) {
     while (!text.empty()) {
         pollfd wanted{file, POLLOUT, 0};
@@ -52,7 +52,7 @@ void replace_file(const LastWords& words, std::string_view text) {
 }  // namespace
 
 void set_last_words(const fs::path& file, std::vector<std::pair<int, std::string>> text_by_status) {
-    // Kept to the end, since a handler may be reading any of them.
+    // Never freed, since a signal handler may be reading any of them.
     static std::vector<std::unique_ptr<const LastWords>> all;
     LastWords words{.target = {}, .beside = {}, .text_by_status = std::move(text_by_status)};
     if (file != "-") {

@@ -15,7 +15,7 @@ bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// The word or character of a text that a parser stumbled over, fit to be shown.
+/// Returns the word or character at which the parser failed, in printable form.
 std::string word_at(std::string_view text, std::size_t offset) {
     const auto in_word = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.';
@@ -34,26 +34,26 @@ std::string word_at(std::string_view text, std::size_t offset) {
     return excerpt(text.substr(begin, end - begin));
 }
 
-/// What is wrong with a text that is not JSON, in our words; `reason` is the library's.
+/// Explains in our own words why a text is not JSON; `reason` is the library's message.
 std::string syntax_complaint(std::string_view text, std::size_t offset, std::string_view reason) {
     if (contains(reason, "UTF-8")) {
         return "the text is not valid UTF-8";
     }
     if (contains(reason, "missing closing quote")) {
-        return "a text in quotes is not closed";
+        return "a string has no closing quote";
     }
     if (contains(reason, "control character")) {
-        return "a text in quotes holds a control character; write it as \\n, \\t or \\u0000";
+        return "a string contains a control character; write it as \\n, \\t or \\u0000";
     }
     if (offset >= text.size()) {
-        return "the text ends too early";
+        return "the document ends too early";
     }
     const std::string word = word_at(text, offset);
     if (word == "/") {
         return "comments are not allowed in JSON";
     }
     if (contains(reason, "expected end of input")) {
-        return "something follows the end of the document: " + word;
+        return "unexpected text after the end of the document: " + word;
     }
     std::string letters;
     for (const char c : word) {
@@ -67,7 +67,7 @@ std::string syntax_complaint(std::string_view text, std::size_t offset, std::str
     return "unexpected " + word;
 }
 
-/// Builds the tree from the parser's events and stops at what the contract refuses.
+/// Builds the tree from the parser's events and refuses everything that the contract forbids.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     Builder(std::string_view text, const std::string& prefix, std::size_t most_values)
@@ -104,7 +104,7 @@ public:
                      const nlohmann::detail::exception& error) override {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) {
-            next_place().refuse("the number " + excerpt(token) + " is too large, numbers go up to 1e12");
+            next_place().refuse("the number " + excerpt(token) + " is too large; the limit is 1e12");
         }
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
         const std::string_view before = text_.substr(0, offset);
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    /// The path of the innermost open container.
+    /// Returns the path of the innermost open container.
     Where place() const {
         Where where = here_;
         for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
@@ -128,7 +128,7 @@ private:
 
     static const std::string& last_key(const Json& object) { return std::prev(object.end()).key(); }
 
-    /// The path of the value that comes next.
+    /// Returns the path of the next value.
     Where next_place() const {
         if (open_.empty()) {
             return here_;
@@ -176,7 +176,7 @@ private:
     std::string_view text_;
     Where here_;
     Json root_;
-    std::vector<Json*> open_;  ///< the containers that are not closed yet, outermost first
+    std::vector<Json*> open_;  ///< the containers that are still open, outermost first
     std::string key_;
     std::size_t values_ = 0;
     const std::size_t most_values_;
@@ -242,9 +242,9 @@ Json parse_document(std::string_view text, const std::string& prefix, const Docu
     }
     Builder builder(text, prefix, limits.values);
     Json::sax_parse(text.begin(), text.end(), &builder);
-    // Which the parser takes for the end, whatever follows; within a text it has refused it.
+    // The parser stops at a NUL and ignores the rest. It has already refused a NUL inside a string.
     if (text.find('\0') != std::string_view::npos)
-        throw SyntaxRefusal(prefix + "not JSON: something follows the end of the document: a NUL");
+        throw SyntaxRefusal(prefix + "not JSON: unexpected text after the end of the document: a NUL");
     return builder.take();
 }
 
@@ -257,9 +257,9 @@ std::string print_document(const Json& document) {
 std::string describe(const Json& value) {
     switch (value.type()) {
         case Json::value_t::string:
-            return "the text \"" + excerpt(value.get_ref<const std::string&>()) + "\"";
+            return "the string \"" + excerpt(value.get_ref<const std::string&>()) + "\"";
         case Json::value_t::array:
-            return "an array of " + std::to_string(value.size());
+            return "an array of length " + std::to_string(value.size());
         case Json::value_t::object:
             return "an object";
         case Json::value_t::number_float:

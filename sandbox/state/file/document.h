@@ -1,5 +1,5 @@
-// Internal to state/: JSON text as a tree and back, with the limits and the messages of the contract.
-// Only .cpp files include this: the JSON library's header is slow. Read reader.h next.
+// Parses and prints JSON text as a tree, with the limits and messages of the contract. Include this only where a tree
+// is needed: the JSON library's header compiles slowly. Read reader.h next.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,14 +13,15 @@
 
 namespace viewing {
 
-/// Keeps the order of the keys, so that what is wrong first is told first.
+/// Keeps the order of the keys, so that the first mistake in the file is reported first.
 using Json = nlohmann::ordered_json;
 
 inline constexpr std::size_t max_document_depth = 64;
 inline constexpr std::size_t max_document_values = 1'000'000;
 inline constexpr std::size_t max_object_keys = 1'000;
 
-/// Bad input, with the whole sentence for a person. Thrown inside the readers and caught at their edge, by guarded().
+/// Bad input, described in a complete sentence for the user. The readers throw it; guarded() catches it at their
+/// boundary.
 struct Refusal : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -30,7 +31,7 @@ struct SyntaxRefusal : Refusal {
     using Refusal::Refusal;
 };
 
-/// Runs a reader; what it refuses becomes the result's error.
+/// Runs a reader and converts its refusal to the result's error.
 template <typename Read>
 auto guarded(Read read) -> Result<decltype(read())> {
     try {
@@ -40,7 +41,7 @@ auto guarded(Read read) -> Result<decltype(read())> {
     }
 }
 
-/// A place in a document: what every message opens with, and the path so far.
+/// A place in a document: the prefix of every message, and the path so far.
 struct Where {
     std::string prefix;  ///< "state.json: " or "--set "
     std::string path;    ///< "projection.near", keys cut at 20 characters; empty at the root
@@ -50,20 +51,20 @@ struct Where {
     [[noreturn]] void refuse(const std::string& what) const;
 };
 
-/// What a document may hold. A report that this program wrote itself may be larger than what people write.
+/// Limits of a document. A report written by this program may be larger than a file written by a person.
 struct DocumentLimits {
     std::size_t bytes = max_document_bytes, values = max_document_values;
 };
 
-/// Parses a JSON text whose messages open with `prefix`. Throws Refusal: not JSON (with line and column), not UTF-8, a
-/// key twice in one object, too long, too deep, too many values. A byte order mark at the beginning is skipped.
+/// Parses a JSON text; `prefix` starts every message. Throws Refusal if the text is not JSON (with line and column), is
+/// not UTF-8, repeats a key in one object, is too long or too deep, or has too many values. Skips a byte order mark.
 Json parse_document(std::string_view text, const std::string& prefix, const DocumentLimits& limits = {});
 
-/// Two spaces a level, arrays of plain values on one line, doubles in their shortest exact form; ends without a
-/// newline.
+/// Prints with two spaces of indentation per level, arrays of plain values on one line, doubles in their shortest exact
+/// form, and no newline at the end.
 std::string print_document(const Json& document);
 
-/// What a value is, in a few words for "got …": `the text "abc"`, `the number 3`, `an array of 2`.
+/// Describes a value in a few words for "got …": `the text "abc"`, `the number 3`, `an array of 2`.
 std::string describe(const Json& value);
 
 }  // namespace viewing

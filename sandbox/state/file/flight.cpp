@@ -16,14 +16,14 @@ const Json& member(const Json& object, const char* key, const Where& where) {
     return object[key];
 }
 
-/// Applies what the frame sets, so that every value is checked where it stands.
+/// Applies the frame's settings right away, so that an error names its place in the file.
 FlightFrame read_frame(const Json& frame, const Where& where, double before_s, Params& params) {
     require_keys(frame, where, {"t", "set"});
     FlightFrame read;
     read.t_s = read_number(member(frame, "t", where), where.key("t"), {0.0, longest_s});
     if (read.t_s < before_s)
-        where.key("t").refuse("times go on: must be at least " + format_number(before_s) +
-                              " as in the frame before, got " + format_number(read.t_s));
+        where.key("t").refuse("must be at least " + format_number(before_s) + ", the time of the previous frame, got " +
+                              format_number(read.t_s));
     const std::string prefix = where.prefix + where.path + ": ";
     read.settings = read_settings(member(frame, "set", where), where.key("set"));
     Result<Params> changed = apply_settings(params, read.settings, prefix);
@@ -56,13 +56,13 @@ Result<Params> FlightWalk::at(std::size_t index) {
 
 void FlightSize::add(std::string_view text) {
     bytes_ += text.size();
-    // Each value of JSON but the first follows one of these.
+    // Every JSON value except the first follows one of these.
     values_ += static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char sign) { return sign == ',' || sign == ':' || sign == '[' || sign == '{'; }));
 }
 
 bool FlightSize::is_too_much() const {
-    constexpr std::size_t spare = 1000;  // for what stands around all of it
+    constexpr std::size_t spare = 1000;  // for the text around the frames
     return bytes_ + spare > max_document_bytes || values_ + spare > max_document_values;
 }
 
@@ -85,7 +85,8 @@ bool is_flight(const Json& document) {
 Flight read_flight(const Json& document, const Where& where) {
     require_keys(document, where, {"version", "kind", "seconds", "state", "frames"});
     const Json& version = member(document, "version", where);
-    if (version != 1) refuse_value(version, where.key("version"), "1, the version of flights that this program reads");
+    if (version != 1)
+        refuse_value(version, where.key("version"), "1, the version of the format that this program reads");
     Flight flight;
     read_group(flight.start, member(document, "state", where), {where.prefix + "state: ", ""});
     check_together(flight.start, where.prefix + "state: ");

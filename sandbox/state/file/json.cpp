@@ -1,5 +1,5 @@
-// The public face of the readers and writers: state files, scene files and the `params` command. The work is done in
-// reader.cpp (fields), scene_reader.cpp (objects) and document.cpp (text); `--set` is in settings.cpp.
+// The public interface of the readers and writers: state files, scene files and the `params` command. reader.cpp reads
+// fields, scene_reader.cpp objects, document.cpp text; settings.cpp handles `--set`.
 #include "state/file/json.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace viewing {
 
 namespace {
 
-/// A field's default as text on one line.
+/// Returns a field's default as text on one line.
 std::string default_text(const Field& field) {
     Params defaults;
     return print_document(field_as_json(field, defaults));
@@ -85,7 +85,7 @@ std::string write_state(const Params& params, const Titles& titles) {
         if (!text.empty()) document[key] = text;
     };
     put("$schema", titles.schema);
-    document["version"] = nullptr;  // its place; the value follows
+    document["version"] = nullptr;  // reserves its position; the value follows
     put("title", titles.title);
     put("about", titles.about);
     put("group", titles.group);

@@ -1,5 +1,5 @@
-// The state file: JSON in and out, and `--set`. Every message names the source, the field's path, what
-// was wrong, what is allowed, and the nearest known name for a misspelt one.
+// The state file: reads and writes JSON, and applies `--set`. Every message names the source, the field's path, the
+// mistake, the allowed values and, for a misspelled name, the nearest known one.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@ namespace viewing {
 
 struct Flight;
 
-/// Reads a whole state; left-out fields have their defaults. `source` opens every message ("state.json").
+/// Reads a whole state; missing fields get their defaults. `source` starts every message ("state.json").
 Result<Params> parse_state(std::string_view json, std::string_view source);
 
-/// The same with what the file says about itself. A flight (flight.h) is its start.
+/// A state and the titles of its file. For a flight (flight.h), `params` is its start.
 struct StateDocument {
     Params params;
     Titles titles;
@@ -28,28 +28,28 @@ struct StateDocument {
 };
 Result<StateDocument> parse_state_document(std::string_view json, std::string_view source);
 
-/// Every field, in the order of the list, two spaces a level; reads back to the same Params exactly. Titles stand
-/// before the fields, those that are not empty.
+/// Writes every field in the order of the list, two spaces per level; reads back to exactly the same Params. Titles
+/// that are not empty come first.
 std::string write_state(const Params& params, const Titles& titles = {});
 
-/// Applies PATH=VALUE in order. A PATH may name a leaf (projection.near), a group (camera={"yaw":3}: the
-/// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string. `source` opens every
+/// Applies PATH=VALUE settings in order. PATH is a field (projection.near), a group (camera={"yaw":3} changes only the
+/// named fields) or an element (light.position[0]). VALUE is JSON; anything else is a string. `source` starts every
 /// message.
 Result<Params> apply_settings(Params params, std::span<const std::string> settings,
                               const std::string& source = "--set ");
 
-/// PATH=VALUE of every field in which `after` differs: applied to `before` they give `after` exactly.
+/// Returns PATH=VALUE for every field in which `after` differs: applied to `before`, they give exactly `after`.
 std::vector<std::string> settings_to(Params before, Params after);
 
-/// The setting that gives a field its default: "depth.func" → "depth.func=less".
+/// Returns the setting that gives a field its default: "depth.func" → "depth.func=less".
 std::string default_setting(std::string_view path);
 
-/// Reads a scene ({"objects": [...]}).
+/// Reads and writes a scene: {"objects": [...]}.
 Result<SceneDescription> parse_scene(std::string_view json, std::string_view source);
 
 std::string write_scene(const SceneDescription& scene);
 
-/// The `params` command: every field as JSON array or aligned text.
+/// Lists every field for the `params` command, as a JSON array or as aligned text.
 std::string params_as_json();
 std::string params_as_text();
 

@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr const char* broken = "link: it is cut off or damaged";
 
-/// Without the three signs of base64 that addresses know otherwise.
+/// Encodes without the three base64 characters that have a meaning in URLs: +, / and =.
 std::string base64url(const std::vector<std::uint8_t>& bytes) {
     std::string text = base64(bytes);
     text.erase(text.find_last_not_of('=') + 1);
@@ -31,7 +31,7 @@ std::string base64url(const std::vector<std::uint8_t>& bytes) {
     return text;
 }
 
-/// None: no text that base64url() makes.
+/// Decodes the output of base64url(); none for any other text.
 std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
     std::vector<std::uint8_t> bytes;
     std::uint32_t bits = 0;
@@ -56,7 +56,7 @@ Result<std::string> unpacked(const std::vector<std::uint8_t>& bytes) {
         case InflateEnd::whole:
             return std::move(found.text);
         case InflateEnd::followed:
-            return Error{"link: something follows the end of its state"};
+            return Error{"link: unexpected data after the end of its state"};
         case InflateEnd::too_long:
             return Error{"link: its state is " + longer_than(max_document_bytes)};
         case InflateEnd::damaged:
@@ -65,9 +65,9 @@ Result<std::string> unpacked(const std::vector<std::uint8_t>& bytes) {
     return Error{broken};
 }
 
-/// What follows #, in its parts.
+/// The parts of a link after its #.
 struct Parts {
-    std::string_view state;  ///< with its version; empty: there is none
+    std::string_view state;  ///< with its version; empty if there is none
     std::map<std::string_view, std::string_view> values;
     bool has(std::string_view key) const { return values.contains(key); }
 };
@@ -87,24 +87,26 @@ Result<Parts> parts_of(std::string_view fragment) {
             is_first = parts.state.empty();
             parts.state = part;
         } else if (sign == std::string_view::npos) {
-            return Error{"link: " + one_line(part) + " behind its # is neither a state nor KEY=VALUE; known are " +
+            return Error{"link: " + one_line(part) + " after the # is neither a state nor KEY=VALUE; use " +
                          known_parts};
         } else if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-            return Error{"link: " + one_line(key) + "=… means nothing here; known are " + known_parts};
+            return Error{"link: " + one_line(key) + "=… is unknown; use " + known_parts};
         } else {
             is_first = parts.values.emplace(key, part.substr(sign + 1)).second;
         }
-        if (!is_first) return Error{"link: two of one kind behind its #; " + std::string(known_parts) + ", each once"};
+        if (!is_first)
+            return Error{"link: a part appears twice after the #; use " + std::string(known_parts) + ", each once"};
     }
     if (!parts.state.empty() + parts.has("preset") + parts.has("lesson") != 1)
-        return Error{"link: behind its # stands one of these: " + std::string(known_parts)};
+        return Error{"link: the # must be followed by one of these: " + std::string(known_parts)};
     if (parts.has("step") && !parts.has("lesson")) return Error{"link: step=N needs lesson=ID"};
     return parts;
 }
 
 Result<std::string> state_in(std::string_view text) {
     if (text.front() != '1')
-        return Error{"link: its form has version " + std::string(1, text.front()) + ", this program reads version 1"};
+        return Error{"link: its format has version " + std::string(1, text.front()) +
+                     ", but this program reads version 1"};
     if (text.size() > max_document_bytes) return Error{"link: " + longer_than(max_document_bytes)};
     const std::optional<std::vector<std::uint8_t>> bytes = bytes_of(text.substr(1));
     if (!bytes) return Error{broken};
@@ -151,12 +153,12 @@ bool is_link(std::string_view text) {
 Result<Link> read_link(std::string_view text) {
     text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
     const std::size_t sign = text.find('#');
-    if (sign == std::string_view::npos) return Error{"link: no # with a state behind it"};
+    if (sign == std::string_view::npos) return Error{"link: there is no # followed by a state"};
     const Result<Parts> parts = parts_of(text.substr(sign + 1));
     if (!parts) return Error{parts.error()};
     if (parts->has("preset")) {
         const std::string_view preset = parts->values.at("preset");
-        if (!is_name(preset)) return Error{"link: " + one_line(preset) + " is no preset's name"};
+        if (!is_name(preset)) return Error{"link: " + one_line(preset) + " is not a preset name"};
         return Link{Link::Kind::preset, std::string(preset)};
     }
     if (parts->has("lesson")) {
@@ -165,7 +167,7 @@ Result<Link> read_link(std::string_view text) {
         std::size_t number = 0;
         const bool counts = step.size() < 4 && std::all_of(step.begin(), step.end(), is_digit);
         if (counts) std::from_chars(step.data(), step.data() + step.size(), number);
-        if (!is_name(lesson) || number == 0) return Error{"link: it names no lesson and step"};
+        if (!is_name(lesson) || number == 0) return Error{"link: it does not name a lesson and a step"};
         return Link{Link::Kind::lesson, std::string(lesson), number};
     }
     Result<std::string> json = state_in(parts->state);

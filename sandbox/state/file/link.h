@@ -1,6 +1,6 @@
-// A state as a link: an address, a #, and behind it what differs from the defaults; or the name of a preset, or a step
-// of a lesson. What follows # is parts with & between them: a state, which begins with its version, or KEY=VALUE. Read
-// load_state() in presets.h for where links are taken, and lesson/linked_step.h for those that name a step.
+// A state as a link: an address, a #, and the fields that differ from the defaults; or the name of a preset, or a step
+// of a lesson. Parts separated by & follow the #: a state, which begins with its version, or KEY=VALUE. load_state() in
+// presets.h accepts links; lesson/linked_step.h accepts those that name a step.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace viewing {
 
-/// What a link is put behind: $VIEWING_SANDBOX_LINK_BASE, else "viewing-sandbox.html".
+/// Returns the address in front of a link's #: $VIEWING_SANDBOX_LINK_BASE, else "viewing-sandbox.html".
 std::string link_base();
 
-/// "#1" and the fields that differ from the defaults as compact JSON, in zlib's form and base64url without padding. The
-/// opening state's is short too. What the scene names is named as it stands there: a link carries no files.
+/// Returns "#1" and the fields that differ from the defaults: compact JSON, compressed with zlib, as base64url without
+/// padding. The opening state has a short link too. File names stay unchanged: a link carries no files.
 std::string link_fragment(const Params& params);
 
-/// "#lesson=ID&step=N"; `step` counts from 1.
+/// Returns "#lesson=ID&step=N"; `step` counts from 1.
 std::string lesson_fragment(std::string_view id, std::size_t step);
 
-/// Whether a text is meant as a link: it begins with #, http://, https:// or file://, or has a page's name
-/// before its first #.
+/// Whether a text looks like a link: it begins with #, http://, https:// or file://, or has the name of a page before
+/// its first #.
 bool is_link(std::string_view text);
 
 struct Link {
@@ -32,9 +32,9 @@ struct Link {
     std::size_t step = 1;  ///< of a lesson, counted from 1
 };
 
-/// Blanks at its end are left out. The error is one sentence: a key that is unknown or there twice, a value that cannot
-/// be; of a state another version, cut off or damaged, larger than 16 MiB, or something behind its end. No more is
-/// unpacked than that. The JSON is not looked at.
+/// Reads a link, ignoring blanks at its end. The error is one sentence about an unknown or repeated key, an impossible
+/// value, or a state that has another version, is truncated or damaged, exceeds 16 MiB, or does not end where it
+/// should. Never decompresses more than 16 MiB. Does not check the JSON.
 Result<Link> read_link(std::string_view text);
 
 }  // namespace viewing

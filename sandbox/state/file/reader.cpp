@@ -1,4 +1,4 @@
-// Fields and groups of a state from a JSON tree; the list of fields says what there is. The way back is in writer.cpp.
+// Reads fields and groups of a state from a JSON tree, as defined by the list of fields. writer.cpp does the reverse.
 #include "state/file/reader.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ Follow read_follow(const Json& value, const Field& field, const Where& where) {
     return follow;
 }
 
-/// A place in a picture as fractions of its width and height.
+/// Reads a place in a picture as fractions of its width and height.
 glm::dvec2 read_fraction(const Json& value, const Field& field, const Where& where) {
     if (!value.is_array() || value.size() != 2) {
         refuse_value(value, where, "two numbers [u, v], each " + range_text({field.min, field.max}));
@@ -97,14 +97,14 @@ std::vector<std::string> read_names(const Json& value, const Field& field, const
                                suggestion(name, allowed));
         }
         if (std::find(names.begin(), names.end(), name) != names.end()) {
-            where.at(i).refuse(describe(value[i]) + " stands in the list twice");
+            where.at(i).refuse(describe(value[i]) + " appears twice in the list");
         }
         names.push_back(name);
     }
     return names;
 }
 
-/// One of the lights or planes of a list; what the object leaves out keeps its default.
+/// Reads one of the lights or planes of a list; fields that the object omits keep their defaults.
 void read_element(std::string_view group, Params& params, std::size_t element, const Json& object, const Where& where) {
     std::vector<std::string> names;
     for (const Field* field : fields_of(group)) {
@@ -117,7 +117,7 @@ void read_element(std::string_view group, Params& params, std::size_t element, c
     }
 }
 
-/// S or R by hand; one that is given already is refused.
+/// Reads S or R entered by hand; refuses a matrix that was given before.
 void read_override_matrix(std::optional<glm::dmat4>& matrix, const Json& value, const Field& field,
                           const Where& where) {
     if (value.is_null()) {
@@ -129,7 +129,7 @@ void read_override_matrix(std::optional<glm::dmat4>& matrix, const Json& value, 
     matrix = read_matrix(value, where, component_range(field, 0));
 }
 
-/// One element of overrides.further.
+/// Reads one element of overrides.further.
 void read_override(std::array<PlaneOverrides, most_planes>& overrides, const Json& object, const std::string& must_be,
                    const Where& where) {
     static const std::vector<std::string> keys = {"plane", "light", "shadow_from_world", "mirror_from_world"};
@@ -149,7 +149,7 @@ void read_override(std::array<PlaneOverrides, most_planes>& overrides, const Jso
         }
         const std::string path = std::string("overrides.") + key;
         if (has_own_field && !object[key].is_null()) {
-            where.key(key).refuse("that of the first one is " + path);
+            where.key(key).refuse("for the first one, use " + path);
         }
         read_override_matrix(matrix, object[key], field(path), where.key(key));
     };
@@ -157,7 +157,7 @@ void read_override(std::array<PlaneOverrides, most_planes>& overrides, const Jso
     read("mirror_from_world", overrides[plane].mirrored_world_from_world, plane == 0);
 }
 
-/// Reads one JSON value into whatever a field is. One operator for each alternative of FieldRef.
+/// Reads one JSON value into a field, with one call operator for each alternative of FieldRef.
 struct FieldReader {
     const Field& field;
     Params& params;
@@ -167,7 +167,7 @@ struct FieldReader {
     void operator()(bool* target) const { *target = read_bool(value, where); }
     void operator()(int* target) const {
         if (field.min == field.max && value != *target) {
-            refuse_value(value, where, format_number(field.min) + ", the only one that this program reads");
+            refuse_value(value, where, format_number(field.min) + ", the only version that this program reads");
         }
         if (field.path == "view.samples" && value != 0 && value != 4) {
             refuse_value(value, where, allowed_text(field));
@@ -259,7 +259,7 @@ void check_light(const glm::dvec4& position, const Where& where) {
     }
 }
 
-/// Where the file has an element of a list: "light", then "lights[0]".
+/// Returns the place of a list's element in the file: "light", then "lights[0]".
 Where element(const Where& root, const std::string& group, std::size_t index) {
     return index == 0 ? root.key(group) : root.key(group + "s").at(index - 1);
 }
@@ -267,12 +267,12 @@ Where element(const Where& root, const std::string& group, std::size_t index) {
 void check_chosen(int number, std::size_t count, const Where& where) {
     if (number > static_cast<int>(count)) {
         const std::string allowed =
-            count == 1 ? "1: the state has no other" : "from 1 to " + std::to_string(count) + ": the state has no more";
+            (count == 1 ? "1" : "from 1 to " + std::to_string(count)) + ": the state has only " + std::to_string(count);
         where.refuse("must be " + allowed + ", got " + std::to_string(number));
     }
 }
 
-/// Matrices by hand belong to planes and lights that are there.
+/// Refuses matrices for planes and lights that do not exist.
 void check_overrides(const Params& params, const Where& where) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
         const PlaneOverrides& overrides = params.overrides[plane];
@@ -313,7 +313,7 @@ void read_group(Params& params, const Json& object, const Where& where) {
     for (const auto& [key, value] : object.items()) {
         const Where inside = where.key(key);
         if (key.empty() || key.find('.') != std::string::npos) {
-            inside.refuse("no such field: a key is one name, and groups are objects within objects");
+            inside.refuse("no such field: a key is a single name, and a group is a nested object");
         }
         if (const Field* known = find_field(inside.path)) {
             read_field(*known, params, value, inside);
@@ -328,7 +328,7 @@ void read_group(Params& params, const Json& object, const Where& where) {
 void refuse_unknown(const Where& where) {
     const std::vector<std::string> known = known_paths();
     const std::string_view word = last_of(where.path);
-    // A slip somewhere in the path, or the right word in the wrong group.
+    // Covers a typo anywhere in the path, and the right word in the wrong group.
     const auto distance = [&](const std::string& path) {
         return std::min(edit_distance(where.path, path), edit_distance(word, last_of(path)) + 1);
     };
@@ -345,7 +345,7 @@ void refuse_unknown(const Where& where) {
             all += (all.empty() ? "" : ", ") + std::string(last_of(path));
         }
     }
-    where.refuse("no such field; " + (group.empty() ? "there are " : std::string(group) + " has ") + all);
+    where.refuse("no such field; " + (group.empty() ? "the fields are " : std::string(group) + " has ") + all);
 }
 
 void check_together(const Params& params, const std::string& prefix) {
@@ -376,7 +376,7 @@ Titles take_titles(Json& document, const Where& where) {
             return;
         }
         if (!document[key].is_string()) {
-            refuse_value(document[key], where.key(key), "a text");
+            refuse_value(document[key], where.key(key), "a string");
         }
         text = document[key].get<std::string>();
         document.erase(key);

@@ -1,5 +1,5 @@
-// For what reads states as trees, here, in lesson/ and in report/: single values, fields, groups and scenes from a JSON
-// tree, and back. Everything that reads throws Refusal with the whole message. Used by json.cpp and settings.cpp.
+// Converts between JSON trees and single values, fields, groups and scenes, for this folder, lesson/ and report/. All
+// readers throw Refusal with the whole message. Used by json.cpp and settings.cpp.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,7 +18,7 @@ namespace viewing {
 
 // ---- single values (values.cpp) -----------------------------------------------------------------------------------
 
-/// `must_be` follows "must be" in the message.
+/// `must_be` completes "must be" in the message.
 [[noreturn]] void refuse_value(const Json& value, const Where& where, const std::string& must_be);
 
 double read_number(const Json& value, const Where& where, const Range& range);
@@ -28,16 +28,16 @@ Color read_color(const Json& value, const Where& where);
 int read_choice(const Json& value, const Where& where, std::span<const char* const> names);
 glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range);
 
-/// A text that names something: not empty, at most 1024 bytes, UTF-8, no control characters.
+/// Reads a name: not empty, at most 1024 bytes, UTF-8, no control characters.
 std::string read_name(const Json& value, const Where& where);
 
 /// Refuses a JSON value that is not an object, or not an array.
 void require_object(const Json& value, const Where& where, const std::string& must_be);
 void require_array(const Json& value, const Where& where, std::size_t max_count, const std::string& must_be);
 
-/// Refuses a key that is none of `known`.
+/// Refuses a key that is not in `known`.
 void require_known_key(std::string_view key, const Where& where, std::span<const std::string> known);
-/// Refuses what is no object, and a key that is none of `known`.
+/// Refuses a value that is not an object, and a key that is not in `known`.
 void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
 
 glm::dvec3 read_vec3(const Json& value, const Where& where, const Range& range, const std::string& must_be);
@@ -51,23 +51,23 @@ Json matrix_as_json(const glm::dmat4& matrix);  ///< four rows, top row first
 
 bool is_group(std::string_view path);
 void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element = 0);
-/// The fields that the object names change, the others stay.
+/// Changes the fields that the object names; the others keep their values.
 void read_group(Params& params, const Json& object, const Where& where);
 Json field_as_json(const Field& field, Params& params, std::size_t element = 0);
 Json params_as_document(Params params);
 
-/// Refuses a path or key that no field or group has, with the nearest known one.
+/// Refuses an unknown path or key, and names the nearest known one.
 [[noreturn]] void refuse_unknown(const Where& where);
 
-/// Rules that tie fields together or are broken for a moment between two settings: near < far, a normal, a light.
+/// Checks rules across fields, and rules that may be broken between two settings: near < far, a normal, a light.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Checks what a file says about itself, which it need not, and takes it out of the tree.
+/// Checks the titles of a file, which are all optional, and removes them from the tree.
 Titles take_titles(Json& document, const Where& where);
 
 // ---- settings (settings.cpp) -------------------------------------------------------------------------------------
 
-/// {"projection.near": 0.1, …} as PATH=VALUE, and back.
+/// Converts {"projection.near": 0.1, …} to PATH=VALUE settings, and back.
 std::vector<std::string> read_settings(const Json& object, const Where& where);
 Json settings_as_json(const std::vector<std::string>& settings);
 

@@ -1,4 +1,4 @@
-// What the numbers of a scene's objects may be: for the reader, and for the schema that editors read.
+// Limits of the numbers in a scene's objects, for the reader and for the schema that editors use.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A scene's objects from a JSON tree, and back.
+// Reads a scene's objects from a JSON tree, and writes them back.
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
@@ -16,9 +16,8 @@ glm::dvec3 read_scale(const Json& value, const Where& where) {
     for (int i = 0; i < 3; ++i) {
         const auto index = static_cast<std::size_t>(i);
         if (std::abs(scale[i]) < scale_range.min) {
-            refuse_value(
-                value[index], where.at(index),
-                scale[i] == 0.0 ? "other than 0: nothing would be left of the object" : "at least 1e-6 in size");
+            refuse_value(value[index], where.at(index),
+                         scale[i] == 0.0 ? "nonzero: 0 would flatten the object" : "at least 1e-6 in magnitude");
         }
     }
     return scale;
@@ -32,7 +31,7 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     for (std::size_t i = 0; i < 3; ++i) {
         vertices[i] = read_vec3(value[i], where.at(i), position_range, "a vertex [x, y, z]");
     }
-    // In single precision, as the mesh will hold them.
+    // Computed in single precision, like the mesh.
     const auto rounded = [&vertices](std::size_t i) { return glm::dvec3{glm::vec3{vertices[i]}}; };
     const glm::dvec3 ab = rounded(1) - rounded(0);
     const glm::dvec3 ac = rounded(2) - rounded(0);
@@ -43,11 +42,11 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     return vertices;
 }
 
-/// Refuses a field that another shape has, and the lack of one that is needed.
+/// Refuses a field of another shape, and a missing field that this shape needs.
 void require_shape(const ObjectDescription& object, ShapeKind shape, const Json& value, const Where& where,
                    const char* key, bool is_needed) {
     if (object.shape != shape && value.contains(key)) {
-        where.key(key).refuse("belongs to the shape " + std::string(name_of(shape)) + ", this one is a " +
+        where.key(key).refuse("belongs to the shape " + std::string(name_of(shape)) + ", but this object is a " +
                               std::string(name_of(object.shape)));
     }
     if (object.shape == shape && !value.contains(key) && is_needed) {
@@ -94,7 +93,7 @@ ObjectDescription read_object(const Json& value, const Where& where) {
         read_member(object, key, member, where.key(key));
     }
     if (object.name.empty()) {
-        where.key("name").refuse("is missing: every object has a name of its own");
+        where.key("name").refuse("is missing: every object needs a unique name");
     }
     if (!value.contains("shape")) {
         where.key("shape").refuse("is missing: one of " + joined(names_of<ShapeKind>()));
@@ -146,7 +145,7 @@ SceneDescription read_scene(const Json& value, const Where& where) {
         const Where where_formula = where.key("made_by");
         const int formula = read_choice(value["made_by"], where_formula, formulas);
         if (value.contains("objects")) {
-            where_formula.refuse("the scene lists its objects already: it is either made by a formula or has objects");
+            where_formula.refuse("the scene also lists objects: it must have either a formula or objects");
         }
         return {{}, static_cast<SceneFormula>(formula)};
     }
@@ -162,8 +161,8 @@ SceneDescription read_scene(const Json& value, const Where& where) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
         scene.objects.push_back(read_object(objects[i], where_objects.at(i)));
         if (!names.insert(scene.objects.back().name).second) {
-            where_objects.at(i).key("name").refuse("an earlier object is called \"" +
-                                                   excerpt(scene.objects.back().name) + "\" already");
+            where_objects.at(i).key("name").refuse("an earlier object is already called \"" +
+                                                   excerpt(scene.objects.back().name) + "\"");
         }
     }
     return scene;

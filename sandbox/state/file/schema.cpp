@@ -64,7 +64,7 @@ Json vector(const Field& field) {
 
 Json described(const Field& field);
 
-/// The elements of a list: the fields of a group of their own.
+/// An element of a list: an object with the fields of a group.
 Json element(std::string_view group) {
     Json properties = Json::object();
     for (const Field* field : fields_of(group)) properties[std::string(field->name())] = described(*field);
@@ -136,7 +136,7 @@ Json described(const Field& field) {
     return schema;
 }
 
-/// A key that one shape needs, or may have, and the others must not.
+/// A key that one shape requires or allows, and all others forbid.
 Json only_of(ShapeKind shape, const char* key, bool is_needed) {
     const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
     const Json has_key = {{"required", Json::array({key})}};
@@ -167,7 +167,7 @@ Json scene_object() {
     return object;
 }
 
-/// Either lists its objects or is made by a formula.
+/// A scene either lists its objects or is made by a formula.
 Json scene_properties() {
     return {{"objects", at_most(max_objects, scene_object())}, {"made_by", one_of(formulas)}};
 }
@@ -178,7 +178,7 @@ Json scene_of(Json properties) {
     return scene;
 }
 
-/// What a file says about itself stands before the rest.
+/// Lists the titles before the other properties.
 Json with_titles(const Json& properties) {
     Json all = Json::object();
     for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};

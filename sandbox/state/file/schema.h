@@ -1,6 +1,5 @@
-// JSON Schemas (draft 2020-12) of state and scene files, for editors and scripts; made from the one list of fields.
-// They say all that the reader says of single values; what ties values together (near < far, a normal that is not zero)
-// only the reader knows.
+// JSON Schemas (draft 2020-12) of state and scene files, for editors and scripts, generated from the list of fields.
+// They cover all rules for single values; only the reader knows rules between values (near < far, a nonzero normal).
 #pragma once
 
 #include <string>

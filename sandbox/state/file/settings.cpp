@@ -9,7 +9,7 @@ namespace viewing {
 
 namespace {
 
-/// VALUE is JSON, else a string.
+/// Parses VALUE as JSON; takes anything else as a string.
 Json value_of(const std::string& text, const Where& where) {
     try {
         return parse_document(text, where.prefix + where.path + ": ");
@@ -18,7 +18,7 @@ Json value_of(const std::string& text, const Where& where) {
     }
 }
 
-/// The field that the path is or leads into; what follows its own path is left in `rest`.
+/// Returns the field that the path names, or that contains the named part; stores the rest of the path in `rest`.
 const Field* field_at(std::string_view path, std::string_view& rest) {
     for (const Field& field : fields()) {
         if (path.starts_with(field.path)) {
@@ -31,7 +31,8 @@ const Field* field_at(std::string_view path, std::string_view& rest) {
     return nullptr;
 }
 
-/// The part of a value that `[2]` at the front of `rest` names; one place behind the end is made, so that arrays grow.
+/// Removes an index such as `[2]` from the front of `rest` and returns that element of the value. An index just past
+/// the end adds an element, so that arrays can grow.
 Json& element(Json& value, std::string_view& rest, Where& where) {
     const std::size_t close = rest.find(']');
     std::size_t index = 0;
@@ -41,10 +42,10 @@ Json& element(Json& value, std::string_view& rest, Where& where) {
     }
     rest.remove_prefix(close + 1);
     if (!value.is_array()) {
-        where.refuse("has no elements, it is " + describe(value));
+        where.refuse("has no elements: it is " + describe(value));
     }
     if (index > value.size()) {
-        where.at(index).refuse("there is no such element, the array has " + std::to_string(value.size()));
+        where.at(index).refuse("no such element: the length of the array is " + std::to_string(value.size()));
     }
     where = where.at(index);
     if (index == value.size()) {
@@ -53,25 +54,26 @@ Json& element(Json& value, std::string_view& rest, Where& where) {
     return value[index];
 }
 
-/// The part of a value that `.name` at the front of `rest` names; null becomes an object.
+/// Removes a name such as `.name` from the front of `rest` and returns that member of the value; null becomes an
+/// object.
 Json& member(Json& value, std::string_view& rest, Where& where) {
     const std::string_view name = rest.substr(1, rest.find_first_of(".[", 1) - 1);
     rest.remove_prefix(1 + name.size());
     if (!value.is_object() && !value.is_null()) {
-        where.refuse("has no fields, it is " + describe(value));
+        where.refuse("has no fields: it is " + describe(value));
     }
     where = where.key(name);
     return value[std::string(name)];
 }
 
-/// Changes a part of a field's value and reads the whole field again, so that the same rules hold.
+/// Changes a part of a field's value, then reads the whole field again, so that the same rules apply.
 void set_part(const Field& field, std::string_view rest, const Json& value, Params& params, const std::string& prefix) {
     Json whole = field_as_json(field, params);
     Json* part = &whole;
     Where where{prefix, std::string(field.path)};
     while (!rest.empty()) {
         if (rest.front() != '.' && rest.front() != '[') {
-            where.refuse("\"" + std::string(rest) + "\" cannot follow");
+            where.refuse("must not be followed by \"" + std::string(rest) + "\"");
         }
         part = rest.front() == '[' ? &element(*part, rest, where) : &member(*part, rest, where);
     }
@@ -124,7 +126,7 @@ std::vector<std::string> settings_to(Params before, Params after) {
         const Json value = field_as_json(field, after);
         if (value != field_as_json(field, before))
             settings.push_back(std::string(field.path) + "=" +
-                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names of files are bytes
+                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names may be any bytes
     }
     return settings;
 }

@@ -1,17 +1,17 @@
-// What the file of a state or scene says about itself, beside its fields.
+// The entries of a state or scene file that describe the file itself; they are not fields.
 #pragma once
 
 #include <string>
 
 namespace viewing {
 
-/// Each "" where the file does not have it.
+/// An entry is "" if it is missing.
 struct Titles {
-    std::string schema;     ///< "$schema": where editors find what a state may hold
+    std::string schema;     ///< "$schema": where editors find the schema
     std::string title;      ///< a few words
     std::string about;      ///< a sentence
-    std::string group;      ///< the headline that it stands below in a list
-    std::string mended_by;  ///< of one that breaks the picture: the setting that puts it right
+    std::string group;      ///< the heading above it in a list
+    std::string mended_by;  ///< for a state that breaks the picture: the setting that fixes it
     bool operator==(const Titles&) const = default;
 };
 

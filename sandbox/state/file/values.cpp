@@ -1,4 +1,4 @@
-// Single values from JSON and back: numbers in their range, colours, names, vectors, matrices.
+// Reads single values from JSON and writes them: numbers in range, colors, names, vectors, matrices.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -43,7 +43,7 @@ Color read_color(const Json& value, const Where& where) {
     const char* end = text.data() + text.size();
     const bool right_length = text.size() == 7 && text[0] == '#';
     if (!right_length || std::from_chars(text.data() + 1, end, rgb, 16).ptr != end) {
-        refuse_value(value, where, "a colour \"#rrggbb\" of six hexadecimal digits");
+        refuse_value(value, where, "a color \"#rrggbb\" of six hexadecimal digits");
     }
     return {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>((rgb >> 8U) & 0xffU),
             static_cast<std::uint8_t>(rgb & 0xffU)};
@@ -94,7 +94,7 @@ glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range
 std::string read_name(const Json& value, const Where& where) {
     constexpr std::size_t longest = 1024;
     if (!value.is_string()) {
-        refuse_value(value, where, "a text");
+        refuse_value(value, where, "a string");
     }
     const auto& name = value.get_ref<const std::string&>();
     if (name.empty()) {
@@ -105,7 +105,7 @@ std::string read_name(const Json& value, const Where& where) {
     }
     for (const char c : name) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            where.refuse("must not hold control characters");
+            where.refuse("must not contain control characters");
         }
     }
     try {

@@ -10,12 +10,12 @@
 namespace viewing {
 namespace {
 
-/// Null where it is no JSON.
+/// Null if the text is not JSON.
 Json json_of(const std::string& text) {
     return Json::parse(text, nullptr, false, false).is_discarded() ? Json() : Json::parse(text);
 }
 
-/// Between two values of one kind; null where there is nothing in between.
+/// Interpolates between two values of the same kind; null if there is nothing in between.
 Json between(const Json& from, const Json& to, double share) {
     if (from.is_number() && to.is_number()) {
         const auto a = from.get<double>(), b = to.get<double>();
@@ -41,13 +41,13 @@ Result<Variation> Variation::parse(const std::string& text) {
     Variation variation;
     variation.path = text.substr(0, equals);
     variation.values = split_outside_brackets(text.substr(equals + 1), ':');
-    if (variation.values.size() < 3) return Error{form + "; between FROM and TO further values may stand"};
+    if (variation.values.size() < 3) return Error{form + "; more values can come between FROM and TO"};
     const std::string count = variation.values.back();
     variation.values.pop_back();
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), variation.count);
     if (error != std::errc() || end != count.data() + count.size() || variation.count < 1 ||
         variation.count > most_frames)
-        return Error{form + ", COUNT a whole number from 1 to " + std::to_string(most_frames)};
+        return Error{form + " with COUNT a whole number from 1 to " + std::to_string(most_frames)};
     return variation;
 }
 

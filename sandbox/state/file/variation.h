@@ -1,4 +1,4 @@
-// One field of a state on its way through values: what a sweep varies.
+// A sweep: one field that moves through a list of values.
 #pragma once
 
 #include <string>
@@ -10,21 +10,20 @@ namespace viewing {
 
 enum class Ease {
     linear,
-    smooth  ///< begins and ends at rest: 3t² − 2t³ over the whole way
+    smooth  ///< starts and ends at rest: 3t² − 2t³ over the whole way
 };
 
-/// "light.position[0]=-3:3:61": a path, two or more values to go through, and in how many pictures. Values are JSON, or
-/// texts; numbers and lists of numbers are met at equal distances and are in between in between, all others stay until
-/// the next.
+/// "light.position[0]=-3:3:61": a path, two or more values, and the number of pictures. Values are JSON or strings,
+/// spaced evenly. Numbers and lists of numbers are interpolated; all other values hold until the next one.
 struct Variation {
     std::string path;
-    std::vector<std::string> values;  ///< as --set takes them
+    std::vector<std::string> values;  ///< in the form that --set takes
     int count = 0;                    ///< 1 … most_frames
 
     static constexpr int most_frames = 10'000;
     static Result<Variation> parse(const std::string& text);
 
-    /// "light.position[0]=-2.9" for picture `index` from 0 on; the first one alone where there is one.
+    /// Returns "light.position[0]=-2.9" for picture `index`, counted from 0. A single picture gets the first value.
     std::string setting(int index, Ease ease) const;
 };
 

@@ -1,4 +1,4 @@
-// Fields and whole states as a JSON tree; reader.cpp is the way back.
+// Writes fields and whole states as a JSON tree; reader.cpp does the reverse.
 #include <algorithm>
 
 #include "state/file/reader.h"
@@ -7,7 +7,7 @@ namespace viewing {
 
 namespace {
 
-/// What a field is, as JSON. One operator for each alternative of FieldRef.
+/// Writes a field as JSON, with one call operator for each alternative of FieldRef.
 struct FieldWriter {
     Params& params;
 

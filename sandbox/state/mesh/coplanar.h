@@ -1,4 +1,4 @@
-// The scene `coplanar`, made by a formula from its parameters: pairs of quads that fight over the depth buffer. Read
+// The scene `coplanar`: pairs of quads that fight over the depth buffer, made by a formula from its parameters. Read
 // depth_params.h for the parameters.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace viewing {
 
-/// Six pairs, the nearest first: of each the back quad, then the front one `gap` before it along the common normal. The
-/// pairs keep their places in the picture seen from (0, 1.5, 4) along −z, whatever `distance` is: places and sizes are
-/// in proportion to it, the gap is not. `tilt` turns each pair about its own x axis; at 0 its normal is horizontal. The
-/// names say the eye distances of the back quads. Tilted by more than about 80° a pair below the eye shows its other
+/// Makes six pairs, nearest first: each a back quad, then the front quad, `gap` in front of it along the common normal.
+/// Seen from (0, 1.5, 4) along −z, the pairs keep their places in the picture for any `distance`: positions and sizes
+/// scale with it, the gap does not. `tilt` rotates each pair about its own x axis; at 0 its normal is horizontal. The
+/// names contain the eye distances of the back quads. Beyond a tilt of about 80°, a pair below the eye shows its other
 /// side.
 SceneDescription coplanar_scene(const CoplanarParams& params);
 

@@ -7,8 +7,8 @@ namespace viewing {
 
 namespace {
 
-constexpr double margin = 1e-6;         // of a cell: what rounding may put beside it
-constexpr double least_height = 1e-12;  // of the longer side: corners in a line have a grid with a height, too
+constexpr double margin = 1e-6;         // in cells, to allow for rounding
+constexpr double least_height = 1e-12;  // of the longer side: collinear corners also get a grid with a height
 
 }  // namespace
 
@@ -49,7 +49,7 @@ std::size_t HollowGrid::cell_of(const glm::dvec2& place) const {
     return std::size_t{clamped(cell.y, rows_)} * columns_ + clamped(cell.x, columns_);
 }
 
-/// By the parts of the three edges that lie in the slab.
+/// Uses the parts of the three edges that are inside the slab.
 HollowGrid::Cells HollowGrid::cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count) {
     const int along = 1 - across;
     double first = count, last = 0.0;

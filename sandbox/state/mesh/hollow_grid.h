@@ -1,4 +1,4 @@
-// Internal to state/: the corners of a polygon that may lie in an ear, found by where they are. Read polygon.h first.
+// Internal to state/: a grid that finds the corners of a polygon that may be inside an ear. Read polygon.h first.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// A grid of about as many cells as it holds corners; few are in one cell.
+/// A grid with about as many cells as corners, so that each cell holds few.
 class HollowGrid {
 public:
     using Index = std::uint32_t;
@@ -17,14 +17,14 @@ public:
 
     void fill(const std::vector<glm::dvec2>& places, const std::vector<Index>& hollows);
 
-    std::size_t size() const { return corners_.size(); }  ///< when it was filled
+    std::size_t size() const { return corners_.size(); }  ///< at the last fill()
 
-    /// Whether `is_found` holds for a corner that may lie in a triangle, its border included: those in all cells that
-    /// it touches. Corners that are no longer hollow are dropped for good.
+    /// Whether `is_found` holds for a corner that may be inside a triangle, border included. Tests all corners in the
+    /// cells that the triangle touches, and permanently drops those that are no longer hollow.
     template <typename IsHollow, typename IsFound>
     bool any_in(const Triangle& triangle, const IsHollow& is_hollow, const IsFound& is_found);
 
-    /// How many cells were looked into since the last call.
+    /// Returns the number of cells searched since the last call.
     std::uint64_t take_cells_seen() { return std::exchange(cells_seen_, 0); }
 
 private:
@@ -32,14 +32,14 @@ private:
         std::uint32_t first, last;
     };
     static constexpr Cells no_cells{1, 0};
-    /// Between two places on an axis, in cells.
+    /// An interval along one axis, in cells.
     struct Slab {
         double low, high;
     };
     glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
     static std::uint32_t clamped(double cell, std::uint32_t count);
     std::size_t cell_of(const glm::dvec2& place) const;
-    /// The cells along one axis, of which there are `count`, that a triangle touches inside a slab of the other,
+    /// Returns the cells along one axis, out of `count`, that a triangle touches within a slab of the other axis,
     /// `across`.
     static Cells cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count);
     Cells rows_of(const Triangle& in_cells) const;
@@ -47,7 +47,7 @@ private:
 
     std::uint32_t columns_ = 1, rows_ = 1;
     glm::dvec2 origin_{0.0}, per_unit_{0.0};
-    std::vector<std::uint32_t> begin_, count_;  ///< of each cell, in corners_
+    std::vector<std::uint32_t> begin_, count_;  ///< each cell's range in corners_
     std::vector<Index> corners_;
     std::uint64_t cells_seen_ = 0;
 };

@@ -11,10 +11,10 @@ namespace viewing {
 
 namespace {
 
-constexpr double rounding_deg = 0.01;  // angles up to the crease angle are smooth
+constexpr double rounding_deg = 0.01;  // so that an angle equal to the crease angle is smooth
 
 struct Face {
-    std::uint32_t begin, end;  ///< of its corners
+    std::uint32_t begin, end;  ///< its corners
     int smoothing;
     glm::dvec3 area_normal;
 };
@@ -48,13 +48,13 @@ private:
     bool lacks(std::uint32_t corner) const { return content_.corners[corner].normal == ObjCorner::no_normal; }
     const Face& face_at(std::uint32_t corner) const { return faces_[face_of_[corner]]; }
 
-    /// Which of about_ stands for all that are joined to it.
+    /// Returns the entry of about_ that represents all entries joined to this one.
     std::uint32_t root_of(std::uint32_t place) {
         while (root_[place] != place) place = root_[place] = root_[root_[place]];
         return place;
     }
 
-    /// An edge that leaves the position: where it ends, and the corner of about_ whose face has it.
+    /// An edge that leaves the position: its far end, and the entry of about_ whose face has it.
     struct Edge {
         int end;
         std::uint32_t place;
@@ -64,8 +64,8 @@ private:
     const double least_cosine_;
     std::vector<Face> faces_;
     std::vector<std::uint32_t> face_of_;         ///< by corner
-    std::vector<std::uint32_t> corners_, ends_;  ///< all corners by position, and where each position's end
-    std::vector<std::uint32_t> about_, root_;    ///< the corners at one position
+    std::vector<std::uint32_t> corners_, ends_;  ///< corners sorted by position, and the end of each position's range
+    std::vector<std::uint32_t> about_, root_;    ///< corners at one position, and their union-find parents
     std::vector<Edge> edges_;
     std::vector<glm::dvec3> sums_;
     std::vector<int> made_;
@@ -105,7 +105,7 @@ bool NormalMaker::is_smooth(const Face& a, const Face& b) const {
     return lengths > 0.0 && glm::dot(a.area_normal, b.area_normal) >= least_cosine_ * lengths;
 }
 
-/// Faces that share an edge stand in a row, by their order in the file, and each is held against the next.
+/// After sorting, faces that share an edge are adjacent, in file order; each is compared with the next.
 void NormalMaker::join_across_edges() {
     edges_.clear();
     for (std::uint32_t place = 0; place < about_.size(); ++place) {
@@ -141,7 +141,7 @@ void NormalMaker::make_about_one() {
     }
 }
 
-/// Where the faces cancel out, both sides of a sheet, the first one's normal stands.
+/// If the faces cancel out, as on both sides of a sheet, uses the normal of the first one.
 void NormalMaker::add_normal(std::size_t root) {
     const glm::dvec3& own = face_at(about_[root]).area_normal;
     const bool cancels_out = glm::length(sums_[root]) < 1e-9 * glm::length(own);

@@ -22,7 +22,7 @@ public:
         return found == meshes_.end() ? nullptr : found->second.lock();
     }
 
-    /// Two threads may have made the same mesh: the first one's is shared.
+    /// If two threads made the same mesh, both share the first one.
     SharedMesh add(const std::string& key, ObjMesh mesh, bool keep) {
         const std::scoped_lock lock(mutex_);
         std::erase_if(meshes_, [](const auto& entry) { return entry.second.expired(); });
@@ -84,7 +84,7 @@ Mesh shape_mesh(const ObjectDescription& object) {
     return {};
 }
 
-/// A file's name, size and time of change, and how it is read: another content is another key.
+/// Combines a file's name, size, modification time and reading options, so that new content gets a new key.
 std::string file_key(const std::filesystem::path& file, const MeshReading& reading) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// The mesh of an object; a mesh file is looked up from `base` and read again only when it changed. Shapes live as long
-/// as somebody uses them; the mesh file that was read last is kept besides.
+/// Returns the mesh of an object. A mesh file is relative to `base` and is reread only if it changed. A mesh lives as
+/// long as it is used; the most recently read mesh file is also kept.
 Result<std::shared_ptr<const ObjMesh>> shared_mesh(const ObjectDescription& object, const std::filesystem::path& base,
                                                    WorkProgress* progress);
 

@@ -1,5 +1,5 @@
-// A Wavefront OBJ file as a Mesh: polygons are cut into triangles, and corners with the same position and normal become
-// one vertex. Materials and names are ignored. Read obj_lines.cpp next.
+// Reads a Wavefront OBJ file as a Mesh: splits polygons into triangles and merges corners with the same position and
+// normal into one vertex. Ignores materials and names. Read obj_lines.cpp next.
 #include "state/mesh/obj.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace viewing {
 
 namespace {
 
-constexpr const char* was_cancelled = "loading was cancelled";
+constexpr const char* was_canceled = "loading was canceled";
 
 Bounds bounds_of_corners(const ObjContent& content) {
     Bounds bounds;
@@ -26,7 +26,7 @@ Bounds bounds_of_corners(const ObjContent& content) {
     return bounds;
 }
 
-/// The triangles of all faces.
+/// Assembles the triangles of all faces.
 class Assembly {
 public:
     Assembly(ObjContent& content, WorkProgress* progress)
@@ -34,7 +34,7 @@ public:
         mesh_.indices.reserve(static_cast<std::size_t>(3 * content.triangle_count));
     }
 
-    /// An error where it was cancelled or would take too long.
+    /// Fails if canceled, or if it would take too long.
     Result<Mesh> run() {
         std::uint64_t face = 0;
         for (const auto& [corners_each, count, smoothing] : content_.faces)
@@ -42,8 +42,8 @@ public:
                 if (Status added = add_face(face, corners_each); !added) return Error{added.error()};
         if (crossing_count_ > 0)
             content_.notes.push_back(
-                at_face(first_crossing_) + "crosses itself and is filled by a fan" +
-                (crossing_count_ > 1 ? ", as " + std::to_string(crossing_count_ - 1) + " more" : ""));
+                at_face(first_crossing_) + "crosses itself and is filled with a triangle fan" +
+                (crossing_count_ > 1 ? " (and " + std::to_string(crossing_count_ - 1) + " more)" : ""));
         return std::move(mesh_);
     }
 
@@ -68,7 +68,7 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     constexpr std::size_t corners_between_looks = 8'192;
     if (begin_ >= next_look_) {
         report(progress_, static_cast<double>(begin_) / static_cast<double>(content_.corners.size()));
-        if (is_cancelled(progress_)) return Error{was_cancelled};
+        if (is_canceled(progress_)) return Error{was_canceled};
         next_look_ = begin_ + corners_between_looks;
     }
     corners_.clear();
@@ -78,8 +78,8 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     switch (cutter_.cut(corners_, triangles_)) {
         case PolygonCutter::Outcome::takes_too_long:
             return Error{
-                at_face(face) + "has " + std::to_string(corner_count) + " corners: to cut it up takes more than " +
-                std::to_string(PolygonCutter::most_tests / 1'000'000) + " million tests; cut it into triangles before"};
+                at_face(face) + "has " + std::to_string(corner_count) + " corners: triangulating it takes more than " +
+                std::to_string(PolygonCutter::most_tests / 1'000'000) + " million tests; triangulate it in the file"};
         case PolygonCutter::Outcome::crosses_itself:
             if (crossing_count_++ == 0) first_crossing_ = face;
             break;
@@ -92,7 +92,7 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     return std::monostate{};
 }
 
-/// `unit`: half the mesh's longest side.
+/// Whether any triangle has an area; `unit` is half the mesh's longest side.
 bool has_area(const Mesh& mesh, double unit) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
@@ -115,16 +115,16 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     Result<ObjContent> content = read_obj_lines(stream, size_bytes, &of_lines);
     if (!content) return refusal(content.error());
 
-    // In double precision as far as this: coordinates may be far away and close together.
+    // Coordinates stay in double precision up to here: they may be far from the origin and close together.
     const Bounds bounds = bounds_of_corners(*content);
     const glm::dvec3 center = bounds.center(), size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0.0)) return refusal("has no face with an area");
-    // Below this a number has too few digits to tell corners apart; unscaled, once it is in single precision.
+    // A smaller number has too few digits to distinguish corners; unscaled, the limit is that of single precision.
     const double least = reading.fit ? 1e-300 : 1e-30;
     if (longest < least)
-        return refusal("is " + figures(longest) + " units across, and shapes are told apart from " + figures(least) +
-                       " on: scale its coordinates up");
+        return refusal("is " + figures(longest) + " units across, but must be at least " + figures(least) +
+                       ": scale its coordinates up");
     const double unit = reading.fit ? longest / 2.0 : 1.0;
     for (glm::dvec3& position : content->positions) position = (position - center) / unit;
     make_missing_normals(*content, reading.crease_deg);
@@ -133,7 +133,7 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     Result<Mesh> mesh = Assembly(*content, &of_assembling).run();
     if (!mesh) return refusal(mesh.error());
     if (!has_area(*mesh, longest / 2.0 / unit)) return refusal("has no face with an area");
-    if (is_cancelled(progress)) return refusal(was_cancelled);
+    if (is_canceled(progress)) return refusal(was_canceled);
     report(progress, 1.0);
     for (std::string& note : content->notes) note = name + ": " + note;
     return ObjMesh{*std::move(mesh), reading.fit ? glm::dvec3(0.0) : center, std::move(content->notes)};

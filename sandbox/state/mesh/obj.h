@@ -1,4 +1,4 @@
-// Internal to state/: reading Wavefront OBJ from a stream. load_obj() of scene.h opens the file.
+// Internal to state/: reads Wavefront OBJ from a stream. load_obj() of scene.h opens the file.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace viewing {
 inline constexpr std::uint64_t max_obj_bytes = 4ULL << 30U;
 inline constexpr std::uint64_t max_obj_triangles = 50'000'000;
 
-/// As load_obj(). `name` opens every message; `size_bytes` only scales the progress.
+/// Works like load_obj(). `name` starts every message; `size_bytes` only scales the progress.
 Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name,
                          const MeshReading& reading, WorkProgress* progress);
 

@@ -19,8 +19,8 @@ constexpr std::size_t longest_line = 1U << 20U;
 constexpr double largest_coordinate = 1e12;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// An index as the file has it, made to count from 0; −1 for one before the first. One that is positive may name what
-/// comes later in the file.
+/// Converts an index of the file to one that counts from 0; −1 if it points before the first element. A positive index
+/// may name an element later in the file.
 int from_zero(int index, std::size_t count) {
     const auto size = static_cast<int>(count);
     return index > 0 ? index - 1 : index < 0 && -index <= size ? size + index : -1;
@@ -32,8 +32,8 @@ public:
         : source_(source), size_bytes_(size_bytes), progress_(progress) {}
 
     Result<ObjContent> read() {
-        // About what lines take: what is set aside and not written to costs nothing, growing step by step does.
-        // Not for more than a file of 128 MiB would fill: what is in a larger one is not known yet.
+        // Reserves about as much memory as the lines need: reserved but untouched memory costs nothing, repeated growth
+        // does. Reserves no more than a file of 128 MiB would fill, since the content of a larger file is unknown.
         const auto likely_bytes = static_cast<std::size_t>(std::min<std::uint64_t>(size_bytes_, 128U << 20U));
         content_.corners.reserve(likely_bytes / 16);
         content_.positions.reserve(likely_bytes / 128);
@@ -60,10 +60,10 @@ private:
     bool is_usable(int position, std::uint64_t face);
     std::string without_faces() const;
     void note_what_is_left_out();
-    /// `token`: what of the line is wrong; empty where nothing can be pointed at.
+    /// `token` is the wrong part of the line; empty if there is none to point at.
     void refuse(const std::string& what, std::string_view token = {});
 
-    /// Something that is met more than once: how often, and the sentence of the first.
+    /// A recurring finding: its count, and the sentence for its first occurrence.
     struct Met {
         std::uint64_t count = 0;
         std::string first;
@@ -82,15 +82,15 @@ private:
     WorkProgress* const progress_;
     std::uint64_t bytes_read_ = 0;
     std::uint64_t line_number_ = 0;
-    std::uint64_t statement_line_ = 0;  ///< where the statement at hand begins
-    std::string unfinished_;            ///< the beginning of a line whose end is in the next block
-    std::string statement_;             ///< the beginning of one that goes on in the next line
-    bool is_plain_ = false;             ///< no line of the block at hand has a comment or a zero
-    bool ends_with_cr_ = false;         ///< the last block: an LF at the start of the next belongs to it
+    std::uint64_t statement_line_ = 0;  ///< where the current statement begins
+    std::string unfinished_;            ///< the beginning of a line that ends in the next block
+    std::string statement_;             ///< the beginning of a statement that continues on the next line
+    bool is_plain_ = false;             ///< the current block has neither a comment nor a zero byte
+    bool ends_with_cr_ = false;         ///< the last block did: an LF at the start of the next block belongs to that CR
     int smoothing_ = ObjFaces::no_statement;
     ObjContent content_;
-    Met strange_, replaced_;  ///< lines that are not understood, and corners whose normal cannot be used
-    std::string trouble_;     ///< the first that was met
+    Met strange_, replaced_;  ///< lines not understood, and corners with an unusable normal
+    std::string trouble_;     ///< the first error
     bool is_at_end_ = false;
 };
 
@@ -106,8 +106,8 @@ void ObjLines::take_block() {
     bytes_read_ += count;
     const double done = size_bytes_ == 0 ? 1.0 : static_cast<double>(bytes_read_) / static_cast<double>(size_bytes_);
     report(progress_, std::min(done, 1.0));
-    if (is_cancelled(progress_)) {
-        trouble_ = "loading was cancelled";
+    if (is_canceled(progress_)) {
+        trouble_ = "loading was canceled";
     } else if (encoding != nullptr) {
         trouble_ = at_line(1) + encoding + " text: save it as UTF-8";
     } else {
@@ -116,7 +116,7 @@ void ObjLines::take_block() {
 }
 
 void ObjLines::take_lines(std::string_view block, bool is_last) {
-    // Most blocks have no CR, no comment and no zero: one look at the whole is quicker than one at each line.
+    // Most blocks have no CR, comment or zero byte: one search of the whole block is faster than a search of each line.
     const bool has_cr = block.find('\r') != std::string_view::npos;
     is_plain_ = block.find('#') == std::string_view::npos && block.find('\0') == std::string_view::npos;
     const auto end_of_line = [has_cr](std::string_view text) {
@@ -145,7 +145,7 @@ void ObjLines::take_lines(std::string_view block, bool is_last) {
     }
 }
 
-/// Takes away the comment and joins what is continued.
+/// Removes the comment and joins continued lines.
 void ObjLines::take_line(std::string_view line) {
     ++line_number_;
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -158,7 +158,7 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        if (statement_of(next_word(rest)) != Statement::names) {  // a name may end with it
+        if (statement_of(next_word(rest)) != Statement::names) {  // the # may be part of a name
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
             return;
@@ -199,7 +199,7 @@ void ObjLines::take_statement(std::string_view line) {
     }
 }
 
-/// Three numbers; what follows (a weight, a colour) is not used.
+/// Reads three numbers and ignores the rest (a weight, a color).
 void ObjLines::take_position(std::string_view rest) {
     glm::dvec3 position(0.0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -213,7 +213,7 @@ void ObjLines::take_position(std::string_view rest) {
     content_.position_lines.add(statement_line_);
 }
 
-/// One that cannot be read has no direction.
+/// A normal that cannot be read becomes one without a direction.
 void ObjLines::take_normal(std::string_view rest) {
     glm::dvec3 normal(0.0);
     for (int axis = 0; axis < 3; ++axis) normal[axis] = number_of(next_word(rest)).value_or(no_number);
@@ -239,7 +239,7 @@ void ObjLines::take_face(std::string_view rest) {
     if (content_.triangle_count > max_obj_triangles) refuse("more than 50 million triangles");
 }
 
-/// "s 3", "s off", "s 0", and "s on" for a group.
+/// Reads "s 3", "s off" and "s 0"; "s on" starts a group, too.
 void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
     std::string_view word = next_word(rest);
     if (word == "off" || word == "on") {
@@ -254,10 +254,11 @@ void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
 }
 
 std::string face_names(std::uint64_t face, const char* what, int index) {
-    return "face " + std::to_string(face + 1) + " names " + what + ' ' + std::to_string(index);
+    return "face " + std::to_string(face + 1) + " refers to " + what + ' ' + std::to_string(index);
 }
 
-/// What a face names must not be before the first; what comes later in the file is looked at in the end.
+/// Refuses a relative index before the first position, and drops such a normal. check_corners() tests all other
+/// indices, whose targets may be on later lines.
 void ObjLines::add_corner(const NamedCorner& named) {
     const std::uint64_t face = content_.face_lines.count() - 1;
     const int position = from_zero(named.position, content_.positions.size());
@@ -265,11 +266,11 @@ void ObjLines::add_corner(const NamedCorner& named) {
     const int normal = has_normal ? from_zero(named.normal, content_.normals.size()) : ObjCorner::no_normal;
     content_.corners.push_back({position, normal});
     if (has_normal && normal < 0)
-        meet(replaced_, statement_line_, face_names(face, "normal", named.normal) + ", which there is not");
-    if (trouble_.empty() && position < 0) refuse(face_names(face, "vertex", named.position) + ", which there is not");
+        meet(replaced_, statement_line_, face_names(face, "normal", named.normal) + ", which does not exist");
+    if (trouble_.empty() && position < 0) refuse(face_names(face, "vertex", named.position) + ", which does not exist");
 }
 
-/// Refuses a corner whose position there is not; one whose normal cannot be used is left without.
+/// Refuses a corner whose position does not exist; drops a normal that cannot be used.
 void ObjLines::check_corners() {
     std::size_t corner = 0;
     std::uint64_t face = 0;
@@ -286,11 +287,11 @@ void ObjLines::check_corners() {
             const auto normal = static_cast<std::size_t>(checked.normal);
             if (normal >= content_.normals.size())
                 meet(replaced_, content_.face_lines.line_of(of_face),
-                     face_names(of_face, "normal", checked.normal + 1) + ", but there are " +
+                     face_names(of_face, "normal", checked.normal + 1) + ", but the file has " +
                          std::to_string(content_.normals.size()));
             else if (content_.normals[normal] == glm::vec3(0.0F))
                 meet(replaced_, content_.normal_lines.line_of(normal),
-                     "normal " + std::to_string(normal + 1) + " points nowhere");
+                     "normal " + std::to_string(normal + 1) + " has no direction");
             else
                 continue;
             checked.normal = ObjCorner::no_normal;
@@ -298,12 +299,12 @@ void ObjLines::check_corners() {
     }
 }
 
-/// Says what is wrong with a position that a face names.
+/// Whether a face may use this position; if not, reports why.
 bool ObjLines::is_usable(int position, std::uint64_t face) {
     const auto index = static_cast<std::size_t>(position);
     if (index >= content_.positions.size()) {
         trouble_ = at_line(content_.face_lines.line_of(face)) + face_names(face, "vertex", position + 1) +
-                   ", but there are " + std::to_string(content_.positions.size());
+                   ", but the file has " + std::to_string(content_.positions.size());
         return false;
     }
     const glm::dvec3 size = glm::abs(content_.positions[index]);
@@ -333,7 +334,7 @@ void ObjLines::note_what_is_left_out() {
         if (met.count > 0) content_.notes.push_back(met.first + rest);
     };
     note(strange_, strange_.count > 1 ? ", and " + std::to_string(strange_.count - 1) + " more" : "");
-    note(replaced_, "; corners that got a normal made from the faces: " + std::to_string(replaced_.count));
+    note(replaced_, "; corners whose normal comes from the faces instead: " + std::to_string(replaced_.count));
     std::string left_out;
     const auto add = [&left_out](const char* what, std::uint64_t count) {
         if (count > 0) left_out += (left_out.empty() ? "" : ", ") + std::string(what) + ": " + std::to_string(count);
@@ -344,7 +345,7 @@ void ObjLines::note_what_is_left_out() {
     if (!left_out.empty()) content_.notes.push_back("only faces are drawn; left out: " + left_out);
 }
 
-/// What is wrong with a line as such comes before what it names.
+/// Overrides an earlier error: a malformed line comes before the indices that it names.
 void ObjLines::refuse(const std::string& what, std::string_view token) {
     trouble_ = at_line(statement_line_) + what + (token.empty() ? "" : ": " + excerpt(token));
 }

@@ -10,7 +10,7 @@ constexpr int longest_chain = 16;
 
 }  // namespace
 
-/// Steele, Lea and Flood 2014 (SplitMix64): keys that follow a pattern must not meet in one bucket.
+/// Steele, Lea and Flood 2014 (SplitMix64): keeps keys with a pattern from sharing a bucket.
 std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
     key += 0x9e3779b97f4a7c15ULL;
     key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -20,7 +20,7 @@ std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
 
 ObjVertices::ObjVertices(const ObjContent& content, Mesh& mesh)
     : content_(content), mesh_(mesh), first_(content.positions.size(), none) {
-    // Mostly a position is one vertex.
+    // Most positions have only one vertex.
     made_.reserve(content.positions.size());
     mesh.positions.reserve(content.positions.size());
     mesh.normals.reserve(content.positions.size());

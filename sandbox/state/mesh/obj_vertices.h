@@ -1,4 +1,4 @@
-// Internal to state/: which corners of an OBJ file's faces are one vertex.
+// Internal to state/: merges corners of an OBJ file's faces into vertices.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace viewing {
 
-/// Gives each pair of position and normal one vertex of the mesh, in constant time: the first vertices at a position
-/// are chained, which is quickest, and further ones, of which a file may have any number, are looked up.
+/// Gives each pair of position and normal one vertex of the mesh, in constant time. The first few vertices at a
+/// position are chained, which is fastest; a hash map holds all others, since a file may have any number of them.
 class ObjVertices {
 public:
-    /// `content`, whose corners all have a normal, and `mesh` must outlive it.
+    /// All corners of `content` must have a normal. `content` and `mesh` must outlive this object.
     ObjVertices(const ObjContent& content, Mesh& mesh);
 
-    /// The index of the corner's vertex, which is added to the mesh where it is a new one.
+    /// Returns the index of the corner's vertex, after adding it to the mesh if it is new.
     std::uint32_t vertex(const ObjCorner& corner);
 
-    std::uint64_t steps() const { return steps_; }  ///< vertices looked at so far
+    std::uint64_t steps() const { return steps_; }  ///< vertices compared so far
 
 private:
     struct Made {

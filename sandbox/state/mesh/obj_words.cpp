@@ -16,7 +16,7 @@ bool take(char c, std::string_view& word) {
     return true;
 }
 
-/// Whether a sign, taken off the front of a word, is a minus.
+/// Removes a sign from the front of a word; returns whether it is a minus.
 bool take_sign(std::string_view& word) {
     const bool is_negative = take('-', word);
     if (!is_negative) take('+', word);
@@ -28,7 +28,7 @@ struct Keyword {
     Statement statement;
 };
 
-/// Those of Wavefront's format, the most frequent first.
+/// The keywords of Wavefront's format, most frequent first.
 constexpr Keyword keywords[] = {
     {"v", Statement::position},       {"f", Statement::face},          {"vn", Statement::normal},
     {"vt", Statement::numbers},       {"s", Statement::smoothing},     {"l", Statement::line},
@@ -76,7 +76,7 @@ std::string_view take_digits(std::string_view& word) {
 }
 
 std::optional<double> number_of(std::string_view word) {
-    constexpr double all_digits_held = 1e18;  // further ones change nothing
+    constexpr double all_digits_held = 1e18;  // more digits change nothing
     const bool is_negative = take_sign(word);
     double digits_value = 0.0;
     int power_of_ten = 0;
@@ -106,7 +106,7 @@ std::optional<double> number_of(std::string_view word) {
     if (!word.empty()) return std::nullopt;
     if (is_negative) digits_value = -digits_value;
     if (digits_value == 0.0) return digits_value;
-    constexpr int held = 300;  // powers of ten that are numbers
+    constexpr int held = 300;  // 10^300 still fits into a double
     for (; power_of_ten < -held; power_of_ten += held) digits_value /= 1e300;
     return power_of_ten < 0 ? digits_value / std::pow(10.0, -power_of_ten)
                             : digits_value * std::pow(10.0, power_of_ten);

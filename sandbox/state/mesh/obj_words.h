@@ -1,4 +1,4 @@
-// Internal to state/: the words of an OBJ file's lines, each read by itself. Read obj_lines.h for the lines.
+// Internal to state/: parses single words of an OBJ file's lines. Read obj_lines.h for the lines.
 #pragma once
 
 #include <optional>
@@ -10,38 +10,38 @@ inline bool is_space(char c) {
     return c == ' ' || c == '\t';
 }
 
-/// A line up to its comment; the # of a number that is none (1.#QNAN) begins no comment.
+/// Returns a line up to its comment. The # of a special number (1.#QNAN) does not start a comment.
 std::string_view without_comment(std::string_view line);
 
-/// The next word of a line, which is taken off its front; empty at the end.
+/// Removes and returns the next word of a line; empty at the end.
 std::string_view next_word(std::string_view& line);
 
-/// The digits from the front of a word, which are taken off it.
+/// Removes and returns the digits at the front of a word.
 std::string_view take_digits(std::string_view& word);
 
-/// A decimal number: sign, digits with a point somewhere, exponent. One beyond what a double holds is infinite.
+/// Parses a decimal number: sign, digits with a point anywhere, exponent. Becomes infinite beyond a double's range.
 std::optional<double> number_of(std::string_view word);
 
-/// Whether a word is what programs write for a number that is none: nan, -nan(ind), inf, 1.#QNAN.
+/// Whether a word is a known spelling of a number that is not finite: nan, -nan(ind), inf, 1.#QNAN.
 bool is_no_finite_number(std::string_view word);
 
-/// The indices of a corner as the file has them, from 1 or from the end if negative; 0 for what is not said.
+/// The indices of a corner as in the file: from 1, or negative from the end; 0 if omitted.
 struct NamedCorner {
     int position = 0, normal = 0;
 };
 
-/// A corner of a face: v, v/vt, v//vn or v/vt/vn, each a whole number; what stands behind a / may be left out. v and vn
-/// have at most nine digits; vt is not used.
+/// Parses a corner of a face: v, v/vt, v//vn or v/vt/vn, each a whole number; the part after a / may be missing. v and
+/// vn have at most nine digits; vt is ignored.
 std::optional<NamedCorner> corner_of(std::string_view word);
 
-/// What a line is about. names: a text follows, numbers: numbers follow; both are left out without a word.
+/// The kind of a line. names: text follows; numbers: numbers follow; both are skipped without a note.
 enum class Statement { position, face, normal, smoothing, line, point, surface, numbers, names };
 
-/// By the first word of a line; none for one that Wavefront's format has not.
+/// Classifies a line by its first word; none if the word is not a keyword of Wavefront's format.
 std::optional<Statement> statement_of(std::string_view keyword);
 
-/// The encoding of a text that is not UTF-8, by its byte order mark or by the zero bytes of its first letters; null for
-/// any other text.
+/// Returns the encoding of a text that is not UTF-8, recognized by its byte order mark or by zero bytes among its first
+/// bytes; null for any other text.
 const char* foreign_encoding(std::string_view beginning);
 
 }  // namespace viewing

@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::uint64_t tests_a_corner = 100;
 constexpr std::uint32_t no_corner = std::numeric_limits<std::uint32_t>::max();
-constexpr double rounding = 1e-9;  // of a turn, as a share of the polygon's area
+constexpr double rounding = 1e-9;  // tolerance of turn(), as a fraction of the polygon's area
 
-/// Two directions at right angles to a normal and to one another, the second to the left of the first.
+/// Makes two unit vectors perpendicular to a normal and to each other, the second to the left of the first.
 void make_axes(const glm::dvec3& normal, glm::dvec3& right, glm::dvec3& up) {
     const glm::dvec3 size = glm::abs(normal);
     const glm::dvec3 least = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
@@ -57,8 +57,8 @@ bool PolygonCutter::lies_in_triangle_at(Index corner, Index hollow) {
     return true;
 }
 
-/// Whether the corner can be cut off: it turns left and no other corner lies in its triangle. Where any does, one that
-/// does not turn left does.
+/// Whether the corner can be cut off: it turns left and no other corner is inside its triangle. Testing hollow corners
+/// is enough: if any corner is inside, a hollow one is.
 bool PolygonCutter::is_ear(Index corner) {
     if (is_hollow_[corner] || turn_at(corner) <= 0.0) return false;
     if (blocker_[corner] != no_corner && lies_in_triangle_at(corner, blocker_[corner])) return false;
@@ -70,14 +70,14 @@ bool PolygonCutter::is_ear(Index corner) {
     return !is_blocked;
 }
 
-/// When few of the hollows are left that the grid was filled with, its cells are mostly empty.
+/// Called again once most cells are empty because few hollow corners are left.
 void PolygonCutter::fill_grid() {
     std::erase_if(hollows_, [this](Index corner) { return !is_hollow_[corner]; });
     if (!hollows_.empty()) grid_.fill(flat_, hollows_);
     hollow_count_ = hollows_.size();
 }
 
-/// After a neighbour has gone.
+/// Updates a corner after a neighbor was cut off.
 void PolygonCutter::look_again(Index corner) {
     if (is_hollow_[corner] && turn_at(corner) > 0.0) {
         is_hollow_[corner] = 0;
@@ -89,7 +89,7 @@ void PolygonCutter::look_again(Index corner) {
     is_queued_[corner] = 1;
 }
 
-/// Leaves the corners that are no ears, three at least; false where it takes too long.
+/// Leaves the corners that are not ears, at least three; returns false if it takes too long.
 bool PolygonCutter::clip_ears(std::vector<Index>& triangles) {
     const auto count = static_cast<Index>(flat_.size());
     is_ear_.assign(count, 0);
@@ -115,7 +115,7 @@ bool PolygonCutter::clip_ears(std::vector<Index>& triangles) {
     return tests_ <= allowed_tests_;
 }
 
-/// Covers what is left with triangles about one of its corners.
+/// Covers the rest with a fan of triangles around one of its corners.
 PolygonCutter::Outcome PolygonCutter::fan(Index about, std::vector<Index>& triangles) {
     double area = 0.0, least = 0.0;
     for (Index corner = after_[about]; after_[corner] != about; corner = after_[corner]) {
@@ -149,7 +149,7 @@ PolygonCutter::Outcome PolygonCutter::cut(std::span<const glm::dvec3> corners, s
     allowed_tests_ += tests_a_corner * count;
     const std::size_t had = triangles.size();
     if (clip_ears(triangles)) {
-        // Some corner that is left: one that no cut has taken away is its own neighbour's neighbour.
+        // Finds a remaining corner: its neighbors still point back to it.
         Index left = 0;
         while (after_[before_[left]] != left) ++left;
         return fan(left, triangles);

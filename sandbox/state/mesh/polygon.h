@@ -1,4 +1,4 @@
-// Internal to state/: cutting polygons into triangles.
+// Internal to state/: splits polygons into triangles.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,26 @@
 
 namespace viewing {
 
-/// Twice the polygon's area times its mean normal (Newell), which also holds for a concave one.
+/// Returns twice the polygon's area times its mean normal (Newell); also correct for a concave polygon.
 glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
 
 class PolygonCutter {
 public:
-    /// Looks at corners and cells that all polygons together may take, apart from 100 a corner.
+    /// Limit on tests of corners and cells, for all polygons together; 100 more are allowed per corner.
     static constexpr std::uint64_t most_tests = 100'000'000;
 
     enum class Outcome {
         filled,
-        crosses_itself,  ///< what cannot be cut right is covered by a fan
+        crosses_itself,  ///< a fan covers what cannot be cut correctly
         takes_too_long,  ///< nothing was appended
     };
 
-    /// Appends count − 2 triangles as indices into `corners`, wound as the polygon is. A polygon that turns one way
-    /// throughout becomes a fan about its first corner, so a quad is cut from the first to the third; seen along its
-    /// mean normal, one that is not flat is taken as if it were. A concave one loses ear after ear: each is held
-    /// against the corners that turn inwards, found by a grid, which mostly takes a time in proportion to the corners
-    /// and at worst to their square. Source: Meisters 1975, ear clipping; Eberly 2002, its lists.
+    /// Appends count − 2 triangles as indices into `corners`, with the polygon's winding. A polygon that always turns
+    /// the same way becomes a fan around its first corner, so a quad is cut from the first to the third corner. A
+    /// polygon that is not flat is treated as its projection along the mean normal. Ears are clipped from a concave
+    /// polygon: a grid finds the inward-turning corners to test each ear against, so that the time is usually
+    /// proportional to the number of corners, and at worst to its square. Source: Meisters 1975, ear clipping; Eberly
+    /// 2002, its lists.
     [[nodiscard]] Outcome cut(std::span<const glm::dvec3> corners, std::vector<std::uint32_t>& triangles);
 
     std::uint64_t tests() const { return tests_; }  ///< so far
@@ -37,7 +38,7 @@ private:
     using Index = std::uint32_t;
 
     void flatten(std::span<const glm::dvec3> corners);
-    /// Twice the area of a triangle, positive where it turns to the left.
+    /// Returns twice the area of a triangle, positive if it turns left.
     double turn(Index a, Index b, Index c) const;
     double turn_at(Index corner) const { return turn(before_[corner], corner, after_[corner]); }
     bool lies_in_triangle_at(Index corner, Index hollow);
@@ -48,13 +49,13 @@ private:
     void look_again(Index corner);
 
     std::vector<glm::dvec2> flat_;       ///< the corners in the polygon's plane
-    std::vector<Index> before_, after_;  ///< neighbours of the corners that are left
-    std::vector<Index> hollows_;  ///< corners that do not turn left, and some that did not when the grid was filled
+    std::vector<Index> before_, after_;  ///< neighbors among the remaining corners
+    std::vector<Index> hollows_;         ///< corners that do not turn left, now or at the last fill
     std::vector<char> is_hollow_, is_ear_, is_queued_;
-    std::vector<Index> blocker_;  ///< of each corner, the hollow that was found in its triangle last
-    std::vector<Index> ears_;     ///< those found, in turn
+    std::vector<Index> blocker_;  ///< the hollow last found in each corner's triangle
+    std::vector<Index> ears_;     ///< those found, in order
     HollowGrid grid_;
-    std::size_t hollow_count_ = 0;  ///< how many of hollows_ still are
+    std::size_t hollow_count_ = 0;  ///< entries of hollows_ that are still hollow
     std::uint64_t tests_ = 0, allowed_tests_ = most_tests;
 };
 

@@ -1,5 +1,5 @@
-// Internal to state/: the lines at which the statements of one kind begin. Most follow one another line by line, and
-// such a run is stored once.
+// Internal to state/: the lines at which all statements of one kind begin. Most statements follow each other line by
+// line; such a run is stored once.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@ namespace viewing {
 
 class StatementLines {
 public:
-    /// The line of the next statement.
+    /// Adds the line of the next statement.
     void add(std::uint64_t line) {
         if (runs_.empty() || line != runs_.back().line + (count_ - runs_.back().first)) runs_.push_back({count_, line});
         ++count_;
     }
 
-    /// Of a statement that was added, counted from 0.
+    /// Returns the line of a statement, counted from 0.
     std::uint64_t line_of(std::uint64_t statement) const {
         const auto after = std::upper_bound(runs_.begin(), runs_.end(), statement,
                                             [](std::uint64_t number, const Run& run) { return number < run.first; });

@@ -1,6 +1,6 @@
-// Which language the window speaks: its texts from assets/text/CODE.po, lessons' texts from their files. A further one
-// is an enumerator of Language with its name in fields.cpp, its own name below, and that file; where its script is not
-// Latin, a font in ui/window/fonts.cpp.
+// The language of the window: its own texts come from assets/text/CODE.po, those of lessons from their files. A new
+// language needs an enumerator of Language, its name in fields.cpp, its own name below and a .po file; if its script is
+// not Latin, also a font in ui/window/fonts.cpp.
 #pragma once
 
 #include <string_view>
@@ -12,20 +12,20 @@ namespace viewing {
 
 inline constexpr std::size_t language_count = 2;
 
-/// As its speakers call it.
+/// Returns the language's name in that language.
 constexpr const char* own_name(Language language) {
     return language == Language::ko ? "한국어" : "English";
 }
 
-/// Everything that is looked up from now on is in this language. Where its file cannot be read, the error
-/// is one sentence, and English is spoken; a text without a translation is English.
+/// Sets the language of all texts looked up from now on. If its file cannot be read, the texts are English and the
+/// error is one sentence; a text without a translation is English.
 Status speak(Language language);
 
-/// What was spoken last; English at first.
+/// Returns the language set last; initially English.
 Language spoken_language();
 
-/// The language of messages that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set); English
-/// where it is none of ours.
+/// Returns the environment's language for messages, from the first of LC_ALL, LC_MESSAGES and LANG that is set; English
+/// if the program does not have it.
 Language system_language();
 
 }  // namespace viewing

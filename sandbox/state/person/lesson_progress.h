@@ -1,4 +1,4 @@
-// How far one person is in each lesson: kept from one time to the next beside what the window remembers.
+// A user's progress in each lesson, remembered between runs of the program.
 #pragma once
 
 #include <map>
@@ -8,18 +8,18 @@
 namespace viewing {
 
 struct LessonProgress {
-    std::size_t step = 0;           ///< where one was last, from 0 on
-    std::vector<std::size_t> done;  ///< steps whose question was answered rightly, in rising order
+    std::size_t step = 0;           ///< the last one visited, from 0
+    std::vector<std::size_t> done;  ///< steps whose question was answered correctly, in ascending order
     bool operator==(const LessonProgress&) const = default;
 };
 
-/// Who does exercises here: the number and the course say which numbers they have.
+/// A student who does exercises; course and student number determine the numbers in the exercises.
 struct Student {
     std::string course, number, name;
     bool operator==(const Student&) const = default;
 };
 
-/// By the lessons' ids.
+/// Keyed by the lessons' ids.
 using LessonsProgress = std::map<std::string, LessonProgress>;
 
 }  // namespace viewing

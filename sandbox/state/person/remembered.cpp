@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_steps = 200;
 constexpr std::size_t most_recent = 20;
-constexpr int most_units = 100'000;  ///< of a position or a size: more is no screen
+constexpr int most_units = 100'000;  ///< limit of a position or a size: no screen is larger
 
 std::optional<double> number_in(const Json& value, double min, double max) {
     if (!value.is_number()) return std::nullopt;
@@ -35,11 +35,11 @@ glm::ivec2 pair_in(const Json& object, const char* key, int min, const Where& wh
     const bool is_pair = pair.is_array() && pair.size() == 2;
     const auto x = is_pair ? number_in(pair[0], min, most_units) : std::nullopt;
     const auto y = is_pair ? number_in(pair[1], min, most_units) : std::nullopt;
-    if (!x || !y) where.key(key).refuse("must be two numbers of a screen, got " + describe(pair));
+    if (!x || !y) where.key(key).refuse("must be two screen coordinates, got " + describe(pair));
     return {static_cast<int>(std::lround(*x)), static_cast<int>(std::lround(*y))};
 }
 
-/// {"view-is-the-inverse": {"step": 3, "done": [1, 2]}, …}: steps count from 1 on.
+/// {"view-is-the-inverse": {"step": 3, "done": [1, 2]}, …}: steps count from 1.
 LessonsProgress lessons_in(const Json& object, const Where& where) {
     require_object(object, where, "an object of lessons");
     LessonsProgress lessons;
@@ -70,7 +70,7 @@ Json lessons_as_json(const LessonsProgress& lessons) {
 }
 
 Student student_in(const Json& object, const Where& where) {
-    require_object(object, where, "an object of texts");
+    require_object(object, where, "an object of strings");
     const auto text = [&](const char* key) {
         return object.contains(key) && object[key] != "" ? read_name(object[key], where.key(key)) : std::string();
     };
@@ -94,7 +94,7 @@ Remembered remembered_in(const Json& document, const Where& where) {
     if (document.contains("scale")) {
         const Range range = component_range(field("ui.scale"), 0);
         remembered.scale = number_in(document["scale"], range.min, range.max);
-        if (!remembered.scale) where.key("scale").refuse("must be a scale, got " + describe(document["scale"]));
+        if (!remembered.scale) where.key("scale").refuse("must be a scale factor, got " + describe(document["scale"]));
     }
     if (document.contains("window")) {
         const Json& window = document["window"];
@@ -126,7 +126,7 @@ LessonsProgress merged_lessons(LessonsProgress kept, const LessonsProgress& know
     return kept;
 }
 
-/// What was opened since `known` is at the front of `now`: all before the rest, which is as it was.
+/// Returns the files opened since `known`, followed by the files of the list in the file.
 std::vector<std::string> merged_recent(const std::vector<std::string>& kept, const std::vector<std::string>& known,
                                        std::vector<std::string> now) {
     const auto is_as_it_was = [&](auto rest) {
@@ -191,7 +191,7 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
     if (const auto& window = remembered.window)
         document["window"] = {{"position", {window->position.x, window->position.y}},
                               {"size", {window->size.x, window->size.y}},
-                              {"maximised", window->maximised}};
+                              {"maximised", window->maximized}};
     if (!remembered.lessons.empty()) document["lessons"] = lessons_as_json(remembered.lessons);
     if (remembered.student != Student{})
         document["student"] = {{"course", remembered.student.course},

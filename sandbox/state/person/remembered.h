@@ -1,6 +1,6 @@
-// What the window remembers of a person from one time to the next: theme, scale, language, size and place, how far one
-// is in the lessons, files that were opened; never the state. Read and written by the window alone: a headless command
-// touches no file that was not named.
+// Settings that the window remembers for a user between runs: theme, scale, language, size and place, progress in
+// lessons and recent files; never the state. Only the window reads and writes them: a headless command touches only
+// files that it is given.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace viewing {
 
-/// In the units of the window system, which need not be pixels; y counts downwards.
+/// In units of the window system, which need not be pixels; y points down.
 struct WindowPlace {
     glm::ivec2 position{0}, size{0};
-    bool maximised = false;
+    bool maximized = false;
     bool operator==(const WindowPlace&) const = default;
 };
 
@@ -26,32 +26,33 @@ struct Remembered {
     std::optional<double> scale;
     std::optional<WindowPlace> window;
     LessonsProgress lessons = {};
-    std::vector<std::string> recent = {};  ///< files that were opened, the latest first
+    std::vector<std::string> recent = {};  ///< opened files, latest first
     std::optional<Language> language = {};
     Student student = {};
     bool operator==(const Remembered&) const = default;
 };
 
-/// $XDG_CONFIG_HOME/viewing-sandbox/window.json, or below ~/.config; empty where neither variable names a folder.
+/// Returns $XDG_CONFIG_HOME/viewing-sandbox/window.json, or the same file below ~/.config; empty if neither variable
+/// names a folder.
 std::filesystem::path remembered_file();
 
-/// Nothing remembered where there is no such file. The error is one sentence that names it.
+/// Returns an empty value if the file does not exist. The error is one sentence that names the file.
 Result<Remembered> read_remembered(const std::filesystem::path& file);
 
-/// Makes the folder where it is missing. For a file that other windows write as well: merge_remembered().
+/// Creates the folder if it is missing. Use merge_remembered() for a file that other windows write too.
 Status write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 
-/// What the file is to hold that other windows write as well. `kept`: what it holds; `known`: what this window had when
-/// it read or wrote it last; `now`: what it has. Each of theme, scale, language, place, student and a lesson's step is
-/// the window's where it has changed it since, else the file's. Steps that are done are united; files that the window
-/// has opened since go before the others. Merging the same once more changes nothing.
+/// Merges the content of a file that other windows write too. `kept` is the file's content, `known` what this window
+/// last read or wrote, `now` its current values. Theme, scale, language, place, student and a lesson's step come from
+/// this window if it changed them since then, otherwise from the file. The completed steps are the union of both lists;
+/// files that this window has opened since then come first. Merging again changes nothing.
 Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
 
-/// Writes that, under a lock; the result is what the file holds then. One that cannot be read gets another name
-/// (set_aside); nothing is written where `file` is empty. The error is one sentence.
+/// Merges into the file under a lock, and returns its new content. Renames a file that cannot be read (set_aside);
+/// writes nothing if `file` is empty. The error is one sentence.
 Result<Remembered> merge_remembered(const std::filesystem::path& file, const Remembered& known, const Remembered& now);
 
-/// Whether enough of a window's upper edge lies on one of the screens to be taken hold of.
+/// Whether one of the screens shows enough of a window's upper edge to grab it.
 bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// The page of a suite's report: the list, and one entry with its pictures in six ways. Pictures that differ come by a
-// script of their own (pictures/NAME.js), since a page from disk may not read the pixels of picture files.
+// The page of a suite's report: the list, and one entry with its pictures in six ways. Pictures that differ come in a
+// script (pictures/NAME.js), since a page opened from disk may not read the pixels of image files.
 "use strict";
 
 const outcomes = ["different", "failed", "new", "not drawn", "passed"];
@@ -78,7 +78,7 @@ const waiting = new Map();
 
 function load(entry) {
   if (!loaded.has(entry.file)) loaded.set(entry.file, new Promise(done => {
-    if (entry.outcome === "not drawn") return done({});  // what lies there is an earlier run's
+    if (entry.outcome === "not drawn") return done({});  // the files there are an earlier run's
     if (!entry.details?.compare || entry.outcome === "passed") {
       const image = new Image();
       image.onload = () => done({actual: image});
@@ -101,7 +101,7 @@ function canvasOf(image) {
   return canvas;
 }
 
-/** Boxes around what differs, in the picture's pixels. */
+/** Boxes around differences, in the picture's pixels. */
 function boxesOf(entry) {
   if (!shown.boxes) return [];
   return (entry.details?.compare?.boxes ?? []).map(box => {
@@ -120,7 +120,7 @@ function pixelAt(images, event, canvas) {
     try {
       const source = images[name].pixels ??= canvasOf(images[name]).getContext("2d");
       return `${name} (${[...source.getImageData(x, y, 1, 1).data].join(", ")})`;
-    } catch { return ""; }  // a picture that is a file keeps its pixels to itself
+    } catch { return ""; }  // the pixels of an image file cannot be read
   }).filter(Boolean);
   at("pixel").textContent = `(${x}, ${y})  ` + told.join("   ");
 }
@@ -176,7 +176,7 @@ const changes = list => list?.map(change => [change.path, written(change.expecte
 function drawEntry() {
   const entry = shown.entry;
   clearInterval(blinking);
-  if (!entry) return at("entry").replaceChildren(make("p", {class: "quiet"}, "Nothing of this kind."));
+  if (!entry) return at("entry").replaceChildren(make("p", {class: "quiet"}, "No entries."));
   const details = entry.details ?? {};
   const stage = make("div", {class: "stage"});
   const differs = Boolean(details.compare) && entry.outcome !== "passed";
@@ -189,21 +189,21 @@ function drawEntry() {
       "aria-pressed": String(way === shown.way), disabled: differs ? undefined : "", title: String(i + 1),
       onclick: () => { shown.way = way; drawEntry(); }}, way)),
       make("button", {onclick: () => zoom(2)}, "+"), make("button", {onclick: () => zoom(0.5)}, "−"),
-      make("span", {class: "quiet"}, `${shown.zoom * 100} %`)),
+      make("span", {class: "quiet"}, `${shown.zoom * 100}%`)),
     stage, make("p", {id: "pixel"}),
     table("Numbers", ["", "expected", "actual"], changes(details.numbers)),
-    table("State", ["", "of the reference", "now"], changes(details.state)),
+    table("State", ["", "reference", "now"], changes(details.state)),
     details.problems ? make("div", {}, make("h3", {}, "Problems"), ...details.problems.map(problem => make("p", {}, problem))) : null,
-    entry.output ? make("div", {}, make("h3", {}, "Complaints"), make("pre", {}, entry.output)) : null,
-    differs ? make("div", {}, make("h3", {}, "If it is right as it is now"),
+    entry.output ? make("div", {}, make("h3", {}, "Messages"), make("pre", {}, entry.output)) : null,
+    differs ? make("div", {}, make("h3", {}, "To accept the new result"),
       make("pre", {}, `viewing-sandbox suite accept ${quoted(report.argument)} ${quoted(entry.name)}`)) : null,
-    make("h3", {}, "To see it again"),
+    make("h3", {}, "To run it again"),
     make("pre", {}, `viewing-sandbox suite run ${quoted(report.argument)} --only ${quoted(entry.name)}\n` +
                     `viewing-sandbox open states/${quoted(entry.file)}.json      # in this report's folder`)].filter(Boolean));
   load(entry).then(images => {
     if (shown.entry !== entry) return;
     const figures = stageOf(images, entry).filter(Boolean);
-    stage.replaceChildren(...(figures.length ? figures : [make("p", {class: "quiet"}, "There is no picture.")]));
+    stage.replaceChildren(...(figures.length ? figures : [make("p", {class: "quiet"}, "No picture.")]));
   });
 }
 const quoted = text => /^[\w./-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'";

@@ -1,3 +1,4 @@
+// Font files in the browser: embedded in the program, or fetched from the page's folder.
 #include "ui/window/font_files.h"
 
 #include <emscripten.h>
@@ -13,7 +14,7 @@ EM_JS(void, page_fetch_font, (const char* name), { page.fetchFont(UTF8ToString(n
 namespace viewing {
 namespace {
 
-/// What has come; empty: it is on its way.
+/// The files requested so far; empty until they arrive.
 std::map<std::string, std::vector<std::byte>, std::less<>> fetched;
 int arrived = 0;
 
@@ -32,7 +33,7 @@ int arrived_font_files() {
 
 }  // namespace viewing
 
-/// The page brings a file that was asked for.
+/// Called by the page when a requested file has arrived.
 extern "C" EMSCRIPTEN_KEEPALIVE void page_font_has_come(const char* name, const std::byte* bytes, int size) {
     viewing::fetched[name].assign(bytes, bytes + size);
     ++viewing::arrived;

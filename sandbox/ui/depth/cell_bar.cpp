@@ -14,18 +14,18 @@ namespace {
 
 constexpr float cell_gap = 2.0F;
 
-/// Equally wide whatever stands on it, in pixels.
+/// Width in pixels of a button with one symbol, the same for all symbols.
 float button_width() {
     return std::round(1.15F * ImGui::GetFrameHeight());
 }
 
-/// Of those with two signs.
+/// Width in pixels of a button with two symbols.
 float touch_width() {
     return std::round(1.6F * ImGui::GetFrameHeight());
 }
 
 bool arrow(const char* sign, bool enabled, const char* title, const char* explanation,
-           const char* why_not = marked("It stands there already."), float width = button_width()) {
+           const char* why_not = marked("Already there."), float width = button_width()) {
     ImGui::BeginDisabled(!enabled);
     const bool clicked = ImGui::Button(sign, {width, 0.0F});
     widgets::GoOnWhileHeld();
@@ -35,13 +35,13 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
     return clicked;
 }
 
-/// The calls may still be those of another scene: for one frame.
+/// The call may be unknown: for one frame after a scene change, the calls still belong to the old scene.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
     return is_known ? name_of(call, plan, scene) : "…";
 }
 
-/// One of the calls, or all of them; changes `limit`.
+/// Draws a list to choose one call, or all; changes `limit`.
 void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
                  float width) {
     const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
@@ -58,23 +58,22 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
         }
         widgets::EndChoice();
     } else {
-        widgets::Tooltip(
-            "Draw call",
-            say("The last draw call that GL gets; the frame has {count} of them.", "count"_a = count).c_str());
+        widgets::Tooltip("Draw call",
+                         say("The last draw call sent to GL; the frame has {count}.", "count"_a = count).c_str());
     }
 }
 
-/// To the triangles that touch the pixel.
+/// Draws buttons that go to the previous and the next triangle that touches the pixel.
 void touch_buttons(DrawLimit& limit, const DepthData& data) {
     const char* const why_not =
-        data.pixel ? marked("No triangle there touches this pixel.") : marked("Click a pixel of the picture first.");
+        data.pixel ? marked("No more triangles touch this pixel.") : marked("Click a pixel of the picture first.");
     const auto previous = previous_of(data.touches, limit, data.calls), next = next_of(data.touches, limit, data.calls);
     if (arrow("←□", previous.has_value(), marked("Back at this pixel"),
-              marked("Back to the triangle before that touches the pixel."), why_not, touch_width()))
+              marked("Goes to the previous triangle that touches the pixel."), why_not, touch_width()))
         limit = *previous;
     ImGui::SameLine(0.0F, px(cell_gap));
     if (arrow("□→", next.has_value(), marked("Next at this pixel"),
-              marked("On to the next triangle that touches the pixel."), why_not, touch_width()))
+              marked("Goes to the next triangle that touches the pixel."), why_not, touch_width()))
         limit = *next;
 }
 
@@ -85,12 +84,12 @@ void call_row(DrawLimit& limit, const DepthData& data, const FramePlan& plan, co
     const widgets::Group group("calls");
     ImGui::SetCursorScreenPos(rect.min);
     const bool is_nothing = limit.call == 0 && limit.triangles == 0;
-    if (arrow("←", !is_nothing, marked("Call before"), marked("One whole draw call back.")))
+    if (arrow("←", !is_nothing, marked("Previous call"), marked("Goes back one draw call.")))
         limit = previous_call(limit, calls);
     ImGui::SameLine(0.0F, px(cell_gap));
     choose_call(limit, calls, plan, scene, std::max(rect.width() - buttons, px(40.0F)));
     ImGui::SameLine(0.0F, px(cell_gap));
-    if (arrow("→", limit.call >= 0, marked("Next call"), marked("One whole draw call further.")))
+    if (arrow("→", limit.call >= 0, marked("Next call"), marked("Advances one draw call.")))
         limit = next_call(limit, calls);
     ImGui::SameLine(0.0F, px(cell_gap));
     touch_buttons(limit, data);
@@ -103,11 +102,11 @@ void play_button(int& step, int count, widgets::StepPlayer& player) {
     }
     widgets::Record("play");
     widgets::Tooltip(player.playing ? marked("Stop") : marked("Play"),
-                     player.playing ? marked("Stay at this triangle.")
-                                    : marked("Go on triangle by triangle; from the end, start again."));
+                     player.playing ? marked("Stops at this triangle.")
+                                    : marked("Plays triangle by triangle; at the end, starts over."));
 }
 
-/// What there is room for where the whole bar has none: back, the number, on, play.
+/// Draws a short step bar for narrow views: back, number, next, play.
 void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& rect) {
     player.shown = true;
     widgets::PlaySteps(step, count, player, ImGui::GetIO().DeltaTime);
@@ -115,7 +114,7 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
     const int before = step;
     int reached = step < 0 ? count : step;
     ImGui::PushButtonRepeat(true);
-    if (arrow("←", reached > 0, marked("Back"), marked("One triangle back; hold to go on."))) step = reached - 1;
+    if (arrow("←", reached > 0, marked("Back"), marked("Goes back one triangle; hold to repeat."))) step = reached - 1;
     ImGui::SameLine(0.0F, px(cell_gap));
     double value = reached;
     const std::string of = " / " + std::to_string(count);
@@ -130,9 +129,10 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
                          .default_value = static_cast<double>(count)},
                         std::max(room, px(40.0F))))
         step = static_cast<int>(std::lround(value));
-    widgets::Tooltip("Triangle", "How many triangles of the frame are drawn. Double-click to type, drag to change.");
+    widgets::Tooltip("Triangle", "Sets how many triangles are drawn. Double-click to type, drag to change.");
     ImGui::SameLine(0.0F, px(cell_gap));
-    if (arrow("→", reached < count, marked("On"), marked("One triangle further; hold to go on."))) step = reached + 1;
+    if (arrow("→", reached < count, marked("Next"), marked("Advances one triangle; hold to repeat.")))
+        step = reached + 1;
     ImGui::PopButtonRepeat();
     if (step != before) player.playing = false;
     ImGui::SameLine(0.0F, px(cell_gap));
@@ -144,16 +144,16 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
 void choose_cells(std::optional<glm::ivec2>& cells, float width) {
     static constexpr glm::ivec2 offered[] = {{4, 4}, {8, 6}, {12, 8}, {16, 12}, {24, 16}};
     const auto name_of_size = [](const std::optional<glm::ivec2>& size) {
-        return size ? std::to_string(size->x) + " × " + std::to_string(size->y) : std::string(tr("fitting"));
+        return size ? std::to_string(size->x) + " × " + std::to_string(size->y) : std::string(tr("auto"));
     };
     if (!widgets::BeginChoice("##cells", name_of_size(cells).c_str(), width)) {
-        widgets::Tooltip("Cells", "Columns and rows of the block: as many as can be read, or so many.");
+        widgets::Tooltip("Cells", "Columns and rows of the block: as many as are legible, or a fixed size.");
         return;
     }
     const auto offer_size = [&](const std::optional<glm::ivec2>& size) {
         const std::string name = name_of_size(size);
         if (ImGui::Selectable(name.c_str(), size == cells)) cells = size;
-        widgets::Record(size ? name.c_str() : "fitting");
+        widgets::Record(size ? name.c_str() : "auto");
     };
     offer_size(std::nullopt);
     for (const glm::ivec2& size : offered) offer_size(size);

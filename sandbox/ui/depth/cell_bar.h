@@ -1,4 +1,4 @@
-// The controls above the cell view: which draw call and which triangle of it the frame stops after.
+// The controls above the cell view: the draw call and the triangle after which the frame stops.
 #pragma once
 
 #include "ui/depth/cell_layout.h"
@@ -6,10 +6,10 @@
 
 namespace viewing {
 
-/// Columns and rows of the block, as a list `width` pixels wide.
+/// Draws a list to choose the block size (columns × rows); the list is `width` pixels wide.
 void choose_cells(std::optional<glm::ivec2>& cells, float width);
 
-/// Edits params.view.call and triangle; goes on by itself while it plays.
+/// Draws the controls. Edits params.view.call and triangle; advances them during playback.
 void draw_cell_bar(Session& session, const DepthData& data, const FramePlan& plan, const CellLayout& layout,
                    widgets::StepPlayer& player);
 

@@ -12,11 +12,11 @@ namespace {
 constexpr float margin_x = 8.0F, margin_y = 6.0F;
 constexpr float row = 22.0F, row_gap = 3.0F, below_rows = 1.0F;
 constexpr float caption_line = 14.0F, line = 15.0F, two_lines = 26.0F, large_line = 21.0F;
-constexpr float grid_margin = 4.0F;  ///< a CellGrid's own
+constexpr float grid_margin = 4.0F;  ///< CellGrid's own margin
 constexpr float least_side = 36.5F, least_side_where_low = 29.0F;
-constexpr float cells_on_a_side = 9.0F;  ///< as many are as large as the view lets them
+constexpr float cells_on_a_side = 9.0F;  ///< at most this many along the shorter side
 
-/// The rows of controls; returns what is left below.
+/// Cuts the rows of controls off the top of `room`; returns the rest.
 Rect take_controls(CellLayout& layout, Rect room, float width, float height) {
     layout.has_step_bar = width >= 600.0F;
     layout.has_calls = width >= 380.0F || height >= 200.0F;
@@ -33,7 +33,7 @@ Rect take_controls(CellLayout& layout, Rect room, float width, float height) {
     return room;
 }
 
-/// How much larger small type is than usually.
+/// The size of small type relative to its usual size.
 float type_scale() {
     return widgets::HasPlainTitles() ? small_type_for_a_room / usual_small_type : 1.0F;
 }
@@ -64,7 +64,7 @@ CellLayout lay_out_cells(const Rect& rect) {
 
     const float shortest = std::min(layout.colors.width(), layout.colors.height()) - 2.0F * px(grid_margin);
     const auto side = [&](float least) { return std::max(px(type * least), shortest / cells_on_a_side); };
-    // A room reads few cells with all their digits rather than many.
+    // When presenting, prefer fewer cells, each with all its digits.
     const float high = side(is_low ? least_side_where_low : least_side);
     const float wide = widgets::HasPlainTitles() ? side(least_side) : high;
     layout.block = {count_that_fits(layout.colors.width(), wide), count_that_fits(layout.colors.height(), high)};

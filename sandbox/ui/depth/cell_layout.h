@@ -1,4 +1,4 @@
-// Where the parts of the cell view are. Everything in pixels of the window.
+// The layout of the cell view, in pixels of the window.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,17 +8,17 @@
 namespace viewing {
 
 struct CellLayout {
-    bool has_step_bar = false;  ///< there is room for the whole one
+    bool has_step_bar = false;  ///< the full step bar fits
     bool has_calls = true;      ///< the draw calls can be chosen
-    bool calls_above = false;   ///< in a row of their own
-    Rect calls, steps;          ///< rows of controls; overlap where they share one
+    bool calls_above = false;   ///< the calls have a row of their own above the steps
+    Rect calls, steps;          ///< rows of controls; identical if has_calls is false
     float caption_height = 0.0F;
-    Rect colors, depths;  ///< the grids, below their captions
+    Rect colors, depths;  ///< the grids, without their captions
     Rect sentence;
-    glm::ivec2 block{1};  ///< how many columns and rows of cells can be read
+    glm::ivec2 block{1};  ///< number of columns and rows with legible numbers
 };
 
-/// `rect`: of the whole view.
+/// `rect` is the whole view.
 CellLayout lay_out_cells(const Rect& rect);
 
 }  // namespace viewing

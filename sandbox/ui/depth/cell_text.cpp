@@ -22,7 +22,7 @@ std::vector<std::string> window_depths(const CellBlock& block, int decimals) {
     return texts;
 }
 
-/// Whether equal texts stand for equal codes.
+/// Whether cells with equal texts always have equal codes.
 bool tells_apart(const CellBlock& block, const std::vector<std::string>& texts) {
     std::map<std::string, std::uint32_t> code_of;
     for (std::size_t i = 0; i < texts.size(); ++i)
@@ -69,7 +69,7 @@ CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, do
                                         : say("stored code minus {least}", "least"_a = grouped_number(range.least));
         return above;
     }
-    return {window_depths(block, most_decimals), tr("window depth, shortened")};
+    return {window_depths(block, most_decimals), tr("window depth, rounded")};
 }
 
 }  // namespace viewing

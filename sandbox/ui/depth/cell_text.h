@@ -1,5 +1,5 @@
-// The number in each cell of a block of depths: as short as cells are, and different where the codes are. Pure. Read
-// cell_view.cpp for its use.
+// The number in each cell of a block of depths: short enough for the cell, and different for different codes. Pure
+// functions. See cell_view.cpp for usage.
 #pragma once
 
 #include <string>
@@ -10,15 +10,14 @@
 namespace viewing {
 
 struct CellTexts {
-    std::vector<std::string> texts;  ///< of each cell
-    std::string note;                ///< what the numbers are: "stored code, 0 … 65,535"
+    std::vector<std::string> texts;  ///< one per cell
+    std::string note;                ///< the meaning of the numbers: "stored code, 0 … 65,535"
 };
 
-/// `room`: how many characters a cell has, at least 4. A cell that holds the window depth `cleared` is unwritten.
-/// Up to 16 bits the codes themselves where there is room for the greatest; else the window depth with as many decimals
-/// as tell the codes apart where there is room for them; else how many codes a cell lies above the least one; else, in
-/// a block with so wide a range, the window depth as far as there is room, which may be the same for different codes:
-/// the note says so.
+/// `room`: number of characters that fit in a cell, at least 4. `cleared`: the window depth of unwritten cells. Returns
+/// the first form that fits: the codes themselves, up to 16 bits; the window depth, with enough decimals to distinguish
+/// the codes; or the difference between each code and the smallest one. If the block's range is too wide for all of
+/// these, rounds the window depth to fit; different codes may then look the same, and the note says so.
 CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room);
 
 }  // namespace viewing

@@ -21,8 +21,8 @@ ImU32 opaque(const Color& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
 
-/// Near is dark and far is light, as far as the block's own depths go; black and white stay free for what is not
-/// written.
+/// Maps the block's own depth range to grays: dark is near, light is far. Black and white are reserved for unwritten
+/// cells.
 class Greys {
 public:
     Greys(const CellBlock& block, const FramePlan& plan) : is_reversed_(plan.depth_mapping == DepthMapping::reversed) {
@@ -44,13 +44,13 @@ private:
     double least_ = 2.0, greatest_ = -1.0;
 };
 
-/// The block as the two grids show it.
+/// The contents of the two grids.
 struct CellPicture {
     CellTexts texts;
     std::vector<widgets::Cell> colors, depths;
 };
 
-/// As many small digits as fit in a cell of the grid.
+/// The number of small digits that fit in a cell of the grid, at least 4.
 int room_of(const CellBlock& block, const Rect& grid) {
     const float columns = static_cast<float>(block.size.x), rows = static_cast<float>(block.size.y);
     const float side = std::floor(std::min((grid.width() - px(8.0F)) / columns, (grid.height() - px(8.0F)) / rows));
@@ -81,7 +81,7 @@ CellPicture picture_of(const DepthData& data, const FramePlan& plan, bool is_ste
     return picture;
 }
 
-/// What the grid below it shows: as much of it as there is room for, what its numbers are before its name.
+/// Draws the caption above a grid. If space is short, the note about the numbers replaces the title.
 void caption(const Rect& grid, float height, const std::string& title, const std::string& note) {
     if (height < 1.0F) return;
     const bool is_large = height > px(18.0F);
@@ -96,7 +96,7 @@ void caption(const Rect& grid, float height, const std::string& title, const std
     ImGui::PopFont();
 }
 
-/// Short: it must not hide the neighbours.
+/// The tooltip must stay small, so as not to hide the neighboring cells.
 void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision& precision) {
     const std::string title = say("pixel ({x}, {y})", "x"_a = pixel.x, "y"_a = pixel.y);
     const std::string stored = precision.is_float
@@ -107,7 +107,7 @@ void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision
     widgets::Tooltip(title.c_str(), body.c_str());
 }
 
-/// The index of a pixel's cell; −1: outside of the block.
+/// The index of a pixel's cell; −1 outside the block.
 int cell_of(const CellBlock& block, glm::ivec2 pixel) {
     const glm::ivec2 at = pixel - block.first_pixel;
     if (at.x < 0 || at.y < 0 || at.x >= block.size.x || at.y >= block.size.y) return -1;
@@ -118,20 +118,20 @@ glm::ivec2 pixel_of(const CellBlock& block, int cell) {
     return block.first_pixel + glm::ivec2(cell % block.size.x, cell / block.size.x);
 }
 
-/// Calls beyond the last one are no other frame.
+/// A call index past the last call also means the whole frame.
 bool shows_whole_frame(const ViewParams& view, const std::vector<DrawCall>& calls) {
     return view.call < 0 || view.call >= static_cast<int>(calls.size());
 }
 
-/// The two grids, linked; returns the cell under the pointer, or −1.
+/// Draws the two linked grids; returns the cell under the pointer, or −1.
 int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, const CellLayout& layout) {
     const CellBlock& block = data.now;
     const DepthPrecision precision = precision_of(plan.depth_format);
     const CellPicture picture = picture_of(data, plan, !shows_whole_frame(view, data.calls), layout.depths);
-    caption(layout.colors, layout.caption_height, tr("Colour buffer"), "");
+    caption(layout.colors, layout.caption_height, tr("Color buffer"), "");
     caption(layout.depths, layout.caption_height, tr("Depth buffer"), picture.texts.note);
 
-    // Both know in the next frame which cell the pointer is on in the other one.
+    // Each grid highlights the cell under the pointer in the other grid, one frame later.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID lit_id = ImGui::GetID("lit");
     const int lit = storage.GetInt(lit_id, -1);
@@ -157,28 +157,28 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     return hovered;
 }
 
-/// Mirror images and shadows have no fragments of their own to be told.
+/// Whether the call has fragments to describe. Mirror images and shadows have none.
 bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, int call) {
     const std::size_t pass = calls[static_cast<std::size_t>(call)].pass;
     return pass < plan.passes.size() && !plan.passes[pass].is_mirror_image &&
            plan.passes[pass].shading != Shading::flat;
 }
 
-/// What the step does to a cell; −1: none is asked for.
+/// Describes the effect of the step on a cell; −1 means no cell.
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
     if (shows_whole_frame(view, data.calls))
         return widgets::HasPlainTitles()
                    ? tr("All draw calls are done.")
-                   : tr("All draw calls are done. Go a step back to see the compare that decides a pixel.");
+                   : tr("All draw calls are done. Go back a step to see the comparison that decides a pixel.");
     if (step_of({view.call, view.triangle}, data.calls) <= 0)
-        return tr("Nothing is drawn yet: both buffers hold what they were cleared to.");
-    if (cell < 0) return tr("Point at a cell to see the compare that decides it.");
+        return tr("Nothing is drawn yet: both buffers hold their clear values.");
+    if (cell < 0) return tr("Point at a cell to see the comparison that decides it.");
     if (index >= data.now.cells.size() || index >= data.before.cells.size()) return "";
     const BufferCell &before = data.before.cells[index], &after = data.now.cells[index];
     const std::optional<Fragment> incoming = index < data.incoming.size() ? data.incoming[index] : std::nullopt;
     if (!incoming && before == after && !tells_fragments(plan, data.calls, view.call))
-        return tr("This triangle leaves the pixel as it is.");
+        return tr("This triangle leaves the pixel unchanged.");
     return cell_sentence(incoming, before, after, precision_of(plan.depth_format));
 }
 
@@ -207,13 +207,13 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     const ViewWindow window("cell view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     Params& params = session.params;
     if (!is_drawn_by_gl_alone(params.visibility.method)) {
-        if (offer("GL's depth buffer fills draw call by draw call; other methods have steps of their own.",
+        if (offer("GL's depth buffer fills one draw call at a time; other methods have their own steps.",
                   "Use the GL depth buffer"))
             params.visibility.method = VisibilityMethod::depth_buffer;
         return;
     }
     if (data.calls.empty()) {
-        offer("There is nothing to draw.");
+        offer("Nothing to draw.");
         return;
     }
     const widgets::Group group("cells");
@@ -221,7 +221,7 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     if (!widgets::CurrentContext().printed) draw_cell_bar(session, data, plan, layout, player);
     if (data.now.cells.empty() || data.now.size.x <= 0) {
         ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
-        offer("Point at the camera's picture, or click a pixel to pin it.");
+        offer("Point at the camera view, or click a pixel to pin it.");
         return;
     }
     int cell = draw_grids(params.view, data, plan, layout);

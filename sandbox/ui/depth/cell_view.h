@@ -1,4 +1,4 @@
-// The cell view: a block of pixels as on the lecture's Z-buffer slide, colour beside depth, filled draw call by draw
+// The cell view: a block of pixels as on the lecture's Z-buffer slide, color beside depth, filled draw call by draw
 // call and triangle by triangle.
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace viewing {
 
-/// Above the bar of steps, below it the colour buffer and the depth buffer, and the compare that decides the cell under
-/// the pointer, else the pixel. A click on a cell pins its pixel, a click on the pinned one releases it.
+/// Draws the step bar, the color and depth buffers below it, and the comparison that decides the cell under the pointer
+/// or, without one, the current pixel. Clicking a cell pins its pixel; clicking the pinned cell releases it.
 void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
                     widgets::StepPlayer& player);
 
-/// The columns and rows that are asked for, else as many as fit so that their numbers can be read; at least 1 × 1.
+/// Returns the requested columns and rows or, without a request, as many as are legible; at least 1 × 1.
 glm::ivec2 cell_block_size(const Rect& rect, const std::optional<glm::ivec2>& asked);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// The codes of a depth buffer between near and far. Read precision_view.h.
+// The codes of a depth buffer between near and far. See precision_view.h.
 #include <algorithm>
 
 #include "frame/depth/depth_precision.h"
@@ -12,10 +12,10 @@ namespace viewing {
 namespace {
 
 std::string tick_words(const DepthCodes& codes, const DepthPrecision& precision) {
-    if (codes.codes_per_tick == 1) return tr("Every code has its tick.");
+    if (codes.codes_per_tick == 1) return tr("Every code has a tick.");
     const std::string count = grouped_number(codes.codes_per_tick);
-    return precision.is_float ? say("A tick stands for {count} floats.", "count"_a = count)
-                              : say("A tick stands for {count} codes.", "count"_a = count);
+    return precision.is_float ? say("One tick every {count} floats.", "count"_a = count)
+                              : say("One tick every {count} codes.", "count"_a = count);
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     const ViewWindow view("codes view", rect);
     const DepthCoding coding = depth_coding(session.params, derived);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // The widget draws every tick that has 6 pixels of its own.
+    // Request no more ticks than the widget draws: one every 6 design pixels.
     const int most_ticks = static_cast<int>(std::clamp((room.x - px(28.0F)) / px(6.0F), 2.0F, 128.0F));
     const DepthCodes codes = depth_codes(coding.lens, coding.mapping, coding.precision, most_ticks);
     const std::string told =
@@ -32,11 +32,11 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     const float below = note_height(told.c_str()) + ImGui::GetStyle().ItemSpacing.y;
 
     const bool is_reversed = coding.mapping == DepthMapping::reversed;
-    // In front of a room nobody scrolls: the sentence is left out rather than cut.
+    // An audience cannot scroll: when presenting, omit the sentence rather than cut it off.
     const bool has_note = room.y - below >= px(120.0F) || !widgets::HasPlainTitles();
     const float height = has_note ? std::max(room.y - below, px(120.0F)) : room.y;
     widgets::CodeTicks("codes", codes.eye_distances, coding.lens.near, coding.lens.far,
-                       {.depth_title = coding.precision.is_float ? marked("floats: equal numbers of them")
+                       {.depth_title = coding.precision.is_float ? marked("floats: equal number per tick")
                                                                  : marked("codes: equal steps"),
                         .first_depth = is_reversed ? marked("depth 1") : marked("depth 0"),
                         .last_depth = is_reversed ? marked("depth 0") : marked("depth 1"),

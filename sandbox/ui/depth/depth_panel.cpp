@@ -21,31 +21,31 @@ void mapping_switches(Params& params) {
     control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
     beside(second_column, widgets::ToggleWidth("Clear to 0"));
     control(params, "depth.reversed_clear", {.label = marked("Clear to 0")});
-    control(params, "depth.reversed_offset", {.label = marked("Turn the offset's sign")});
+    control(params, "depth.reversed_offset", {.label = marked("Flip the offset's sign")});
     control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
 }
 
-/// How far the units move on this driver, which GL leaves open; where they move anything.
+/// Shows how many depth codes the offset units are on this driver, which GL leaves open. Draws nothing if the units
+/// have no effect.
 void offset_note(const Params& params, const Scene& scene, const StoredDepth& stored) {
     if (widgets::IsListing() && !widgets::IsHighlighted("note:offset_unit")) return;
     const DepthParams& depth = params.depth;
     const bool moves = depth.offset.units != 0.0 && depth.decals == DecalMethod::offset && has_decals(scene);
     if (!moves || !stored.unit_codes) return;
     const std::string codes = number_text(std::abs(depth.offset.units * *stored.unit_codes), 4);
-    const std::string note = stored.precision.is_float
-                                 ? say("on this driver: {codes} steps of the float", "codes"_a = codes)
-                                 : say("on this driver: {codes} codes", "codes"_a = codes);
+    const std::string note = stored.precision.is_float ? say("on this driver: {codes} float steps", "codes"_a = codes)
+                                                       : say("on this driver: {codes} codes", "codes"_a = codes);
     if (!named_note("note:offset_unit", note)) return;
-    widgets::Tooltip("Units of the offset",
-                     "How many codes of the depth buffer these units are on this driver, measured by drawing. GL asks "
-                     "for the least difference that is sure to be seen, and drivers answer with one code, two or four. "
-                     "Of a float a step is as wide as at the polygon's greatest depth.",
+    widgets::Tooltip("Offset units",
+                     "How many depth codes these units are on this driver, measured by drawing. GL requires only the "
+                     "smallest difference that is sure to be resolved; drivers use one, two, or four codes. For a "
+                     "float, a step is as wide as at the polygon's greatest depth.",
                      "offset = factor · slope + units · r");
 }
 
 void decal_controls(Params& params, const Scene& scene, const StoredDepth& stored) {
     static constexpr const char* methods[] = {marked("Offset"), "GL_EQUAL", marked("Stencil")};
-    if (widgets::IsListed(target_of("depth.decals"))) ImGui::TextUnformatted(tr("Decals by"));
+    if (widgets::IsListed(target_of("depth.decals"))) ImGui::TextUnformatted(tr("Decals via"));
     control(params, "depth.decals", {.segments = true, .names = methods, .label = "##decals", .scene = &scene});
     control(params, "depth.offset.factor", {.label = marked("decal factor"), .scene = &scene});
     control(params, "depth.offset.units", {.label = marked("decal units"), .scene = &scene});
@@ -61,7 +61,7 @@ void coplanar_controls(Params& params, const Scene& scene) {
 void beside_controls(Params& params) {
     static constexpr const char* pictures[] = {marked("nothing"), marked("the depth buffer"), marked("another depth")};
     static constexpr const char* layouts[] = {marked("Two halves"), marked("Divider")};
-    control(params, "view.beside.shows", {.width = 150.0F, .names = pictures, .label = marked("beside it")});
+    control(params, "view.beside.shows", {.width = 150.0F, .names = pictures, .label = marked("2nd picture")});
     control(params, "view.beside.layout", {.segments = true, .names = layouts, .label = "##layout"});
     control(params, "view.beside.format", {.width = 130.0F, .names = format_names, .label = marked("other format")});
     control(params, "view.beside.mapping", {.width = 130.0F, .names = mapping_names, .label = marked("other mapping")});
@@ -73,7 +73,7 @@ void draw_depth_section(Session& session, const Derived& derived) {
     if (!widgets::Section("Depth buffer", false)) return;
     const widgets::Group group("buffer");
     Params& params = session.params;
-    control(params, "depth.buffer", {.label = marked("The window has one")});
+    control(params, "depth.buffer", {.label = marked("Window has a buffer")});
     control(params, "depth.format", {.width = 130.0F, .names = format_names});
     control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
     mapping_switches(params);
@@ -81,11 +81,11 @@ void draw_depth_section(Session& session, const Derived& derived) {
     decal_controls(params, session.scene(), derived.stored_depth);
     coplanar_controls(params, session.scene());
     static constexpr const char* scales[] = {marked("Window"), marked("Linear")};
-    static constexpr const char* colors[] = {marked("Grey"), marked("Bands")};
+    static constexpr const char* colors[] = {marked("Gray"), marked("Bands")};
     control(params, "view.depth_scale", {.segments = true, .names = scales, .label = "##scale"});
     control(params, "view.depth_colors", {.segments = true, .names = colors, .label = "##colors"});
     beside_controls(params);
-    control(params, "animation.jiggle", {.label = marked("Jiggle the camera")});
+    control(params, "animation.jiggle", {.label = marked("Jitter the camera")});
 }
 
 }  // namespace viewing

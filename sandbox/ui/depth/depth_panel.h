@@ -1,4 +1,4 @@
-// The panel's section on the depth buffer: how depth is stored, what fights over it, and what is shown of it.
+// The panel's section on the depth buffer: its format, depth fighting, and its display.
 #pragma once
 
 #include "frame/derive.h"

@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// What black and white stand for, or the first and the last band.
+/// Explains the colors of the nearest and the farthest depth, and of unwritten pixels.
 void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rect) {
     const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
     const LegendEntry entries[] = {{near_color(params.view.depth_colors), near.c_str()},
@@ -25,19 +25,19 @@ void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rec
 void tell_missing_depth(const Params& params, const Rect& rect) {
     const bool by_buffer = params.visibility.method == VisibilityMethod::depth_buffer;
     if (by_buffer && params.depth.buffer) return;
-    const char* const why = by_buffer ? tr("The window has no depth buffer: there is no depth to show.")
-                                      : tr("This method draws with GL's depth test off: no depth is written.");
+    const char* const why = by_buffer ? tr("No depth to show: the window has no depth buffer.")
+                                      : tr("This method turns GL's depth test off and writes no depth.");
     const std::string sentence = widgets::BrokenAtBlanks(why, rect.width() - px(20.0F));
     widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
                       sentence.c_str());
 }
 
-/// The headline of the second picture, and which of the two a divider's sides are.
+/// The titles of the two pictures, for the second picture's header and for the two sides of the divider.
 struct BesideTitles {
     std::string camera, beside;
 };
 BesideTitles titles(const Params& params) {
-    if (params.view.beside.shows == Beside::depth) return {tr("colour"), tr("depth")};
+    if (params.view.beside.shows == Beside::depth) return {tr("color"), tr("depth")};
     return {depth_title(params.depth.format, params.depth.mapping),
             depth_title(params.view.beside.format, params.view.beside.mapping)};
 }
@@ -70,14 +70,14 @@ void depth_choices(Params& params, float right) {
     if (!widgets::Offers("control:view.depth_scale")) return;
     static constexpr const char* scales[] = {marked("window"), marked("linear")};
     static constexpr const char* scale_explanations[] = {
-        marked("Window depth, 0 to 1, as it is stored."),
-        marked("Eye distance from near to far: as far apart as the surfaces are.")};
-    static constexpr const char* colors[] = {marked("grey"), marked("bands")};
+        marked("Window depth, 0 to 1, as stored."),
+        marked("Eye distance from near to far, spaced as the surfaces are.")};
+    static constexpr const char* colors[] = {marked("gray"), marked("bands")};
     static constexpr const char* color_explanations[] = {
-        marked("Depth as greys: black is near, white is far."),
-        marked("Depth as bands of colour: dark is near, light is far.")};
+        marked("Depth in gray: black is near, white is far."),
+        marked("Depth as bands of color: dark is near, light is far.")};
     int scale = static_cast<int>(params.view.depth_scale), color = static_cast<int>(params.view.depth_colors);
-    if (!have_room(scales, right)) return;  // the panel has both
+    if (!have_room(scales, right)) return;  // the panel has both choices
     if (words("##scale", scale, scales, scale_explanations, 1, right))
         params.view.depth_scale = static_cast<DepthScale>(scale);
     ImGui::SameLine(0.0F, px(10.0F));
@@ -103,7 +103,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     const auto meant = [&](double value) { return is_linear ? value : distance_of_window_depth(lens, mapping, value); };
     const glm::dvec2 whole(lens.near, lens.far);
     const glm::dvec2 distances = contrast_range(params, derived, session.scene());
-    // Reversed depth runs the other way: the bars count window depth up, whatever that means.
+    // Reversed depth decreases with distance, but the histogram's axis always runs from low to high window depth.
     const bool turns = !is_linear && mapping == DepthMapping::reversed;
     glm::dvec2 range(shown(distances.x), shown(distances.y));
     if (turns) std::swap(range.x, range.y);

@@ -1,4 +1,4 @@
-// Depth buffers as pictures: below the camera's view, beside it and across it, and how often each depth occurs.
+// Depth buffers as pictures below, beside, and across the camera view, and the histogram of their depths.
 #pragma once
 
 #include "frame/derive.h"
@@ -8,24 +8,24 @@
 
 namespace viewing {
 
-/// The depth buffer below the camera's view, with what its shades stand for. The headline's line is begun.
+/// Draws the depth buffer below the camera view, with a legend of its colors. Adds its choices to the header line.
 void draw_depth_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
 
-/// How often each depth occurs in the camera's picture; its two lines are the range that depth pictures show.
+/// Draws a histogram of the depths in the camera's picture. Its two lines set the range that depth pictures show.
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
-/// The second picture in a half of its own.
+/// Draws the second picture in its own half of the view.
 void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture);
 void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect);
 
-/// The second picture right of a line that can be dragged, over the first one, which is drawn already. Whether the
-/// pointer is at the line.
+/// Draws the second picture to the right of a draggable line, over the first picture, which is already drawn. Returns
+/// whether the pointer is on the line.
 bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
 
-/// The choices of scale and colours for a depth picture, on the current line.
+/// Draws the choices of depth scale and depth colors on the current line, up to `right`.
 void depth_choices(Params& params, float right);
 
-/// "24-bit, reversed".
+/// The title of a depth buffer: "24-bit, reversed".
 std::string depth_title(DepthFormat format, DepthMapping mapping);
 
 }  // namespace viewing

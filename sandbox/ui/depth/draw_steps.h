@@ -1,5 +1,5 @@
-// The draw calls of a frame, triangle by triangle, as the steps of one bar: step n has drawn the first n triangles of
-// the frame. Pure. Read cell_view.cpp for its use.
+// The draw calls of a frame, triangle by triangle, as the steps of one bar: step n has drawn the frame's first n
+// triangles. Pure functions. See cell_view.cpp for usage.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,23 @@
 
 namespace viewing {
 
-/// The triangles of all calls.
+/// The number of triangles in all calls.
 int step_count(const std::vector<DrawCall>& calls);
 
-/// −1 for a frame that is drawn whole. What a limit counts beyond its call, or beyond the calls, is left out.
+/// Returns the step at which `limit` stops; −1 for the whole frame. Clamps counts past the end of the call, and calls
+/// past the last one.
 int step_of(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 
-/// The call that draws the step's last triangle, and how many of its triangles are there; step 0 stops before the first
-/// one, and a negative step stops nowhere.
+/// Returns the call that draws the step's last triangle, and the number of its triangles drawn so far. Step 0 stops
+/// before the first triangle; a negative step draws the whole frame.
 DrawLimit limit_of(int step, const std::vector<DrawCall>& calls);
 
-/// A whole call further, or back: from the frame drawn whole to its last call, and from the first call to nothing.
+/// Moves by a whole call. The call before the whole frame is the last one; before the first call, nothing is drawn.
 DrawLimit next_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 DrawLimit previous_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 
-/// Of limits in drawing order the first one that draws more than `limit`, and the last one that draws less; none: there
-/// is none.
+/// Returns the first of `limits` that draws more than `limit`, or the last one that draws less; nullopt if there is
+/// none. `limits` are in drawing order.
 std::optional<DrawLimit> next_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,
                                  const std::vector<DrawCall>& calls);
 std::optional<DrawLimit> previous_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,

@@ -19,34 +19,34 @@ enum FightingColumn { names, distance, gap, step, onset, predicted, trembling_me
 
 struct ColumnText {
     const char *title, *explanation;
-    const char* target;  ///< its name for a lesson
+    const char* target;  ///< its name in lessons
 };
 constexpr std::array<ColumnText, fighting_columns> columns = {{
     {marked("pair"),
-     marked("Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was "
-            "counted in the picture: where GL shows another surface than exact visibility does."),
+     marked("Two flat surfaces that are nearly coplanar. For each pair, the formulas' prediction is next to the count "
+            "in the picture: pixels where GL and exact visibility show different surfaces."),
      "column:fighting.pair"},
-    {marked("z"), marked("Eye distance of the middle of where they overlap."), "column:fighting.z"},
-    {marked("gap"), marked("Between the two, along their normal."), "column:fighting.gap"},
-    {marked("step Δz"), marked("Δz, the width of a depth code there, in eye distance."), "column:fighting.step"},
+    {marked("z"), marked("Eye distance at the center of their overlap."), "column:fighting.z"},
+    {marked("gap"), marked("Distance between the two along the normal."), "column:fighting.gap"},
+    {marked("width Δz"), marked("Δz, the code width there, in eye distance."), "column:fighting.step"},
     {marked("safe gap"),
-     marked("The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
-            "arithmetic adds to it. A gap that is narrower is red."),
+     marked("The gap along the normal below which depth fighting is predicted: one code width plus the float32 "
+            "arithmetic error. Red if the pair's gap is narrower."),
      "column:fighting.safe_gap"},
     {marked("predicted"),
-     marked("Between which shares of the pair's pixels show the wrong surface, whatever float32 arithmetic before the "
-            "store does; – where that cannot be said: with 24 bits and floats it is as coarse as the codes."),
+     marked("The predicted range for the share of wrong pixels in the pair, whatever float32 arithmetic does before "
+            "the store. – means no prediction: with 24 bits and floats, arithmetic is as coarse as the codes."),
      "column:fighting.predicted"},
-    {marked("trembling"),
-     marked("Which codes meet the pixels goes by chance: the mean over 12 cameras that tremble by a thousandth of the "
-            "target's distance, and between which shares they lie."),
+    {marked("jittered"),
+     marked("The mean share of wrong pixels over 12 cameras jittered by a thousandth of the target's distance, and the "
+            "range, since pixels hit codes at random."),
      "column:fighting.trembling"},
     {marked("counted"),
-     marked("The share of the pair's pixels that show the wrong surface. They are not random parts, as the slide has "
-            "it: the same frame rounds to the same codes, and only what moves changes them."),
+     marked("The share of the pair's pixels that show the wrong surface. The slide calls the wrong pixels random, but "
+            "they are not: the same frame rounds to the same codes, and only motion changes them."),
      "column:fighting.counted"},
     {marked("wrong pixels"),
-     marked("Pixels that show the wrong surface, and all that the pair has, away from its edges."),
+     marked("Pixels that show the wrong surface, out of all the pixels that the pair covers, not counting its edges."),
      "column:fighting.wrong_pixels"},
 }};
 
@@ -56,7 +56,7 @@ struct PairRow {
     bool is_below_onset = false, fights = false;
 };
 
-/// What both names have in common is said once: "back / front quad at 4".
+/// Writes the common part of both names only once: "back / front quad at 4".
 std::string pair_name(const std::string& first, const std::string& second) {
     const std::size_t at = first.find(' '), other = second.find(' ');
     if (at != std::string::npos && other != std::string::npos && first.substr(at) == second.substr(other))
@@ -64,7 +64,7 @@ std::string pair_name(const std::string& first, const std::string& second) {
     return first + " / " + second;
 }
 
-/// "29–71 %", "0 %".
+/// "29–71%", "0%".
 std::string percents(double least, double most) {
     const std::string low = percent(least), high = percent(most);
     return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
@@ -79,7 +79,7 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
     made.counted_share = static_cast<float>(counted_pair.wrong_fraction());
     const auto& share = row.predicted.wrong_share;
     const ShareSpread& spread = row.spread;
-    made.texts = {pair_name(row.first, row.second),
+    made.texts = {pair_name(object_text(row.first), object_text(row.second)),
                   number_text(row.predicted.distance, 2),
                   figures(counted_pair.pair.gap()),
                   figures(row.predicted.step),
@@ -98,12 +98,12 @@ bool is_covered(FightingColumn column) {
     return widgets::IsCovered(columns[column].target);
 }
 
-/// Whether something counted is, so that what is counted elsewhere would tell it.
+/// Whether any count is covered. Each of the other counts would give it away.
 bool is_count_covered() {
     return is_covered(counted) || is_covered(pixels) || is_covered(trembling_mean);
 }
 
-/// What is covered says nothing, and neither do colours.
+/// Hides covered values, and the colors that would give them away.
 void cover(PairRow& row) {
     for (std::size_t c = 0; c < columns.size(); ++c)
         if (widgets::IsCovered(columns[c].target)) row.texts[c] = "?";
@@ -124,7 +124,7 @@ std::vector<PairRow> rows_of(const FightingReport& report) {
 
 using FightingWidths = ColumnWidths<fighting_columns>;
 
-/// What the columns need; where the names do not fit wholly, a row is told by its distance.
+/// Returns the column widths. If space is short, drops the names first: the distance still identifies the row.
 FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     FightingWidths widths{};
@@ -134,13 +134,13 @@ FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
             widths[c] = std::max(widths[c], width_of(row.texts[c], c == names ? fonts.note : fonts.small_number));
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
-    widths[counted] = std::max(widths[counted], width_of("100.0 %", fonts.small_number)) + px(bar_room);
+    widths[counted] = std::max(widths[counted], width_of("100.0%", fonts.small_number)) + px(bar_room);
     for (const FightingColumn left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
         if (widths.sum() > room) widths[left_out] = 0.0F;
     return widths;
 }
 
-/// The share as a part of a line, in front of its number.
+/// Draws the share as a bar in front of its number.
 void draw_bar(float share, ImU32 color) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight(), width = px(bar_room - 6.0F);
@@ -223,7 +223,7 @@ struct LinePart {
     ImU32 color;
 };
 
-/// Parts in a line, or in several: none is broken that fits into one.
+/// Draws the parts in one or more lines. Wraps within a part only if it is wider than a line.
 void draw_parts(const std::vector<LinePart>& parts) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
@@ -245,17 +245,17 @@ void draw_parts(const std::vector<LinePart>& parts) {
     ImGui::PopFont();
 }
 
-/// In the trouble colour where there is something wrong.
+/// Returns a part in the trouble color if something is wrong.
 LinePart told(std::string text, bool is_wrong) {
     return {std::move(text), is_wrong ? palette().trouble : palette().text};
 }
 
-/// Only what lies behind what is seen can bleed through it.
+/// Reports wrong pixels outside the pairs. If surfaces show through nearer ones, reports only those pixels.
 LinePart elsewhere(const FightingCounts& counts) {
     if (counts.bleeding_elsewhere > 0)
-        return told(say("elsewhere {count} bleed through", "count"_a = grouped_number(counts.bleeding_elsewhere)),
+        return told(say("elsewhere: {count} bleed through", "count"_a = grouped_number(counts.bleeding_elsewhere)),
                     true);
-    return told(say("elsewhere {count} wrong pixels", "count"_a = grouped_number(counts.wrong_elsewhere)),
+    return told(say("elsewhere: {count} wrong pixels", "count"_a = grouped_number(counts.wrong_elsewhere)),
                 counts.wrong_elsewhere > 0);
 }
 
@@ -266,20 +266,20 @@ void draw_totals(const FightingReport& report, bool is_brief) {
         draw_parts({{tr("counting…"), palette().quiet}});
     } else if (!is_count_covered()) {
         const std::int64_t vanished = counts.vanished();
-        draw_parts({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
+        draw_parts({told(say("all pairs: {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
                          counts.wrong_fraction() > 0.0),
                     elsewhere(counts),
                     vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
                                  : LinePart{},
                     is_brief ? LinePart{}
-                             : LinePart{say("in {width} × {height} pixels", "width"_a = report.size_px.x,
+                             : LinePart{say("at {width} × {height} pixels", "width"_a = report.size_px.x,
                                             "height"_a = report.size_px.y),
                                         palette().quiet}});
     }
     if (is_brief) {
-        // No step asks for a minimum gap.
+        // No lesson step needs the minimum gap.
     } else if (is_covered(onset) || is_covered(step)) {
-        // It would be told by the minimum gap.
+        // It would give the covered values away.
     } else if (report.gap_is_behind || !report.minimum_gap) {
         draw_parts({{tr("searching for the minimum gap…"), palette().quiet}});
     } else {
@@ -294,8 +294,8 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     if (!report.problem.empty()) draw_parts({told(report.problem, true)});
 }
 
-/// A cure's button and, below it, what is counted with it: the share of the pairs' wrong pixels, and how many are wrong
-/// elsewhere.
+/// Draws a cure's button and, below it, the counts with that cure: the share of wrong pixels in the pairs, and the
+/// number of wrong pixels elsewhere.
 void draw_cure(Session& session, const FightingReport::Cured& cured, float width, bool is_behind) {
     const Cure& cure = cured.cure;
     const std::optional<FightingCounts>& counts = cured.counts;
@@ -311,7 +311,7 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
     };
     if (!widgets::OffersButton(cure.name.c_str()))
         number(cure.name, palette().text);
-    else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already.")))
+    else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("Already applied.")))
         session.params = cure.params;
     widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
@@ -326,19 +326,19 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
     ImGui::EndGroup();
 }
 
-/// Side by side, as many in a line as there is room for.
+/// Draws the cures side by side, as many per line as fit.
 void draw_cures(Session& session, const FightingReport& report) {
     if (report.cured.empty() || is_count_covered() || widgets::IsCovered("advice")) return;
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(fonts.note);
-    draw_parts({{tr("each of these by itself: wrong in the pairs, and elsewhere"), palette().quiet}});
+    draw_parts({{tr("each of these alone: wrong in the pairs and elsewhere"), palette().quiet}});
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, between = px(5.0F);
     float end = right;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});
     for (const FightingReport::Cured& cured : report.cured) {
         const float width = widgets::SmallButtonWidth(cured.cure.name.c_str());
-        const float room = std::max(width, width_of("100.0 %", fonts.small_number));
+        const float room = std::max(width, width_of("100.0%", fonts.small_number));
         if (end + between + room <= right) ImGui::SameLine(0.0F, between + end - ImGui::GetItemRectMax().x);
         end = ImGui::GetCursorScreenPos().x + room;
         draw_cure(session, cured, width, report.counts_are_behind);
@@ -357,12 +357,12 @@ void draw_fighting_view(Session& session, const FightingReport* report, const Re
         return;
     }
     if (report->rows.empty() && report->problem.empty() && !report->counts_are_behind) {
-        if (offer("No two flat surfaces of this scene are nearly coplanar: nothing fights.", "Open coplanar"))
+        if (offer("No two flat surfaces in this scene are nearly coplanar: no depth fighting.", "Open coplanar"))
             session.params.scene = std::string("coplanar");
         return;
     }
     draw_table(rows_of(*report), report->counts_are_behind);
-    // What a room reads is what steps are about, in larger type.
+    // When presenting, show only the parts that lesson steps refer to, in larger type.
     const bool is_brief = widgets::HasPlainTitles();
     draw_totals(*report, is_brief);
     if (!is_brief) draw_cures(session, *report);

@@ -1,4 +1,4 @@
-// The view of depth fighting: pair by pair what the formulas predict beside what was counted in the picture.
+// The view of depth fighting: for each pair of surfaces, the predicted share of wrong pixels beside the counted one.
 #pragma once
 
 #include "frame/depth/fighting_report.h"
@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Null: nothing is known yet. In a scene without flat pairs it offers to open one that has some.
+/// `report` is null until there are results. If the scene has no pair of flat surfaces, offers to open one that does.
 void draw_fighting_view(Session& session, const FightingReport* report, const Rect& rect);
 
 }  // namespace viewing

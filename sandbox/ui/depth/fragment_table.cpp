@@ -20,12 +20,12 @@ enum FragmentColumn { number, object, eye_z, facing, stored, compared, result, f
 constexpr std::array<const char*, fragment_columns> fragment_titles = {
     "", marked("object"), marked("eye z"), marked("facing"), marked("stored"), marked("compare"), marked("test")};
 
-/// Their names for a lesson.
+/// The columns' names in lessons.
 constexpr std::array<const char*, fragment_columns> fragment_targets = {
     "column:pixel.number", "column:pixel.object",  "column:pixel.eye_z", "column:pixel.facing",
     "column:pixel.stored", "column:pixel.compare", "column:pixel.test"};
 
-/// A row's texts, and how it is told.
+/// The texts of a row and their style.
 struct FragmentRow {
     std::array<std::string, fragment_columns> texts;
     std::string explanation;
@@ -34,7 +34,7 @@ struct FragmentRow {
     bool is_close = false;  ///< a tie, or decided by rounding
 };
 
-/// What is covered says nothing, and neither do colours or the explanation.
+/// Hides covered values, and the colors and the explanation that would give them away.
 void cover(FragmentRow& row) {
     for (std::size_t c = 0; c < fragment_targets.size(); ++c)
         if (widgets::IsCovered(fragment_targets[c])) row.texts[c] = "?";
@@ -71,13 +71,13 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
                      test.compare,
                      row.is_seen ? say("{result}, seen", "result"_a = test.result) : test.result};
         row.explanation = decision_sentence(fragment, precision) + "\n" +
-                          say("stored code {code}, GL's within ±{within}, step Δz {step}",
+                          say("stored code {code} (GL's code may differ by ±{within}), code width Δz {step}",
                               "code"_a = code_text(fragment.stored, precision),
                               "within"_a = grouped_number(static_cast<std::int64_t>(std::min(fragment.within, 1e15))),
                               "step"_a = step_text(fragment.step));
         if (row.is_seen) {
             row.explanation += "\n";
-            row.explanation += tr("It is the last one whose colour is written: the one that is seen.");
+            row.explanation += tr("This fragment is the last to write its color: the visible one.");
         }
         cover(row);
         rows.push_back(std::move(row));
@@ -95,7 +95,7 @@ bool is_number(int column) {
 
 using FragmentWidths = ColumnWidths<fragment_columns>;
 
-/// What the columns need; names get what is left.
+/// Returns the column widths; the names get the remaining space.
 FragmentWidths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, float room) {
     FragmentWidths widths{};
     for (int column = 0; column < fragment_columns; ++column) {
@@ -129,10 +129,10 @@ void draw_object(const FragmentRow& row) {
     shortened_text(row.texts[object], ImGui::GetContentRegionAvail().x);
 }
 
-/// Something to point at and click over the whole row; recorded as "2 box: 812 < 812  tie: fails".
+/// Makes the whole row an item to hover and click; recorded as "2 box: 812 < 812  tie: fails".
 bool draw_row_item(const FragmentRow& row, const std::string& on_click) {
     const float x = ImGui::GetCursorPosX();
-    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette().field);  // less than the one that is seen
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette().field);  // fainter than the visible fragment's highlight
     ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette().field);
     const bool is_clicked =
         ImGui::Selectable("##row", false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);

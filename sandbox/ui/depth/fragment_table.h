@@ -1,4 +1,4 @@
-// The surfaces on a pixel's ray as a list in drawing order: where each lies and what the tests make of it.
+// The surfaces along a pixel's ray, listed in drawing order: their depths and the results of the tests.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace viewing {
 
-/// Fills what is left of the window, and scrolls by itself where that is at least a few rows; else the window has to.
-/// The one that is seen is marked; ties and what rounding decides are in the trouble colour. Columns for which there is
-/// no room are left out: facing first, then the code, eye z, and last the compare; narrower ones may stay in place of a
-/// wide one. Returns the row that was clicked; `on_click` says what that does, or is empty.
+/// Fills the rest of the window. Scrolls by itself if at least a few rows fit; otherwise the window must scroll. Marks
+/// the visible fragment; ties and decisions by rounding have the trouble color. Drops columns that do not fit: facing
+/// first, then the code, then eye z, and last the comparison; a narrow column may remain after a wider one is dropped.
+/// Returns the index of the clicked row. `on_click` describes the effect of a click, or is empty.
 std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrecision& precision,
                                                const Scene& scene, bool is_large, const std::string& on_click);
 

@@ -53,42 +53,43 @@ bool asks_nothing(CompareFunc func) {
     return func == CompareFunc::never || func == CompareFunc::always;
 }
 
-/// What becomes of colour and depth where GL's rounding decides about a fragment.
+/// The effect on color and depth if GL's rounding decides.
 std::string rounding_sentence(const Fragment& fragment, const std::string& name) {
-    if (!fragment.passes) return say("{fragment}: GL's rounding decides here: the pixel stays.", "fragment"_a = name);
+    if (!fragment.passes)
+        return say("{fragment}: GL's rounding decides here, so the pixel is unchanged.", "fragment"_a = name);
     if (!fragment.depth.write && fragment.drawn)
-        return say("{fragment}: GL's rounding decides here: the colour is replaced, the mask keeps the depth.",
+        return say("{fragment}: GL's rounding decides here, so the color is replaced; the mask keeps the depth.",
                    "fragment"_a = name);
     if (!fragment.depth.write)
-        return say("{fragment}: GL's rounding decides here: nothing is written.", "fragment"_a = name);
+        return say("{fragment}: GL's rounding decides here, so nothing is written.", "fragment"_a = name);
     return fragment.drawn
-               ? say("{fragment}: GL's rounding decides here: colour and depth are replaced.", "fragment"_a = name)
-               : say("{fragment}: GL's rounding decides here: the depth is replaced, the colour is not.",
+               ? say("{fragment}: GL's rounding decides here, so color and depth are replaced.", "fragment"_a = name)
+               : say("{fragment}: GL's rounding decides here, so the depth is replaced but the color is not.",
                      "fragment"_a = name);
 }
 
-/// The same where the compare decides.
+/// The effect on color and depth if the comparison decides.
 std::string compare_decision(const Fragment& fragment, const std::string& name, const std::string& asked) {
     if (!fragment.passes) {
         if (asks_nothing(fragment.depth.func))
-            return say("{fragment}: {compare}, so the pixel stays.", "fragment"_a = name, "compare"_a = asked);
-        return fragment.tie
-                   ? say("{fragment}: {compare} is false, a tie: the pixel stays.", "fragment"_a = name,
-                         "compare"_a = asked)
-                   : say("{fragment}: {compare} is false: the pixel stays.", "fragment"_a = name, "compare"_a = asked);
+            return say("{fragment}: {compare}, so the pixel is unchanged.", "fragment"_a = name, "compare"_a = asked);
+        return fragment.tie ? say("{fragment}: {compare} is false (a tie), so the pixel is unchanged.",
+                                  "fragment"_a = name, "compare"_a = asked)
+                            : say("{fragment}: {compare} is false, so the pixel is unchanged.", "fragment"_a = name,
+                                  "compare"_a = asked);
     }
     if (!fragment.depth.write && fragment.drawn)
-        return say("{fragment}: {compare}, so the colour is replaced, the mask keeps the depth.", "fragment"_a = name,
+        return say("{fragment}: {compare}, so the color is replaced; the mask keeps the depth.", "fragment"_a = name,
                    "compare"_a = asked);
     if (!fragment.depth.write)
         return say("{fragment}: {compare}, so nothing is written.", "fragment"_a = name, "compare"_a = asked);
-    return fragment.drawn ? say("{fragment}: {compare}, so colour and depth are replaced.", "fragment"_a = name,
+    return fragment.drawn ? say("{fragment}: {compare}, so color and depth are replaced.", "fragment"_a = name,
                                 "compare"_a = asked)
-                          : say("{fragment}: {compare}, so the depth is replaced, the colour is not.",
+                          : say("{fragment}: {compare}, so the depth is replaced but the color is not.",
                                 "fragment"_a = name, "compare"_a = asked);
 }
 
-/// The fragment as the cell shows it, which was read back before it and after it. None: it cannot have done that.
+/// Corrects the fragment to match its cell, read back before and after it; nullopt if it cannot have caused the change.
 std::optional<Fragment> as_read_back(Fragment sent, const BufferCell& before, const BufferCell& after) {
     const bool changes = before != after, changes_depth = before.stored != after.stored;
     if (changes_depth && !(sent.depth.test && sent.depth.write)) return std::nullopt;
@@ -130,35 +131,34 @@ TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
     if (fragment.culled) return {"", tr("culled")};
     if (fragment.stencil_fails) return {"", tr("stencil fails")};
     if (!fragment.is_sent) return {"", tr("not sent")};
-    const char* passes = fragment.drawn ? tr("passes") : tr("passes, no colour");
-    if (!fragment.depth.test) return {tr("depth test off"), fragment.drawn ? tr("drawn") : tr("no colour")};
+    const char* passes = fragment.drawn ? tr("passes") : tr("passes, no color");
+    if (!fragment.depth.test) return {tr("depth test off"), fragment.drawn ? tr("drawn") : tr("no color")};
     if (fragment.decided_by_rounding) return {tr("rounding decides"), fragment.passes ? passes : tr("fails"), true};
     const std::string asked = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
     if (!fragment.tie || asks_nothing(fragment.depth.func)) return {asked, fragment.passes ? passes : tr("fails")};
     return {asked,
             !fragment.passes ? tr("tie: fails")
             : fragment.drawn ? tr("tie: passes")
-                             : tr("tie: passes, no colour"),
+                             : tr("tie: passes, no color"),
             true};
 }
 
 std::string fragment_name(const Fragment& fragment) {
-    return say("{object}, triangle {number}", "object"_a = fragment.object,
+    return say("{object}, triangle {number}", "object"_a = object_text(fragment.object),
                "number"_a = grouped_number(fragment.triangle + 1));
 }
 
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision) {
     const std::string name = fragment_name(fragment);
     if (fragment.culled)
-        return fragment.front_facing
-                   ? say("{fragment} is culled: it turns its front to the camera.", "fragment"_a = name)
-                   : say("{fragment} is culled: it turns its back to the camera.", "fragment"_a = name);
+        return fragment.front_facing ? say("{fragment} is culled: it is front-facing.", "fragment"_a = name)
+                                     : say("{fragment} is culled: it is back-facing.", "fragment"_a = name);
     if (fragment.stencil_fails)
-        return say("{fragment}: the stencil test fails, so the pixel stays.", "fragment"_a = name);
+        return say("{fragment}: the stencil test fails, so the pixel is unchanged.", "fragment"_a = name);
     if (!fragment.is_sent)
-        return say("{fragment} is not sent to GL: the method has found another surface here.", "fragment"_a = name);
+        return say("{fragment} is not sent to GL: the method found another surface here.", "fragment"_a = name);
     if (!fragment.depth.test)
-        return say("{fragment}: the depth test is off, so the colour is replaced and the depth is not.",
+        return say("{fragment}: the depth test is off, so the color is replaced but the depth is not.",
                    "fragment"_a = name);
     if (fragment.decided_by_rounding) return rounding_sentence(fragment, name);
     return compare_decision(fragment, name,
@@ -170,8 +170,8 @@ std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferC
     const std::optional<Fragment> sent = incoming ? as_read_back(*incoming, before, after) : std::nullopt;
     if (sent) return decision_sentence(*sent, precision);
     if (before == after) return tr("This triangle does not cover the pixel.");
-    if (before.stored == after.stored) return tr("This triangle changes the colour, the depth stays.");
-    return tr("This triangle changes colour and depth.");
+    if (before.stored == after.stored) return tr("This triangle changes the color but not the depth.");
+    return tr("This triangle changes color and depth.");
 }
 
 int seen_fragment(const std::vector<Fragment>& fragments) {

@@ -1,5 +1,5 @@
-// What the tests of GL do with a fragment, in words and with the numbers of the compare. Pure. Read pixel_view.cpp and
-// cell_view.cpp for their use.
+// GL's tests of a fragment, in words and with the compared numbers. Pure functions. See pixel_view.cpp and
+// cell_view.cpp for usage.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace viewing {
 
-/// A stored code to be read aloud: "15,955,400"; of a float its value with nine decimals: "0.951018989".
+/// Returns a stored code in readable form: "15,955,400"; for a float, its value with nine decimals: "0.951018989".
 std::string code_text(std::uint32_t stored, const DepthPrecision& precision);
 
 /// The bits of a float: "0x3f737602".
 std::string bits_text(std::uint32_t stored);
 
-/// "12 < 15" as the depth function asks it, whether it is true or not. Floats get as many decimals as tell them apart,
-/// at least 3; where 12 do not, their bits. GL_NEVER and GL_ALWAYS ask nothing: their names.
+/// Returns the depth function's comparison, whether true or false: "12 < 15". Floats get enough decimals to differ, at
+/// least 3; if 12 do not suffice, returns their bits. GL_NEVER and GL_ALWAYS compare nothing: returns their names.
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision);
 
-/// The decision about a fragment in two columns.
+/// The outcome of a fragment's tests, in two columns.
 struct TestText {
     std::string compare;    ///< "812 < 812", "rounding decides", "depth test off"; empty: depth was not compared
     std::string result;     ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
@@ -32,18 +32,18 @@ struct TestText {
 };
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision);
 
-/// "box, triangle 3": triangles count from 1 on.
+/// "box, triangle 3"; triangles count from 1.
 std::string fragment_name(const Fragment& fragment);
 
-/// What a fragment does to the pixel that it is sent to: "box, triangle 3: 9 < 15, so colour and depth are replaced."
+/// Says what a fragment does to its pixel: "box, triangle 3: 9 < 15, so color and depth are replaced."
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
 
-/// The same of a cell of a block as it was read back before a step and after it: what has changed decides. Without a
-/// fragment that can have done that: whether the step leaves the cell as it was.
+/// Does the same for a cell, read back before and after a step; the change in the cell decides. If the fragment cannot
+/// have caused the change, describes only the change.
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision);
 
-/// The last fragment whose colour is written: the one that is seen. −1: none.
+/// Returns the index of the last fragment that writes its color, which is the visible one; −1: none.
 int seen_fragment(const std::vector<Fragment>& fragments);
 
 }  // namespace viewing

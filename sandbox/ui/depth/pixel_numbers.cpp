@@ -15,12 +15,12 @@ std::string with_place_for_sign(const std::string& number) {
     return is_negative ? number : " " + number;
 }
 
-/// Enough to tell neighbouring codes apart near the ends of the range, where they are farthest apart in eye z.
+/// Enough decimals of a window depth to distinguish adjacent integer codes, or adjacent floats near 1.
 int decimals_of(const DepthPrecision& precision) {
     return precision.is_float ? 9 : static_cast<int>(std::ceil(precision.bits * 0.30103)) + 1;
 }
 
-/// So many that a step changes one of the last two.
+/// Enough decimals for a step to change one of the last two.
 int decimals_for_step(double step) {
     if (!(step > 0.0) || !std::isfinite(step)) return 3;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 3, 6);
@@ -53,13 +53,13 @@ PixelNumber stored_number(const PixelReport& pixel) {
                 with_place_for_sign(bits_text(pixel.stored)),
                 tr("float bits"),
                 tr("Stored bits"),
-                tr("The 32 bits in the depth buffer, read back: those of the float z_window."),
+                tr("The 32 bits of the float z_window, read back from the depth buffer."),
                 ""};
     return {marked("stored"),
             with_place_for_sign(code_text(pixel.stored, pixel.precision)),
             say("of 2{power} − 1", "power"_a = raised_text(pixel.precision.bits)),
             tr("Stored code"),
-            tr("The integer in the depth buffer, read back and not recomputed: the one next to"),
+            tr("The integer read back from the depth buffer, not recomputed: the one nearest to"),
             "z_{window} " + code_count(pixel.precision)};
 }
 
@@ -83,37 +83,37 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
     const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
     const auto from_depth = [&](const char* explanation) {
         if (!pixel.written || pixel.has_depth) return std::string(explanation);
-        return std::string(tr("Its depth is that of a cleared buffer.")) + " " + explanation;
+        return std::string(tr("Its depth is the clear value.")) + " " + explanation;
     };
 
     std::vector<PixelNumber> numbers{stored_number(pixel)};
     numbers.push_back({"z_{window}", with_place_for_sign(number_text(pixel.window_depth, decimals)), "",
-                       tr("Window depth"), tr("What the stored value means, 0 to 1."),
+                       tr("Window depth"), tr("The stored value as a depth, 0 to 1."),
                        precision.is_float ? "" : "z_{window} = stored / " + code_count(precision)});
     numbers.push_back(
         {"z_{ndc}", with_place_for_sign(number_text(pixel.ndc_z, decimals)), "",
-         tr("z in normalised device coordinates"),
+         tr("z in normalized device coordinates"),
          derived.clip_zero_to_one ? tr("With glClipControl the range is 0 to 1.") : tr("The range is −1 to 1."),
          derived.clip_zero_to_one ? "z_{ndc} = z_{window}" : "z_{ndc} = 2 z_{window} - 1"});
     numbers.push_back(
         {marked("eye z"), known(number_text(pixel.eye_z, decimals_for_step(pixel.step))), "", tr("Eye z"),
          from_depth(tr("Recovered from the stored depth; negative in front of the camera. n is near, f is far:")),
          eye_z_formula(params.projection, mapping)});
-    numbers.push_back({marked("step Δz"), known(step_text(pixel.step)), "", tr("Step Δz"),
+    numbers.push_back({marked("width Δz"), known(step_text(pixel.step)), "", tr("Width Δz"),
                        precision.is_float ? tr("The width of a code here, in eye z: one unit in the last place of the "
                                                "float.")
                                           : tr("The width of a code here, in eye z:"),
                        step_formula(params.projection, mapping, precision)});
     if (precision.is_float)
         numbers.push_back({marked("eye Δz"), known(step_text(pixel.resolvable_step)), "", tr("Eye Δz"),
-                           tr("What can be told apart here: eye z is rounded to a float32 itself before it is stored, "
-                              "so codes that are narrower than half a unit in its last place tell nothing."),
+                           tr("The smallest resolvable difference here: eye z itself is rounded to float32 before the "
+                              "store, so codes narrower than half a unit in its last place add no precision."),
                            ""});
     numbers.push_back(
         {marked("stencil"), with_place_for_sign(std::to_string(pixel.stencil)), "", tr("Stencil"),
-         tr("What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals."), ""});
+         tr("The value that the passes left in the stencil buffer: marks for the plane, shadows and decals."), ""});
     numbers.push_back({marked("world"), has_depth ? point_text(pixel.world) : " —", "", tr("World position"),
-                       from_depth(tr("The point that the pixel shows, by its stored depth: x, y, z.")),
+                       from_depth(tr("The point at this pixel, from its stored depth: x, y, z.")),
                        "C (x_{eye}, y_{eye}, z_{eye}, 1)"});
     return numbers;
 }

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr const char* follows = marked("follows the pointer: click the picture to pin it");
+constexpr const char* follows = marked("follows the pointer; click to pin a pixel");
 
 bool is_pinned(const ViewParams& view) {
     return view.pixel || view.pin;
@@ -34,7 +34,7 @@ ViewFonts fonts_of(bool is_large) {
     return is_large ? ViewFonts{fonts.text, fonts.number} : ViewFonts{fonts.note, fonts.small_number};
 }
 
-/// On the headline, in the middle of its height.
+/// Draws text on the header line, vertically centered.
 void headline_text(const std::string& text, ImFont* font, ImU32 color) {
     ImGui::PushFont(font);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -55,14 +55,15 @@ void color_swatch(const Color& color) {
     ImGui::Dummy({side, px(20.0F)});
 }
 
-/// At the right end of the headline, `room` pixels wide: a button that releases the pin, or that there is none.
+/// Draws a button that releases the pin, or a note that nothing is pinned, at the right end of the header line, `room`
+/// pixels wide.
 void pin_state(ViewParams& view, float right, float room) {
     if (is_pinned(view)) {
         const float width = ImGui::CalcTextSize(tr("Release")).x + 2.0F * px(8.0F);
         ImGui::SameLine();
         ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
         if (widgets::SmallButton("Release")) release(view);
-        widgets::Tooltip("Release", "The pixel is pinned; released, the view follows the pointer again.");
+        widgets::Tooltip("Release", "Releases the pinned pixel: this view follows the pointer again.");
         return;
     }
     ImFont* font = widgets::CurrentContext().fonts.note;
@@ -70,7 +71,7 @@ void pin_state(ViewParams& view, float right, float room) {
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - width_of(text, font), ImGui::GetCursorScreenPos().y});
     headline_text(text, font, palette().quiet);
-    widgets::Tooltip("Live", "The view follows the pointer; a click on the camera's picture pins a pixel.");
+    widgets::Tooltip("Live", "This view follows the pointer. Click the camera view to pin a pixel.");
 }
 
 void headline(ViewParams& view, const PixelReport& pixel) {
@@ -88,7 +89,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     const std::string surface = surface_words(pixel);
     const float wanted = width_of(surface, fonts.text), hex_width = width_of(hex, fonts.small_number);
     const auto fits = [&](float width) { return ImGui::GetCursorScreenPos().x + width + state_width <= right; };
-    // A room reads the surface rather than the colour's code.
+    // When presenting, the surface matters more than the hex color.
     const bool has_hex = fits(hex_width) && !(widgets::HasPlainTitles() && !fits(hex_width + wanted + px(18.0F)));
     if (has_hex) {
         headline_text(hex, fonts.small_number, palette().quiet);
@@ -105,7 +106,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     headline_text(shown, fonts.text, palette().text);
 }
 
-/// One number at the cursor, in a column of its own: its name, its value, and its unit where there is room.
+/// Draws one number in its own column: its name, its value, and its unit if it fits.
 void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_width, float width, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -129,8 +130,8 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
     ImGui::PopFont();
 }
 
-/// Down the first column, then down the second; the last number, the place in the world, has a row for itself, which a
-/// room has little height for. Leaves the cursor below.
+/// Fills the first column, then the second. The last number, the world position, has a row of its own, which small
+/// views omit when presenting. Leaves the cursor below the numbers.
 void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
     const ViewFonts fonts = fonts_of(is_large);
     ImGui::PushFont(fonts.text);
@@ -139,7 +140,7 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::PopFont();
     const bool in_two = !is_large && width >= px(320.0F);
     const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
-    const float name_width = std::ceil(width_of(tr("step Δz"), fonts.text)) + px(is_large ? 20.0F : 8.0F);
+    const float name_width = std::ceil(width_of(tr("width Δz"), fonts.text)) + px(is_large ? 20.0F : 8.0F);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
     for (std::size_t i = 0; i < in_columns + (has_last ? 1 : 0); ++i) {
@@ -152,11 +153,11 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
-/// Where the cells are shown, which have the draw calls, a click goes to the step that sends the fragment.
+/// If the cell view is shown, which provides the draw calls, a click goes to the step that draws the fragment.
 void draw_fragments(Session& session, const DepthData& data, bool is_large) {
-    if (data.fragments.empty()) return widgets::Note("No surface lies on this pixel's ray.");
+    if (data.fragments.empty()) return widgets::Note("This pixel's ray hits no surface.");
     const std::string on_click =
-        data.calls.empty() ? std::string() : tr("Click: the frame stops after the triangle that sends it.");
+        data.calls.empty() ? std::string() : tr("Click to stop the frame after the triangle that sends it.");
     const std::optional<std::size_t> clicked =
         draw_fragment_table(data.fragments, data.pixel->precision, session.scene(), is_large, on_click);
     if (!clicked || data.calls.empty()) return;
@@ -166,15 +167,15 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
-/// The width of a code is told in the panel as well, under one name.
+/// The panel also shows the code width, and lessons use one name for both.
 void cover(PixelNumber& number) {
-    const bool is_step = number.name == "step Δz" || number.name == "eye Δz";
+    const bool is_step = number.name == "width Δz" || number.name == "eye Δz";
     if (!is_step || !widgets::IsCovered("note:depth_step")) return;
     number.value = " ?";
     number.formula.clear();
 }
 
-/// The numbers, and beside them, where there is room, else below, the surfaces.
+/// Draws the numbers and the surfaces: side by side if they fit, otherwise one below the other.
 void draw_pixel(Session& session, const Derived& derived, const DepthData& data) {
     headline(session.params.view, *data.pixel);
     std::vector<PixelNumber> numbers = pixel_numbers(*data.pixel, session.params, derived);
@@ -202,7 +203,7 @@ void draw_pixel_view(Session& session, const Derived& derived, const DepthData& 
     const widgets::Group group("pixel");
     if (data.pixel) return draw_pixel(session, derived, data);
     if (pinned.why_none.empty())
-        offer("Point at the camera's picture to see what is stored in a pixel; a click pins it.");
+        offer("Point at the camera view to see what a pixel stores; click to pin the pixel.");
     else if (offer(pinned.why_none.c_str(), "Release"))
         release(session.params.view);
 }

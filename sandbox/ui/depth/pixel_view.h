@@ -1,5 +1,5 @@
-// The pixel view: what is at the pixel that is pinned or pointed at, the chain of numbers that its depth went through,
-// and every surface on its ray. Read pixel_numbers.h and fragment_table.h next.
+// The pixel view: the pixel that is pinned or under the pointer, the chain of numbers behind its depth, and every
+// surface on its ray. Read pixel_numbers.h and fragment_table.h next.
 #pragma once
 
 #include "frame/depth/depth_data.h"
@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// `pinned`: as the state says, to tell why there is nothing where something is pinned.
+/// `pinned`: the state's pinned pixel, or the reason why it is not visible.
 void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const PinnedPixel& pinned,
                      const Rect& rect);
 

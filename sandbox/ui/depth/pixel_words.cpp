@@ -6,8 +6,8 @@ namespace viewing {
 
 std::string surface_words(const PixelReport& pixel) {
     if (!pixel.written) return tr("background");
-    return pixel.front_facing ? say("{object}, front face", "object"_a = pixel.object)
-                              : say("{object}, back face", "object"_a = pixel.object);
+    return pixel.front_facing ? say("{object}, front face", "object"_a = object_text(pixel.object))
+                              : say("{object}, back face", "object"_a = object_text(pixel.object));
 }
 
 std::vector<std::string> pixel_words(const PixelReport& pixel) {
@@ -16,7 +16,7 @@ std::vector<std::string> pixel_words(const PixelReport& pixel) {
                     fmt::format("  #{:02x}{:02x}{:02x}", pixel.color.r, pixel.color.g, pixel.color.b));
     words.push_back(surface_words(pixel));
     if (pixel.written && pixel.has_depth) words.push_back(say("eye z {z}", "z"_a = number_text(pixel.eye_z, 3)));
-    if (pixel.written && !pixel.has_depth) words.emplace_back(tr("depth as cleared"));
+    if (pixel.written && !pixel.has_depth) words.emplace_back(tr("cleared depth"));
     words.push_back("z_window " + plain_decimals(pixel.window_depth, 6));
     const std::string stored = grouped_number(pixel.stored);
     words.push_back(pixel.precision.is_float ? say("stored {code} (float bits)", "code"_a = stored)

@@ -1,4 +1,4 @@
-// What is said of a pixel where there is one line for it: the status bar, the pixel view's headline.
+// One-line descriptions of a pixel, for the status bar and the header of the pixel view.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace viewing {
 /// "box, front face".
 std::string surface_words(const PixelReport& pixel);
 
-/// For the status bar. The most wanted part first: each can be left out where the bar is narrow.
+/// Returns the parts for the status bar, the most important first: a narrow bar may drop any of them.
 std::vector<std::string> pixel_words(const PixelReport& pixel);
 
 }  // namespace viewing

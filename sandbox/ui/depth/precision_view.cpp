@@ -25,8 +25,8 @@ ImU32 color_of(DepthMapping mapping) {
     }
 }
 
-/// What near and far can be dragged over, wherever they are: the axis never moves under the hand. What was typed beyond
-/// it widens it, also while it is dragged back.
+/// The range over which near and far can be dragged. It ignores their current values, so the axis never moves under the
+/// pointer. A value typed outside the range widens it, even while that value is dragged back.
 widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
     constexpr double usual_min = 1e-3, usual_max = 1e4;
     const auto decade = [](double z, bool is_upper) {
@@ -37,14 +37,14 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
             .max = std::max(usual_max, decade(std::max(now.far, before.far), true))};
 }
 
-/// Of the other formats and mappings, what a small chart is left with.
+/// Whether even a small chart shows this format and mapping.
 bool is_telling(const StepCurve& curve) {
     return curve.mapping == DepthMapping::standard ||
            (curve.mapping == DepthMapping::reversed ? curve.format == DepthFormat::d32f
                                                     : curve.format == DepthFormat::d24);
 }
 
-/// The curves as the chart takes them, with the names that it points to.
+/// The curves in the chart's format, together with the names that they point to.
 class ChartCurves {
 public:
     ChartCurves(PrecisionCurves curves, bool is_small) : curves_(std::move(curves)) {
@@ -57,11 +57,11 @@ public:
     ChartCurves& operator=(const ChartCurves&) = delete;
 
     std::span<const widgets::ChartCurve> all() const { return shown_; }
-    /// What the step is made of, but for what is covered.
+    /// The terms that make up the step, except covered ones.
     std::vector<widgets::ChartCurve> terms() const {
         std::vector<widgets::ChartCurve> terms;
-        if (!widgets::IsCovered("chart:precision.quantisation"))
-            terms.push_back({.name = marked("quantisation"), .color = palette().text, .points = curves_.quantisation});
+        if (!widgets::IsCovered("chart:precision.quantization"))
+            terms.push_back({.name = marked("quantization"), .color = palette().text, .points = curves_.quantisation});
         if (!widgets::IsCovered("chart:precision.arithmetic"))
             terms.push_back({.name = marked("arithmetic"), .color = palette().quiet, .points = curves_.arithmetic});
         return terms;
@@ -73,7 +73,7 @@ private:
         shown_.push_back({.name = names_.back().c_str(),
                           .color = color_of(curve.mapping),
                           .points = curve.points,
-                          .emphasised = is_current});
+                          .emphasized = is_current});
     }
 
     PrecisionCurves curves_;
@@ -88,7 +88,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     const bool is_small = height < px(240.0F);
     const ChartCurves curves(precision_curves(params, derived), is_small);
     const std::vector<widgets::ChartCurve> terms = curves.terms();
-    // Their names stand in the upper half of the plot, side by side or below each other.
+    // The names of the marks are in the upper half of the plot, side by side or stacked.
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
@@ -109,7 +109,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
         clamp_to_ranges(params);
 }
 
-/// The sentence with its button behind it where there is room, else below.
+/// The sentence with its button: after it if both fit in a line, otherwise below.
 class AdviceLine {
 public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
@@ -147,8 +147,8 @@ private:
     }
 
     const NearAdvice& advice_;
-    float room_;                                        ///< width of both
-    float button_width_ = 0.0F, button_height_ = 0.0F;  ///< what it takes from the sentence, or below it
+    float room_;                                        ///< for the sentence and the button
+    float button_width_ = 0.0F, button_height_ = 0.0F;  ///< width taken from the sentence, or height added below
 };
 
 }  // namespace
@@ -161,8 +161,8 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
     if (!advice || widgets::IsCovered("advice"))
         return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
-    // Where there is no room for both, the chart fills the view and the sentence is scrolled to, but in front of a
-    // room.
+    // If they do not both fit, the chart fills the view, and the sentence is below it, reached by scrolling. When
+    // presenting, the sentence is omitted.
     const bool has_room = room - line.height() >= px(120.0F);
     const float height = has_room ? room - line.height() : std::max(room, px(120.0F));
     draw_chart(session, derived, seen, height, cursor_z);

@@ -1,4 +1,4 @@
-// How precise the depth buffer is between near and far: its step as curves, and its codes as ticks.
+// The precision of the depth buffer between near and far: the step Δz as curves, and the codes as ticks.
 #pragma once
 
 #include "frame/derive.h"
@@ -7,12 +7,12 @@
 
 namespace viewing {
 
-/// The step Δz over the eye distance, for the state's near, far, format and mapping and for others; near and far can be
-/// dragged. Where near does not suit what is in view, a sentence and the way to mend it. `cursor_z`: the eye distance
-/// at the pixel under the pointer or the pinned one; ≤ 0: none.
+/// Draws the step Δz over the eye distance, for the state's near, far, format, and mapping, and for other formats and
+/// mappings. Near and far can be dragged. If near does not suit the visible scene, adds a sentence and a button that
+/// fixes it. `cursor_z`: eye distance at the pixel under the pointer or at the pinned one; ≤ 0: none.
 void draw_precision_view(Session& session, const Derived& derived, const Rect& rect, double cursor_z);
 
-/// Where the codes of the state's format and mapping lie between near and far.
+/// Draws the codes of the state's format and mapping between near and far.
 void draw_codes_view(Session& session, const Derived& derived, const Rect& rect);
 
 }  // namespace viewing

@@ -1,3 +1,4 @@
+// The font files on the desktop: all are embedded in the program.
 #include "ui/window/font_files.h"
 
 #include "embedded/fonts.h"

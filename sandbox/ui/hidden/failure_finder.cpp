@@ -36,8 +36,8 @@ void draw_failure_finder(FailureFinder& finder, const Session& session, const Hi
     ImGui::BeginDisabled(session.params.cull.enabled);
     if (widgets::SmallButton("Find a view where this key fails")) start(finder, session, result);
     widgets::Tooltip("Find a view where this key fails",
-                     "Turns the camera about its target and goes where the painter's picture differs from ray casting "
-                     "in the most pixels. All faces count: culling has to be off.");
+                     "Orbits the camera about its target to the view where the painter's picture differs from ray "
+                     "casting in the most pixels. All faces count, so culling must be off.");
     ImGui::EndDisabled();
 }
 
@@ -49,7 +49,7 @@ void take_failure(FailureFinder& finder, Session& session) {
     if (!taken || !is_still_asked) return;
     if (!*taken) return session.report(Error{taken->error()});
     const FailureView* const found = &**taken;
-    if (found->cancelled) return;
+    if (found->canceled) return;
     session.message = {found->sentence, false};
     if (!found->found) return;
     CameraParams& camera = session.params.camera;

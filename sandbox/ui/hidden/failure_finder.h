@@ -1,4 +1,4 @@
-// The search for a view where a sort key of the painter's fails: its button, and its way into the session.
+// The search for a view where a sort key of the painter's algorithm fails: its button, and its result.
 #pragma once
 
 #include "platform/background.h"
@@ -9,7 +9,7 @@
 namespace viewing {
 
 struct FailureFinder {
-    /// What a search was started for; when any of it changes the search is given up.
+    /// The input of a search; any change cancels the search.
     struct Asked {
         int scene_version = -1;
         VisibilityParams visibility;
@@ -21,10 +21,10 @@ struct FailureFinder {
     Asked asked;
 };
 
-/// The button that starts the search, how far it is, and the button that ends it.
+/// Draws the button that starts the search, or its progress and the button that stops it.
 void draw_failure_finder(FailureFinder& finder, const Session& session, const HiddenResult& result);
 
-/// Once a frame: what was found moves the camera, unless the person has gone on to something else or has stopped the
+/// Call once a frame. Moves the camera to the view found, unless the input has changed or the user has stopped the
 /// search.
 void take_failure(FailureFinder& finder, Session& session);
 

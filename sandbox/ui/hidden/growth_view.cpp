@@ -1,4 +1,4 @@
-// Costs as they grow: measured beside the window, drawn as curves while it goes on, told in sentences, exported.
+// The growth of costs: measured in the background, plotted as results arrive, summarized in sentences, exported.
 #include "ui/hidden/growth_view.h"
 
 #include <algorithm>
@@ -20,12 +20,12 @@
 namespace viewing {
 namespace {
 
-/// Items side by side, and below one another where they would go beyond the right edge.
+/// Places items side by side, and wraps at the right edge.
 class Flow {
 public:
     explicit Flow(float room) : room_(room) {}
 
-    /// Places the cursor for an item of that width.
+    /// Places the cursor for an item of this width.
     void next(float width) {
         const float gap = px(6.0F);
         if (used_ > 0.0F && used_ + gap + width <= room_) {
@@ -48,7 +48,7 @@ const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
     return state.rows[static_cast<std::size_t>(state.scene)];
 }
 
-/// Everything is made on the worker's thread; the scene shares its meshes.
+/// Everything is built on the worker thread. The copied scene shares its meshes.
 void start(GrowthViewState& state, const Scene& scene) {
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
     state.measuring.start([log = state.log, which = static_cast<GrowthScene>(state.scene),
@@ -68,7 +68,7 @@ void save_csv(const GrowthViewState& state, Session& session) {
                   say("costs written to {file}", "file"_a = file.string()));
 }
 
-/// What to measure, and the way to begin or end it.
+/// Draws the choice of polygons, and the button that starts or cancels the measurement.
 void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     static constexpr const char* scenes[] = {marked("small random triangles"), marked("large random triangles"),
                                              marked("the current scene")};
@@ -78,10 +78,10 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     ImGui::BeginDisabled(is_running);
     widgets::Choice("##scene", state.scene, scenes, 0, choice_width);
     ImGui::EndDisabled();
-    if (is_running) widgets::Tooltip("Polygons", "They stay what they are until the measuring has ended.");
+    if (is_running) widgets::Tooltip("Polygons", "Fixed until the measurement ends.");
     widgets::Tooltip("Polygons",
-                     "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
-                     "cuts polygons has much to cut. Of the current scene more and more polygons are taken.");
+                     "Small triangles hardly touch one another. Large ones nearly all intersect, so methods that cut "
+                     "polygons have much to cut. With the current scene, the count grows through its own polygons.");
     const char* label = is_running ? marked("Cancel") : marked("Measure");
     flow.next(widgets::SmallButtonWidth(label));
     if (!widgets::SmallButton(label)) return;
@@ -94,10 +94,9 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
 void quantity_words(GrowthViewState& state, Flow& flow) {
     static constexpr std::array names{marked("time"), marked("operations")};
     static constexpr std::array explanations{
-        marked("Time to the finished picture; of a BSP tree also to the finished tree."),
-        marked("How often a method does what it does most (comparisons, pixels tested, intersection tests), and the "
-               "pixels "
-               "that it paints: the same whenever it is counted.")};
+        marked("Time to finish the picture; for a BSP tree, also to build the tree."),
+        marked("The count of a method's most frequent operation (comparisons, pixels tested, intersection tests) and "
+               "of the pixels it paints: the same in every run.")};
     flow.next(widgets::SmallButtonWidth(names[0]) + widgets::SmallButtonWidth(names[1]) + px(2.0F));
     int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -108,8 +107,8 @@ float saving_width() {
     return widgets::SmallButtonWidth("Save CSV") + px(6.0F) + widgets::SmallButtonWidth("Save PNG");
 }
 
-/// How far it is; before and after that, the ways to keep the result. True when the picture is asked for, whose place
-/// is not known yet.
+/// Draws the progress or, if nothing runs, the buttons that save the result. Returns whether to save a picture of the
+/// chart, whose rectangle is not known yet.
 bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& flow) {
     if (state.measuring.is_running()) {
         const float width = std::min(saving_width(), flow.room());
@@ -126,7 +125,7 @@ bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& fl
     return widgets::SmallButton("Save PNG", has_rows, "Measure first.");
 }
 
-/// The points of each method that a budget did not stop.
+/// The measured points of each method, except those where a budget stopped it.
 class Curves {
 public:
     Curves(std::span<const GrowthRow> rows, bool of_operations) {
@@ -153,13 +152,13 @@ private:
     std::array<widgets::ChartCurve, growth_method_count> curves_;
 };
 
-/// Where it is, without what lies below the view.
+/// Draws the chart. Returns its rectangle, clipped to the view.
 Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) {
     const Curves curves(shown_rows(state), state.shows_operations);
     const bool is_own = state.scene == own_scene;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    // A fixed range, so that the curves grow and not the axis; a scene of one's own may have fewer polygons.
+    // A fixed range, so that the curves grow and not the axis. The current scene has none: it may have fewer polygons.
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
                        .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},
@@ -170,7 +169,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     return {from, {from.x + width, std::min(from.y + height, bottom)}};
 }
 
-/// Who wins where, and where each curve ended early.
+/// Sentences on which method is fastest where, and on curves that ended early.
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
@@ -185,10 +184,10 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
     float below = 0.0F;
     for (const std::string& sentence : told) below += note_height(sentence.c_str()) + ImGui::GetStyle().ItemSpacing.y;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // Where there is no room for both, the chart fills the view and the sentences are scrolled to.
+    // If they do not both fit, the chart fills the view, and the sentences are reached by scrolling.
     const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
     const Rect chart = draw_chart(state, session.scene(), height);
-    // Scrolled back first: the picture is taken of what the window shows in the next frame.
+    // Scroll to the top first: the picture is taken from the next frame.
     if (std::exchange(state.wants_picture, wants_picture))
         state.wanted_picture = {chart, free_file("viewing-growth", ".png")};
     if (wants_picture) ImGui::SetScrollY(0.0F);
@@ -199,7 +198,7 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
 
 void take_growth_rows(GrowthViewState& state, Session& session) {
     if (!state.log) return;
-    // Asked first: what is in the log afterwards is all that the result has.
+    // Take the result first: the log is complete from then on.
     const std::optional<Result<std::vector<GrowthRow>>> finished = state.measuring.take();
     state.rows[static_cast<std::size_t>(state.scene)] = state.log->entries();
     if (!finished) return;
@@ -210,10 +209,10 @@ void take_growth_rows(GrowthViewState& state, Session& session) {
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect) {
     const bool has_switches = widgets::OffersButton("Measure");
     if (state.of_version != session.scene_version() && !state.measuring.is_running()) {
-        state.rows[own_scene].clear();  // it was another scene
+        state.rows[own_scene].clear();  // measured on another scene
         state.of_version = session.scene_version();
     }
-    // At the right end of the headline, where there is room beside the choice of the topic.
+    // Use the right end of the header if there is space beside the choice of topic.
     bool wants_picture = false;
     const float left = rect.max.x - saving_width();
     const bool fits_above = left >= ImGui::GetCursorScreenPos().x;
@@ -231,11 +230,9 @@ void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect
     }
     if (shown_rows(state).empty()) {
         const bool is_running = state.measuring.is_running();
-        if (offer(is_running
-                      ? marked("The first method is being measured.")
-                      : marked(
-                            "Every method is measured on more and more polygons, up to 100,000, while the window stays "
-                            "live."),
+        if (offer(is_running ? marked("Measuring the first method…")
+                             : marked("Measures every method on more and more polygons, up to 100,000. The window "
+                                      "stays responsive."),
                   has_switches || is_running ? nullptr : marked("Measure")))
             start(state, session.scene());
         return;

@@ -1,4 +1,4 @@
-// The methods' costs as scenes grow, measured beside the window, as a view of its own.
+// The view of how the methods' costs grow with the scene, measured in the background.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// A part of the window that shall be written as a picture.
+/// A part of the window to save as a picture.
 struct ViewPicture {
     Rect rect;  ///< pixels of the window
     std::filesystem::path file;
@@ -22,19 +22,19 @@ struct ViewPicture {
 
 struct GrowthViewState {
     BackgroundTask<std::vector<GrowthRow>> measuring;
-    std::shared_ptr<BackgroundLog<GrowthRow>> log;  ///< filled while it is measured
-    std::array<std::vector<GrowthRow>, 3> rows;     ///< of each GrowthScene
-    int scene = 0;                                  ///< the GrowthScene that is shown, and measured
-    int of_version = -1;                            ///< the session's scene that its rows are of
+    std::shared_ptr<BackgroundLog<GrowthRow>> log;  ///< filled during the measurement
+    std::array<std::vector<GrowthRow>, 3> rows;     ///< one entry per GrowthScene
+    int scene = 0;                                  ///< the GrowthScene shown and measured
+    int of_version = -1;                            ///< the scene version of the session to which these rows belong
     bool shows_operations = false;
-    bool wants_picture = false;                 ///< of the chart, as the next frame shows it
-    std::optional<ViewPicture> wanted_picture;  ///< asked for in this frame
+    bool wants_picture = false;                 ///< save a picture of the chart in the next frame
+    std::optional<ViewPicture> wanted_picture;  ///< requested in this frame
 };
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect);
 
-/// The rows that have been measured so far become `rows`; once a frame, whichever view is shown. What went wrong
-/// becomes the session's message.
+/// Call once a frame, whichever view is shown. Copies the rows measured so far into `rows`, and reports an error as the
+/// session's message.
 void take_growth_rows(GrowthViewState& state, Session& session);
 
 }  // namespace viewing

@@ -1,4 +1,5 @@
-// Numbers, the linked polygon and its node, and what the step is about, over the pictures.
+// Drawings over the pictures: polygon numbers, the linked polygon and its node, and the step's polygon, pixel, pair or
+// ray.
 #include "ui/hidden/hidden_overlay.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void outline_filled(Overlay& overlay, const Polygon& polygon, ImU32 color) {
     outline(overlay, polygon, color, 2.4F);
 }
 
-/// Whether a place lies in the polygon as it is drawn on screen.
+/// Whether a screen position is inside the projected polygon.
 bool covers(const Overlay& overlay, const Polygon& polygon, ImVec2 place) {
     bool left = false, right = false;
     std::optional<ImVec2> before = overlay.project(polygon.vertices.back());
@@ -62,7 +63,8 @@ struct NumberBox {
     }
 };
 
-/// Where the number of a polygon goes: in its middle, if that is seen and large enough to hold it.
+/// Returns the box of a polygon's number, at the polygon's center, if that is visible and the number fits into the
+/// polygon.
 std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& result, const Polygon& polygon,
                                     ImVec2 size) {
     const std::optional<ImVec2> middle = overlay.project(centroid(polygon));
@@ -77,7 +79,7 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     return fits ? std::optional(box) : std::nullopt;
 }
 
-/// Each polygon's place in the order; of numbers that would overlap the one that is drawn later.
+/// Draws each polygon's place in the order. If numbers overlap, only that of the polygon drawn last remains.
 void numbers(Overlay& overlay, const HiddenResult& result) {
     constexpr int most = 3000;
     ImFont* font = widgets::CurrentContext().fonts.small_number;
@@ -100,13 +102,12 @@ std::string depth_decimals(double depth) {
     return depth < 1e300 ? number_text(depth, 5) : "∞";
 }
 
-/// The pair, node, pixel or ray that the step is about, in the camera's picture.
+/// Draws the step's pair, pixel, ray, or polygon over the camera's picture.
 void step_in_camera(Overlay& overlay, const HiddenResult& result) {
     if (result.traced) {
         const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
-        draw_pixel_of_step(
-            overlay, result, result.traced->pixel,
-            hits == 0 ? tr("no hit") : say_count(hits, "{count} hit", "{count} hits, the nearest counts"));
+        draw_pixel_of_step(overlay, result, result.traced->pixel,
+                           hits == 0 ? tr("no hit") : say_count(hits, "{count} hit", "{count} hits, the nearest wins"));
         return;
     }
     if (result.step < 0) return;
@@ -133,7 +134,7 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         outline(overlay, *polygon, palette().accent, 2.4F);
 }
 
-/// All polygons of a subtree, its root left out.
+/// Outlines all polygons of a subtree.
 void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     constexpr int most = 4000;
     std::vector<int> waiting;
@@ -148,7 +149,7 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     }
 }
 
-/// A node's plane around its polygons, its normal, and what lies on either side in two colours.
+/// Draws a square in a node's plane with its normal, and the polygons on either side in two colors.
 void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     const BspTree& tree = *result.tree;
     if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;
@@ -199,7 +200,7 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 point
     const int source = result.image.id(at->x, at->y);
     if (source == IdImage::background) return -1;
     const ImVec2 place = RasterPlaces(overlay.rect(), result).middle(*at);
-    const bool has_order = !result.order.empty();  // rays have none
+    const bool has_order = !result.order.empty();  // ray casting has no order
     for (int turn = (has_order ? result.drawn : static_cast<int>(result.fragments->size())) - 1; turn >= 0; --turn) {
         const int fragment = has_order ? result.order[static_cast<std::size_t>(turn)] : turn;
         const Polygon* polygon = polygon_at(result, fragment);
@@ -211,7 +212,7 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 point
 void draw_hidden_overlay(const PolygonLink& link, const Session& session, const HiddenStatus& hidden,
                          Overlay& overlay) {
     if (hidden.fraction) {
-        const std::string text = say("The method is at work: {percent}", "percent"_a = progress_text(*hidden.fraction));
+        const std::string text = say("Running the method: {percent}", "percent"_a = progress_text(*hidden.fraction));
         widgets::HaloText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
                           palette().text, text.c_str());
     }

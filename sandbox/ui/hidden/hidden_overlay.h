@@ -1,4 +1,4 @@
-// What the hidden-surface methods draw over the pictures.
+// The overlays of the hidden-surface methods over the camera's and the observer's picture.
 #pragma once
 
 #include "session/session.h"
@@ -7,20 +7,22 @@
 
 namespace viewing {
 
-/// Over the camera's picture: polygon numbers, the linked polygon, the pair, pixel or ray of the step.
+/// Draws over the camera's picture: polygon numbers, the linked polygon, and the pair, pixel, or ray of the step.
 void draw_hidden_overlay(const PolygonLink& link, const Session& session, const HiddenStatus& hidden, Overlay& overlay);
 
-/// The pixel of the method's picture at a place of the camera's; none beside it, or without a picture.
+/// Converts a screen position in the camera's picture to a pixel of the method's; nullopt outside it, or if there is
+/// none.
 std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 place);
 
-/// That pixel is followed from now on, or let go when it was already. While rays are gone through one by one, its ray
-/// becomes the step.
+/// Follows this pixel from now on, or stops following it if it is already followed. If each step is a single ray, goes
+/// to the pixel's ray instead.
 void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel);
 
-/// The polygon of `fragments` that is seen at a place of the camera's picture; −1: none, or not known.
+/// Returns the index in `fragments` of the polygon visible at a screen position in the camera's picture; −1: none, or
+/// unknown.
 int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 pointed);
 
-/// Over the observer's picture: the linked polygon, its node's plane and half-spaces, the ray of the step.
+/// Draws over the observer's picture: the linked polygon, its node's plane and half-spaces, and the ray of the step.
 void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, Overlay& overlay);
 
 }  // namespace viewing

@@ -39,17 +39,16 @@ void options_of(VisibilityMethod method, Params& params) {
     }
 }
 
-/// In the row of what stands before it, so that nothing moves when it comes and goes.
+/// Stays in the row of the previous control, so that nothing moves when the button appears or disappears.
 void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
-    const bool was_cancelled = hidden.answer && hidden.answer->camera->is_cancelled;
-    if (!hidden.fraction && !was_cancelled) return;
+    const bool was_canceled = hidden.answer && hidden.answer->camera->is_canceled;
+    if (!hidden.fraction && !was_canceled) return;
     const char* label = hidden.fraction ? marked("Cancel") : marked("Run again");
     beside(118.0F, widgets::SmallButtonWidth(label));
     if (widgets::SmallButton(label)) (hidden.fraction ? state.cancel_method : state.restart_method) = true;
 }
 
-/// Two columns of what the method counted; what it does not have is left out. A name that has no room beside its number
-/// in one of them has both.
+/// The method's counters in two columns, without those that do not apply. A counter too wide for one column takes both.
 class CounterTable {
 public:
     void number(const char* name, std::int64_t value) {
@@ -73,7 +72,7 @@ public:
         rows_ += !is_second_ || !has_room ? 1 : 0;
         is_second_ = has_room && !is_second_;
     }
-    int rows() const { return rows_; }  ///< so far
+    int rows() const { return rows_; }  ///< rows used so far
 
 private:
     int rows_ = 0;
@@ -103,8 +102,8 @@ void counters(const HiddenResult& result, bool shows_time) {
     if (counted.pixels_written >= 0) table.text(marked("overdraw"), number_text(counted.overdraw(), 2).c_str());
     if (!is_drawn_by_gl_alone(result.request.visibility.method))
         table.text(marked("time"), time(result.time_ms).c_str());
-    if (result.tree || result.counters.rays >= 0) table.text(marked("built in"), time(result.build_ms).c_str());
-    // As high whatever the method counts: the BSP tree has most, with what is culled.
+    if (result.tree || result.counters.rays >= 0) table.text(marked("build time"), time(result.build_ms).c_str());
+    // Use the same height for every method: the BSP tree has the most counters, and culling adds one.
     constexpr int most_rows = 6;
     const float row = (ImGui::GetCursorPosY() - top) / static_cast<float>(std::max(table.rows(), 1));
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + static_cast<float>(most_rows) * row));
@@ -113,7 +112,7 @@ void counters(const HiddenResult& result, bool shows_time) {
 void culling_counts(const HiddenResult& result, bool steps) {
     const CullCounts& counts = result.facing;
     std::string text =
-        say("By the plane's sign {front} front, {back} back; by GL's winding {gl_front} front, {gl_back} back.",
+        say("By plane sign: {front} front, {back} back. By GL winding: {gl_front} front, {gl_back} back.",
             "front"_a = grouped_number(counts.facing_towards), "back"_a = grouped_number(counts.facing_away),
             "gl_front"_a = grouped_number(counts.gl_front), "gl_back"_a = grouped_number(counts.gl_back));
     const std::int64_t culled = result.counters.culled;
@@ -124,14 +123,14 @@ void culling_counts(const HiddenResult& result, bool steps) {
         text += result.tree ? say("Culling leaves {left} of {all} fragments.", "left"_a = left, "all"_a = all)
                             : say("Culling leaves {left} of {all}.", "left"_a = left, "all"_a = all);
     }
-    if (steps) text += std::string(" ") + tr("Shadow and mirror wait while the method is taken apart.");
-    // Its lines come and go with the numbers; what is below stays.
+    if (steps) text += std::string(" ") + tr("Shadow and mirror are not drawn while you step through the method.");
+    // The text's number of lines varies; keep everything below in place.
     const float top = ImGui::GetCursorPosY();
     widgets::Note(text.c_str());
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 4.0F * ImGui::GetTextLineHeight()));
 }
 
-/// Only what is listed: the method's options, and its steps where the step is.
+/// Draws only the controls that the state lists: the method's options, and the step bar if the step is listed.
 void draw_listed(HiddenPanelState& state, Params& params, const HiddenStatus& hidden) {
     options_of(params.visibility.method, params);
     control(params, "visibility.numbers", {.label = marked("Numbers")});
@@ -156,10 +155,10 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     if (!is_open) {
         behind(widgets::SmallButtonWidth("Steps"));
         if (widgets::SmallButton("Steps")) params.visibility.step = 0;
-        widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order in which GL gets them.");
+        widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order GL receives them.");
         return;
     }
-    // As high whatever the method: the steps below stay where they are while methods are compared.
+    // Use the same height for every method, so that the steps below stay in place while methods are compared.
     const float top = ImGui::GetCursorPosY(), rows = 3.0F * ImGui::GetFrameHeightWithSpacing();
     options_of(method, params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
@@ -181,7 +180,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     if (params.visibility.step != by_bar) state.player.playing = false;
     if (result->newell && result->newell->steps_left_out > 0) {
         const std::string note =
-            say("Only the first {count} of {all} comparisons can be gone through.",
+            say("Only the first {count} of {all} comparisons have steps.",
                 "count"_a = grouped_number(result->step_count), "all"_a = grouped_number(result->counters.comparisons));
         widgets::Note(note.c_str());
     }

@@ -10,16 +10,16 @@ namespace viewing {
 
 struct HiddenPanelState {
     widgets::StepPlayer player;
-    int left_step = -1;  ///< as the player's bar left it
+    int left_step = -1;  ///< the step that the player's bar set last
     FailureFinder failure;
-    bool restart_method = false;  ///< asked for: what was cancelled shall be begun again
-    bool cancel_method = false;   ///< asked for: the work on the current question shall be given up
+    bool restart_method = false;  ///< request: run the canceled work again
+    bool cancel_method = false;   ///< request: cancel the current work
 };
 
-/// The method's options, steps and counters: the last part of the panel's section on hidden surfaces.
+/// Draws the method's options, steps, and counters: the last part of the panel's section on hidden surfaces.
 void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenStatus& hidden);
 
-/// Once a frame, before anything is drawn: playing ends when somebody else has changed the step.
+/// Call once a frame before drawing. Stops playback if anything else has changed the step.
 void stop_at_other_step(HiddenPanelState& state, const Session& session);
 
 }  // namespace viewing

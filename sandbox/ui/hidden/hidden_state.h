@@ -1,5 +1,5 @@
-// What the hidden-surface methods' part of the interface keeps between frames. Read hidden_panel.cpp, then
-// tree_view.cpp, order_view.cpp and growth_view.cpp.
+// The state of the hidden-surface interface between frames. Read hidden_panel.cpp, then tree_view.cpp, order_view.cpp
+// and growth_view.cpp.
 #pragma once
 
 #include "ui/hidden/growth_view.h"
@@ -17,13 +17,13 @@ struct HiddenState {
     OrderViewState order;
     GrowthViewState growth;
 
-    /// Whether something here wants frames although no input comes.
+    /// Whether anything here needs frames without input.
     bool is_busy() const {
         return panel.player.playing || panel.failure.search.is_running() || growth.measuring.is_running();
     }
 };
 
-/// Once a frame, before anything is drawn: what has ended beside the window takes effect.
+/// Call once a frame before drawing. Applies the results of background work.
 inline void begin_hidden_frame(HiddenState& state, Session& session, const HiddenStatus& hidden) {
     take_failure(state.panel.failure, session);
     take_growth_rows(state.growth, session);
@@ -31,7 +31,7 @@ inline void begin_hidden_frame(HiddenState& state, Session& session, const Hidde
     keep_selection(state.links, hidden);
 }
 
-/// Once a frame, at its end: what was pointed at takes effect.
+/// Call once a frame at its end. Applies the selection and hovering.
 inline void end_hidden_frame(HiddenState& state) {
     widgets::StopUnlessShown(state.panel.player);
     take_links(state.links);

@@ -26,14 +26,14 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
 }
 
 std::string progress_text(float fraction) {
-    return std::to_string(static_cast<int>(100.0F * fraction)) + " %";
+    return std::to_string(static_cast<int>(100.0F * fraction)) + "%";
 }
 
 void tell_waiting(const HiddenStatus& hidden) {
     if (hidden.fraction)
-        offer(say("The method is at work: {percent}.", "percent"_a = progress_text(*hidden.fraction)).c_str());
+        offer(say("Running the method: {percent}.", "percent"_a = progress_text(*hidden.fraction)).c_str());
     else
-        offer("The method is at work.");
+        offer("Running the method.");
 }
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// What the hidden-surface methods have found for the camera's view, as the window shows it. Read hidden_state.h next.
+// The results of the hidden-surface methods for the camera view, as the window shows them. Read hidden_state.h next.
 #pragma once
 
 #include <memory>
@@ -10,23 +10,23 @@
 
 namespace viewing {
 
-/// What hidden-surface methods have found for the camera view, and whether they are still at it.
+/// The results of the hidden-surface methods for the camera view, and the progress of newer ones.
 struct HiddenStatus {
-    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest, maybe of an earlier camera; null: none
-    std::optional<float> fraction;               ///< 0 … 1 while a method works on a newer one
-    bool shows_time = false;                     ///< false in pictures that have to repeat
+    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest; may be for an earlier camera; null: none
+    std::optional<float> fraction;               ///< 0 … 1 while a method computes a newer one
+    bool shows_time = false;                     ///< false in pictures that must be reproducible
 };
 
-/// The camera's result, null while there is none.
+/// Returns the camera's result, or null if there is none yet.
 const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden);
 
-/// Which polygon the painter has drawn over a nearer one; none where it is right.
+/// Reports a polygon that the painter's algorithm drew over a nearer one; nullopt if the picture is correct.
 std::optional<Problem> painter_problem(const HiddenAnswer& answer);
 
-/// How far something is that is worked on: "40 %", and "100 %" only when it is done.
+/// The progress of running work: "40%"; "100%" only if it is done.
 std::string progress_text(float fraction);
 
-/// "The method is at work: 40 %.": instead of a view whose method has not finished.
+/// Shows "Running the method: 40%." instead of a view whose method has not finished.
 void tell_waiting(const HiddenStatus& hidden);
 
 }  // namespace viewing

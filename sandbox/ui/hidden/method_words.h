@@ -1,24 +1,24 @@
-// What the methods and their options are called in choices and sentences, each in the order of its enumeration.
+// The names of the methods and their options in choices and sentences, each in the order of its enumeration.
 #pragma once
 
 #include "text/catalogue.h"
 
 namespace viewing {
 
-/// VisibilityMethod.
+/// In the order of VisibilityMethod.
 inline constexpr const char* method_names[] = {marked("GL depth buffer"), marked("none"),     marked("painter"),
                                                marked("Newell"),          marked("BSP tree"), marked("soft. z-buffer"),
                                                marked("ray casting")};
 
-/// PainterKey.
+/// In the order of PainterKey.
 inline constexpr const char* sort_key_names[] = {marked("nearest vertex"), marked("farthest vertex"),
                                                  marked("centroid")};
 
-/// BspSplitter.
+/// In the order of BspSplitter.
 inline constexpr const char* splitter_names[] = {marked("first"), marked("random"), marked("fewest splits"),
                                                  marked("balanced")};
 
-/// BspOrder.
+/// In the order of BspOrder.
 inline constexpr const char* walk_names[] = {marked("back to front"), marked("front to back")};
 
 }  // namespace viewing

@@ -14,7 +14,7 @@ OrderRows::OrderRows(const HiddenResult& result, const TreeIndex& index) : resul
     if (result.newell && result.step > 0 && result.step <= static_cast<int>(result.newell->steps.size()))
         newell_step_ = &result.newell->steps[static_cast<std::size_t>(result.step - 1)];
     if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) {
-        // Steps are pixels: the polygon whose pixel is compared is the last one that was reached.
+        // Each step compares one pixel of a polygon, which is the last one reached.
         current_ = result.compare ? place_of(result, result.compare->polygon) : -1;
         reached_ = current_ + 1;
     } else {
@@ -60,7 +60,7 @@ std::string OrderRows::detail_of(int fragment) const {
 const char* OrderRows::detail_title() const {
     if (result_.painter) return sort_key_names[static_cast<std::size_t>(result_.request.visibility.sort_key)];
     if (newell_step_) return marked("pair");
-    return result_.tree ? marked("node, eye's side") : "";
+    return result_.tree ? marked("node, eye side") : "";
 }
 
 int place_of(const HiddenResult& result, int fragment) {

@@ -1,5 +1,5 @@
-// The order in which polygons are drawn, linked with the pictures, and beside it what the method does at the step:
-// Newell's ladder, the compare of the depth buffer, the hits of a ray. Read polygon_table.h and step_text.h first.
+// The drawing order of the polygons, linked with the pictures. Beside it, the method's work at the step: Newell's
+// ladder, the comparison of the depth buffer, the hits of a ray. Read polygon_table.h and step_text.h first.
 #include "ui/hidden/order_view.h"
 
 #include <algorithm>
@@ -19,12 +19,12 @@
 namespace viewing {
 namespace {
 
-/// While steps are shown a row that is clicked becomes the step that draws its polygon.
+/// Draws the order. While steps are shown, a click on a row goes to the step that draws its polygon.
 void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result, ImVec2 size) {
     const OrderRows rows(result, links.tree);
     PolygonTable table(links, result, "order", rows.detail_title(), rows.count(), size);
     if (!table.is_open()) return;
-    // Once each: the place that the step has come to, and the polygon that was picked elsewhere.
+    // Scroll only once: to the place that the step reaches, and to a polygon selected elsewhere.
     if (rows.current() != std::exchange(state.current, rows.current()) && rows.current() >= 0)
         table.scroll_to(rows.current());
     const int selected = links.now.selected_fragment;
@@ -60,14 +60,14 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
         }
 }
 
-/// What a test of the followed pixel came to.
+/// The outcome of the depth test at the followed pixel.
 std::string detail_of(const HiddenResult& result, const RasterStep& fragment) {
     const std::string depth = number_text(fragment.depth, 4);
     if (result.request.visibility.method != VisibilityMethod::software_depth_buffer && fragment.written) return depth;
     return fragment.written ? say("{depth} written", "depth"_a = depth) : say("{depth} hidden", "depth"_a = depth);
 }
 
-/// The fragments of the followed pixel, in the order in which they come; a click on one goes to its step.
+/// Draws the fragments of the followed pixel in drawing order; a click on one goes to its step.
 void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& result, ImVec2 size) {
     const glm::ivec2 pixel = *result.request.visibility.pixel;
     const float top = ImGui::GetCursorPosY();
@@ -91,7 +91,7 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
         }
 }
 
-/// Line by line, of a text drawn at `corner`.
+/// Crosses out every line of a text at `corner`.
 void cross_out(std::string_view lines, ImVec2 corner) {
     const float height = ImGui::GetTextLineHeight();
     for (float middle = std::round(corner.y + 0.55F * height); !lines.empty(); middle += height) {
@@ -102,7 +102,7 @@ void cross_out(std::string_view lines, ImVec2 corner) {
     }
 }
 
-/// A test of the ladder: what failed is crossed out, what decided stands out.
+/// Draws one test of the ladder: crossed out if it failed, highlighted if it decided.
 void draw_rung(const char* text, RungState rung) {
     const bool decided = rung == RungState::decided;
     ImGui::PushStyleColor(ImGuiCol_Text, decided ? palette().accent : palette().quiet);
@@ -128,7 +128,7 @@ void named_polygon(const char* letter, const std::string& name, ImU32 color) {
     shortened_text(name, ImGui::GetContentRegionAvail().x);
 }
 
-/// What came of it stands above the tests: a low view shows at least that.
+/// Draws the outcome above the tests, so that even a low view shows it.
 void draw_ladder(const Ladder& ladder) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     named_polygon("A", ladder.p, palette().light);
@@ -144,7 +144,7 @@ void draw_ladder(const Ladder& ladder) {
     ImGui::PopFont();
 }
 
-/// Of all steps: how many pairs each test decided.
+/// Draws the number of pairs that each test decided, over all steps.
 void draw_decided(const NewellCounters& counters) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
@@ -163,7 +163,7 @@ void draw_decided(const NewellCounters& counters) {
     ImGui::PopFont();
 }
 
-/// Beside the list where there is room, else above it.
+/// Draws the ladder beside the list if it fits, otherwise above it.
 void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(360.0F);
@@ -177,7 +177,7 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, con
     else if (result.step < 0)
         draw_decided(result.newell->counters);
     else
-        recorded_note("Polygons are sorted by their farthest vertices; no pair has been compared yet.");
+        recorded_note("The polygons are sorted by farthest vertex; no pair has been compared yet.");
     widgets::CountScrolled();
     ImGui::EndChild();
     ImGui::SetCursorScreenPos(beside ? from : ImVec2(from.x, from.y + ladder_height + gap));
@@ -187,16 +187,15 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, con
 
 void draw_pixels_of(const HiddenResult& result) {
     const std::string compare = compare_sentence(result);
-    recorded_note(compare.empty()
-                      ? tr("Polygons come in the scene's own order; the depth buffer decides at every pixel.")
-                      : compare);
+    recorded_note(compare.empty() ? tr("Polygons come in scene order; the depth buffer decides at each pixel.")
+                                  : compare);
     recorded_note(say("pixels: {tested} tested, {written} written",
                       "tested"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)),
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
 
-/// The order, and beside it the followed pixel's fragments; below it where there is no room beside it, and nothing but
-/// the fragments in a low view.
+/// Draws the order, and the followed pixel's fragments beside it or, in a narrow view, above it. A view that is also
+/// low shows only the fragments.
 void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float least = px(40.0F), gap = px(10.0F);
@@ -226,13 +225,13 @@ void draw_result(OrderViewState& state, PolygonLinks& links, Params& params, con
             break;
         case VisibilityMethod::depth_buffer:
         case VisibilityMethod::none:
-            recorded_note("GL is given the polygons in the scene's own order.");
+            recorded_note("GL receives the polygons in scene order.");
             break;
         default:
             break;
     }
     if (result.order.empty()) {
-        offer("There is nothing to draw.");
+        offer("Nothing to draw.");
         return;
     }
     draw_lists(state, links, params, result);
@@ -249,8 +248,7 @@ void draw_order_view(OrderViewState& state, PolygonLinks& links, Session& sessio
         return draw_result(state, links, session.params, *result);
     }
     if (!is_drawn_by_gl_alone(session.params.visibility.method)) return tell_waiting(hidden);
-    if (offer("GL draws the polygons in the order in which the scene has them.", "Show their numbers"))
-        session.params.visibility.numbers = true;
+    if (offer("GL draws the polygons in scene order.", "Show their numbers")) session.params.visibility.numbers = true;
 }
 
 }  // namespace viewing

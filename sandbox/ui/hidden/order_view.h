@@ -1,4 +1,4 @@
-// The order in which polygons are drawn as a view of its own.
+// The view of the order in which polygons are drawn.
 #pragma once
 
 #include "session/session.h"
@@ -8,8 +8,8 @@
 namespace viewing {
 
 struct OrderViewState {
-    int revealed = -1;  ///< the fragment that the list was last scrolled to, as it was selected
-    int current = -1;   ///< the place in the order that it was last scrolled to, as the step reached it
+    int revealed = -1;  ///< the selected fragment to which the list last scrolled
+    int current = -1;   ///< the step's place to which it last scrolled
 };
 
 void draw_order_view(OrderViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,

@@ -1,5 +1,5 @@
-// The polygon and the node that tree, list, camera view and observer point out together. Read tree_view.cpp and
-// polygon_table.cpp for their use.
+// The polygon and the node that the tree, list, camera view, and observer highlight together. See tree_view.cpp and
+// polygon_table.cpp for usage.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// A polygon of the result's `fragments`, and a node of its tree. −1: none. Hovered ones are set by whoever has the
-/// pointer and hold for one frame.
+/// Indices of a polygon in the result's `fragments` and of a node in its tree; −1: none. The view under the pointer
+/// sets the hovered ones, for one frame.
 struct PolygonLink {
     int hovered_fragment = -1, selected_fragment = -1;
     int hovered_node = -1, selected_node = -1;
@@ -21,18 +21,18 @@ struct PolygonLink {
 };
 
 struct PolygonLinks {
-    PolygonLink now;   ///< of this frame
-    PolygonLink next;  ///< gathered while it is drawn; takes over at its end
-    TreeIndex tree;    ///< of the latest result with a tree: the way from polygons to nodes
+    PolygonLink now;   ///< shown in this frame
+    PolygonLink next;  ///< collected while drawing; replaces `now` at the end of the frame
+    TreeIndex tree;    ///< for the latest result that has a tree; maps polygons to nodes
 
-    std::shared_ptr<const std::vector<Polygon>> fragments;  ///< the ones that the links are indices into
+    std::shared_ptr<const std::vector<Polygon>> fragments;  ///< the links are indices into these
 };
 
-/// Once a frame, before anything is drawn. When other fragments take over, what is selected becomes a piece of the same
-/// triangle, if there is one, and nodes and hovered polygons are let go.
+/// Call once a frame before drawing. If the fragments have changed, selects a piece of the same triangle, if there is
+/// one, and clears the links to nodes and hovered polygons.
 void keep_selection(PolygonLinks& links, const HiddenStatus& hidden);
 
-/// Once a frame, at its end: what was gathered takes over.
+/// Call once a frame at its end. Applies the collected links.
 void take_links(PolygonLinks& links);
 
 }  // namespace viewing

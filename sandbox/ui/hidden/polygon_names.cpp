@@ -21,7 +21,7 @@ PolygonPlace place_of(const SceneSurface* surface, int source) {
     if (object < 0) return {};
     const auto index = static_cast<std::size_t>(object);
     const std::string& name = surface->scene.objects[index].description.name;
-    return {name.empty() ? say("object {number}", "number"_a = object + 1) : name,
+    return {name.empty() ? say("object {number}", "number"_a = object + 1) : object_text(name),
             surface->curved_of(source) ? 0 : source - surface->first_source[index] + 1};
 }
 

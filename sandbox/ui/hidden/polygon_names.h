@@ -1,4 +1,4 @@
-// What polygons are called in lists and sentences, and the colour of their objects. Read order_rows.h next.
+// The names of polygons in lists and sentences, and the color of their objects. Read order_rows.h next.
 #pragma once
 
 #include <imgui.h>
@@ -9,16 +9,16 @@
 
 namespace viewing {
 
-/// "polygon 12 of box": counted from 1 within the object. An exact curved shape is its object's name alone. A number
-/// that the surface does not have gives an empty string; `surface` may be null.
+/// Returns "polygon 12 of box", counted from 1 within the object. For an exact curved shape, returns only the object's
+/// name. Empty if the surface has no such source; `surface` may be null.
 std::string polygon_name(const SceneSurface* surface, int source);
 
 /// The same with the object first, for columns: "box, polygon 12".
 std::string listed_name(const SceneSurface* surface, int source);
-/// The same where a column is narrow: "box 12".
+/// The same for narrow columns: "box 12".
 std::string brief_name(const SceneSurface* surface, int source);
 
-/// The object's colour, opaque; 0 where there is none.
+/// The object's color, opaque; 0 if there is none.
 ImU32 polygon_color(const SceneSurface* surface, int source);
 
 }  // namespace viewing

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float cell_padding = 1.0F;  ///< above and below a row, design pixels
 
-/// The colour of the polygon's object, before its name.
+/// Draws a swatch of the object's color before the polygon's name.
 void swatch(const OrderRow& row) {
     const float side = std::round(0.6F * ImGui::GetTextLineHeight());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -88,7 +88,7 @@ bool PolygonTable::row(int number, const OrderRow& row) {
     return is_clicked;
 }
 
-/// The row as something to point at and click; recorded as "3 box, polygon 12".
+/// Makes the row an item to hover and click; recorded as "3 box, polygon 12".
 bool PolygonTable::select(const OrderRow& row, const std::string& digits) {
     const bool is_selected = row.fragment >= 0 && row.fragment == links_.now.selected_fragment;
     const float x = ImGui::GetCursorPosX();

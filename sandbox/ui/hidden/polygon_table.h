@@ -1,4 +1,4 @@
-// A list of polygons in columns: number, name, what the method goes by. Rows are linked with the pictures, both ways.
+// A table of polygons: number, name, and the method's criterion. Rows and pictures are linked in both directions.
 #pragma once
 
 #include "ui/hidden/order_rows.h"
@@ -6,23 +6,23 @@
 
 namespace viewing {
 
-/// Open from its construction to its end; rows are drawn in between, those in view are enough.
+/// A table that is open from construction to destruction. Draw rows in between; the visible ones suffice.
 class PolygonTable {
 public:
-    /// `detail` is the last column's title, not yet looked up; an empty one leaves the column out. `count` is the
-    /// largest number.
+    /// `detail`: the untranslated title of the last column; if empty, the column is omitted. `count`: the largest
+    /// number.
     PolygonTable(PolygonLinks& links, const HiddenResult& result, const char* id, const char* detail, int count,
                  ImVec2 size);
     ~PolygonTable();
     PolygonTable(const PolygonTable&) = delete;
     PolygonTable& operator=(const PolygonTable&) = delete;
 
-    bool is_open() const { return is_open_; }  ///< otherwise nothing may be drawn
+    bool is_open() const { return is_open_; }  ///< if false, draw no rows
     static float row_height();
 
-    /// Moves as little as it takes to show a row.
+    /// Scrolls to a row if it is out of view.
     void scroll_to(int place) const;
-    /// True when its polygon was selected by a click, or let go.
+    /// Draws a row. Returns whether a click selected or deselected its polygon.
     bool row(int number, const OrderRow& row);
 
 private:

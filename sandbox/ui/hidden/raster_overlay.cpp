@@ -16,13 +16,13 @@ ImFont* digits_font() {
     return font ? font : ImGui::GetFont();
 }
 
-/// ".532": window depths lie between 0 and 1.
+/// ".532", without the leading 0: window depths are between 0 and 1.
 std::string depth_digits(double depth, int decimals) {
     const std::string text = number_text(depth, decimals);
     return text.starts_with("0.") ? text.substr(1) : text;
 }
 
-/// The most decimals of a depth that a square of this side has room for; 0: too few to tell anything.
+/// The most decimals of a depth that fit in a square with this side; 0: too few to be useful.
 int decimals_in(float side) {
     for (int decimals = 4; decimals >= 2; --decimals) {
         const ImVec2 size =
@@ -62,7 +62,7 @@ void draw_depths(const Overlay& overlay, const RasterPlaces& places, const IdIma
         }
 }
 
-/// Around a pixel, and so large that it is seen where the pixel is small.
+/// Returns a rectangle around a pixel, large enough to be visible even if the pixel is small.
 Rect ring_of(const Rect& pixel) {
     const float grow = std::max(0.0F, px(5.0F) - 0.5F * pixel.width());
     return {{pixel.min.x - grow, pixel.min.y - grow}, {pixel.max.x + grow, pixel.max.y + grow}};

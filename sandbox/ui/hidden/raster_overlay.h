@@ -1,5 +1,5 @@
-// The pixels of a method's picture over the camera's view: where they are, and as large squares with the depth in each.
-// Read hidden_overlay.cpp for its use.
+// The pixels of a method's picture over the camera view: their places on screen, and large pixels with a depth in each.
+// See hidden_overlay.cpp for usage.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace viewing {
 
-/// Where the pixels of one result are in a view, whose size may have changed since.
+/// Maps the pixels of one result to a view, whose size may have changed since the result.
 class RasterPlaces {
 public:
-    /// `result` has a picture and outlives this.
+    /// `result` must have a picture and outlive this object.
     RasterPlaces(const Rect& view, const HiddenResult& result) : view_(view), result_(result) {}
 
     Rect of(glm::ivec2 pixel) const;
     ImVec2 middle(glm::ivec2 pixel) const;
     Rect whole() const;
-    /// None beside the picture.
+    /// Returns nullopt outside the picture.
     std::optional<glm::ivec2> pixel_at(ImVec2 place) const;
 
 private:
@@ -28,16 +28,16 @@ private:
     const HiddenResult& result_;
 };
 
-/// The lines between pixels; nothing where they are those of the view.
+/// Draws the lines between pixels; nothing if the raster has the view's own resolution.
 void draw_raster_lines(const Overlay& overlay, const HiddenResult& result);
 
-/// In each pixel of a raster its depth, in as many digits as there is room for, but where labels are kept off.
+/// Draws the depth in each pixel of a raster, with as many digits as fit. Skips areas that labels must avoid.
 void draw_raster_depths(const Overlay& overlay, const HiddenResult& result);
 
-/// The pixel that the step is at, with a sentence beside it that labels are kept off.
+/// Draws the step's pixel with a sentence beside it, which labels then avoid.
 void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
 
-/// The followed pixel.
+/// Draws the followed pixel.
 void draw_chosen_pixel(const Overlay& overlay, const HiddenResult& result);
 
 }  // namespace viewing

@@ -18,27 +18,27 @@ namespace {
 constexpr glm::ivec2 first_raster{24, 16};
 constexpr float step_gap = 2.0F, slider_width = 124.0F;  // design pixels
 
-/// What the levels of a method's steps are called.
+/// The names of the two levels of a method's steps.
 struct LevelWords {
     const char *group, *within;
-    const char *next, *previous;  ///< of groups
+    const char *next, *previous;  ///< the tooltips of the group buttons
 };
 
 LevelWords words_of(const HiddenResult& result) {
     if (result.newell)
-        return {marked("polygon"), marked("step"), marked("Until the next polygon is drawn."),
-                marked("Back to where this polygon, or the one before, begins.")};
+        return {marked("polygon"), marked("step"), marked("Runs until the next polygon is drawn."),
+                marked("Goes back to the start of this polygon or the previous one.")};
     if (result.tree)
-        return {marked("part"), marked("node"), marked("To the end of this part: the tree is built, then walked."),
-                marked("Back to the beginning of this part.")};
+        return {marked("part"), marked("node"), marked("Goes to the end of this part: first the build, then the walk."),
+                marked("Goes back to the start of this part.")};
     if (result.request.visibility.method == VisibilityMethod::ray_cast)
-        return {marked("row"), marked("ray"), marked("To the end of this row of rays."),
-                marked("Back to the beginning of this row.")};
-    return {marked("triangle"), marked("fragment"), marked("Until this triangle, or the next one, is drawn."),
-            marked("Back to where this triangle, or the one before, begins.")};
+        return {marked("row"), marked("ray"), marked("Goes to the end of this row of rays."),
+                marked("Goes back to the start of this row.")};
+    return {marked("triangle"), marked("fragment"), marked("Runs until this triangle or the next one is drawn."),
+            marked("Goes back to the start of this triangle or the previous one.")};
 }
 
-/// Goes to a step where there is one; as wide as its sign takes.
+/// Draws a button that goes to a step; disabled if there is none. As wide as its symbol.
 void step_button(const char* id, const char* sign, std::optional<int> to, int& step, const char* title,
                  const char* explanation, const char* why_not) {
     if (widgets::CurrentContext().printed) return;
@@ -54,28 +54,28 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
     ImGui::SameLine(0.0F, px(step_gap));
 }
 
-/// To the steps of the followed pixel.
+/// Draws buttons that go to the previous and the next step of the followed pixel.
 void touch_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
-    const char* const why_not = result.request.visibility.pixel ? marked("No step there touches this pixel.")
+    const char* const why_not = result.request.visibility.pixel ? marked("No more steps touch this pixel.")
                                                                 : marked("Click a pixel of the picture first.");
     step_button("touch before", previous_sign, previous_touch(result, step), step, marked("Back at this pixel"),
-                marked("Back to the step before that touches the chosen pixel."), why_not);
+                marked("Goes to the previous step that touches the chosen pixel."), why_not);
     step_button("next touch", next_sign, next_touch(result, step), step, marked("Next at this pixel"),
-                marked("On to the next step that touches the chosen pixel."), why_not);
+                marked("Goes to the next step that touches the chosen pixel."), why_not);
 }
 
-/// To the ends of groups.
+/// Draws buttons that go to the end of the previous and the next group.
 void group_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
     const LevelWords words = words_of(result);
     step_button("group before", previous_sign, previous_group(result, step), step, marked("Back"), words.previous,
-                marked("It stands there already."));
-    step_button("next group", next_sign, next_group(result, step), step, marked("On"), words.next,
-                marked("It stands there already."));
+                marked("Already there."));
+    step_button("next group", next_sign, next_group(result, step), step, marked("Next"), words.next,
+                marked("Already there."));
 }
 
-/// `from` … `from + count` as a slider; true when it was moved.
+/// Draws a slider from `least` to `count`; returns whether it was moved.
 bool level_slider(const char* label, int& value, int least, int count) {
-    constexpr int most_told = 999'999;  // beyond there is no room for both
+    constexpr int most_told = 999'999;  // larger counts do not fit beside the value
     const std::string of = count <= most_told ? " / " + std::to_string(count) : "";
     double shown = value;
     const widgets::NumberStyle style{.min = static_cast<double>(least),
@@ -97,14 +97,14 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     group_buttons(step, result, "←", "→");
     int group = place.group;
     if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);
-    // Below the group's, whose buttons have no partner here: the bar above goes by single steps.
+    // Aligned with the group's slider, but without buttons: the bar above already goes by single steps.
     const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(step_gap));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     int within = place.within;
     if (level_slider(words.within, within, 0, place.size)) step = place.first + within;
 }
 
-/// Buttons to the steps of the followed pixel, and which of them has been reached.
+/// Draws buttons that go to the steps of the followed pixel, and the number of those already reached.
 void touch_row(int& step, const HiddenResult& result, const std::optional<glm::ivec2>& pixel) {
     touch_buttons(step, result, "←", "→");
     const int reached = step < 0 ? result.step_count : step;
@@ -148,7 +148,7 @@ void draw_raster_row(Params& params) {
                                          .integer = true,
                                          .default_value = static_cast<double>(by_default)};
         if (widgets::Number(label, shown, style, number)) value = static_cast<int>(std::lround(shown));
-        explain(field, title, raster ? "" : tr("The raster is the view's own."));
+        explain(field, title, raster ? "" : tr("The raster matches the view."));
     };
     count("##columns", size.x, first_raster.x, marked("Columns"));
     ImGui::SameLine(0.0F, px(6.0F));
@@ -157,13 +157,13 @@ void draw_raster_row(Params& params) {
     count("##rows", size.y, first_raster.y, marked("Rows"));
     ImGui::EndDisabled();
     if (raster) raster = size;
-    if (raster.has_value() != before.has_value()) params.visibility.pixel.reset();  // it was one of other pixels
+    if (raster.has_value() != before.has_value()) params.visibility.pixel.reset();  // it belonged to the other raster
 }
 
 void draw_step_rows(Params& params, const HiddenResult& result) {
     const widgets::Group group("levels");
     int& step = params.visibility.step;
-    // As high whatever the method: what is below stays where it is while methods are compared.
+    // Use the same height for every method, so that everything below stays in place while methods are compared.
     const float bottom = ImGui::GetCursorPosY() + 3.0F * ImGui::GetFrameHeightWithSpacing();
     if (has_touches(result)) touch_row(step, result, params.visibility.pixel);
     if (const std::optional<StepPlace> place = place_of_step(result, step)) level_rows(step, result, *place);
@@ -177,10 +177,10 @@ void draw_step_line(Params& params, const HiddenResult& result) {
     const int reached = step < 0 ? result.step_count : std::min(step, result.step_count);
     const auto one = [&](int to) { return to >= 0 && to <= result.step_count ? std::optional(to) : std::nullopt; };
     ImGui::PushButtonRepeat(true);
-    step_button("step before", "←", one(reached - 1), step, marked("Back"), marked("One step back; hold to go on."),
-                marked("It stands there already."));
-    step_button("next step", "→", one(reached + 1), step, marked("On"), marked("One step on; hold to go on."),
-                marked("It stands there already."));
+    step_button("step before", "←", one(reached - 1), step, marked("Back"),
+                marked("Goes back one step; hold to repeat."), marked("Already there."));
+    step_button("next step", "→", one(reached + 1), step, marked("Next"), marked("Advances one step; hold to repeat."),
+                marked("Already there."));
     ImGui::PopButtonRepeat();
     if (!result.group_ends.empty()) group_buttons(step, result, "⇤", "⇥");
     if (has_touches(result)) touch_buttons(step, result, "←□", "□→");

@@ -1,4 +1,4 @@
-// Below the bar of steps: its two levels, the followed pixel's own steps, and how many pixels there are.
+// The rows below the step bar: its two levels, the steps of the followed pixel, and the size of the raster.
 #pragma once
 
 #include "frame/hidden/hidden_surfaces.h"
@@ -6,15 +6,15 @@
 
 namespace viewing {
 
-/// A switch for the small raster and its columns and rows.
+/// Draws a toggle for the small raster, and its columns and rows.
 void draw_raster_row(Params& params);
 
-/// The steps that touch the followed pixel, the step's group among all, and the step within its group, with buttons to
-/// the next and the one before. Groups are left out for a method whose steps are one level.
+/// Draws rows for the steps that touch the followed pixel and for the step's group, both with buttons to the previous
+/// and the next one, and for the step within its group. Omits groups if the method's steps have only one level.
 void draw_step_rows(Params& params, const HiddenResult& result);
 
-/// The same buttons in one line, those for single steps too, and how far the step has come: for a view beside the
-/// picture, wherever the panel is scrolled to.
+/// Draws the same buttons and those for single steps in one line, with the progress of the step. For a view beside the
+/// picture: it stays visible wherever the panel is scrolled.
 void draw_step_line(Params& params, const HiddenResult& result);
 
 }  // namespace viewing

@@ -25,7 +25,7 @@ std::string pixel_text(glm::ivec2 pixel) {
     return say("pixel ({x}, {y})", "x"_a = pixel.x, "y"_a = pixel.y);
 }
 
-/// Whether a cut was made along the plane of that fragment, in whichever direction.
+/// Whether a cut was made along the plane of this fragment, in either orientation.
 bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& plane) {
     if (source_of(result, fragment) < 0) return false;
     const glm::dvec4& own = (*result.fragments)[static_cast<std::size_t>(fragment)].plane;
@@ -36,9 +36,9 @@ bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& pla
 std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
     const bool cuts_p = step.split == step.p;
     const bool by_plane = is_plane_of(result, cuts_p ? step.q : step.p, step.cut_plane);
-    if (by_plane) return cuts_p ? tr("A is cut by the plane of B.") : tr("B is cut by the plane of A.");
-    return cuts_p ? tr("A is cut by a plane through the eye and an edge of B.")
-                  : tr("B is cut by a plane through the eye and an edge of A.");
+    if (by_plane) return cuts_p ? tr("The plane of B cuts A.") : tr("The plane of A cuts B.");
+    return cuts_p ? tr("A plane through the eye and an edge of B cuts A.")
+                  : tr("A plane through the eye and an edge of A cuts B.");
 }
 
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
@@ -50,14 +50,14 @@ std::string action_sentence(const HiddenResult& result, const NewellStep& step) 
         case NewellAction::splits:
             return cut_sentence(result, step);
         case NewellAction::draws:
-            return tr("Nothing is left that A could hide: A is drawn.");
+            return tr("A can hide no remaining polygon, so A is drawn.");
         case NewellAction::forces:
-            return tr("A is drawn although B stands against it: they overlap by less than epsilon.");
+            return tr("A is drawn despite B: they overlap by less than epsilon.");
     }
     return "";
 }
 
-/// As many decimals as it takes to tell two depths apart, 4 to 9.
+/// Enough decimals to distinguish two depths: 4 to 9.
 int decimals_for(double a, double b) {
     const double apart = std::abs(a - b);
     if (!std::isfinite(apart) || apart <= 0.0) return 4;
@@ -157,14 +157,14 @@ std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
 
 std::string ray_sentence(const HiddenResult& result) {
     if (!result.traced)
-        return result.step < 0 ? tr("One ray went through every pixel. Go to a step, or click a pixel while the raster "
-                                    "is small, to see what a single ray meets.")
+        return result.step < 0 ? tr("One ray went through each pixel. To see what a single ray hits, go to a step, or "
+                                    "click a pixel while the raster is small.")
                                : tr("No ray has been cast yet.");
     const std::string pixel = pixel_text(result.traced->pixel);
     const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
-    if (hits == 0) return say("The ray through {pixel} meets no object.", "pixel"_a = pixel);
-    return say_count(hits, "The ray through {pixel} meets one surface, which is seen.",
-                     "The ray through {pixel} meets {count} surfaces: the first one is seen.", "pixel"_a = pixel);
+    if (hits == 0) return say("The ray through {pixel} hits no object.", "pixel"_a = pixel);
+    return say_count(hits, "The ray through {pixel} hits one surface, which is visible.",
+                     "The ray through {pixel} hits {count} surfaces: the first one is visible.", "pixel"_a = pixel);
 }
 
 }  // namespace viewing

@@ -79,7 +79,7 @@ std::string tree_sentence(const HiddenResult& result) {
     const BspTree& tree = *result.tree;
     const auto nodes = static_cast<int>(tree.nodes.size());
     const std::string whole = say(
-        "{nodes}, {depth} deep, {fragments}, {splits}; splitter: {splitter}",
+        "{nodes}, depth {depth}, {fragments}, {splits}; splitter: {splitter}",
         "nodes"_a = say_count(nodes, "{count} node", "{count} nodes"), "depth"_a = grouped_number(tree.counters.depth),
         "fragments"_a =
             say_count(static_cast<std::int64_t>(tree.fragments.size()), "{count} fragment", "{count} fragments"),
@@ -95,8 +95,8 @@ std::string node_sentence(const HiddenResult& result, int node, const TreeIndex&
     if (!result.tree || !is_index(node, result.tree->nodes.size()) || node >= result.built_nodes) return "";
     const BspNode& told = result.tree->nodes[static_cast<std::size_t>(node)];
     if (!told.sorted)
-        return say_count(told.fragment_count, "node {node}: {count} polygon left unsorted by the budget",
-                         "node {node}: {count} polygons left unsorted by the budget", "node"_a = node + 1);
+        return say_count(told.fragment_count, "node {node}: the budget left {count} polygon unsorted",
+                         "node {node}: the budget left {count} polygons unsorted", "node"_a = node + 1);
     const std::string plane =
         say("node {node}: plane of {polygon}; {front} in front, {behind} behind, {cut} cut", "node"_a = node + 1,
             "polygon"_a = listed_name(result.surface.get(), told.splitter_source),

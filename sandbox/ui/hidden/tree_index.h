@@ -1,5 +1,5 @@
-// A BSP tree as its diagram wants it, the way from polygons back to nodes, and what is told of a node. Read
-// tree_view.cpp for its use.
+// A BSP tree in the form that its diagram needs, the map from polygons back to nodes, and sentences about nodes. See
+// tree_view.cpp for usage.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,20 @@ namespace viewing {
 class TreeIndex {
 public:
     TreeIndex() = default;
-    TreeIndex(const TreeIndex&) = delete;  // the labels are looked at, not held, by the nodes
+    TreeIndex(const TreeIndex&) = delete;  // the nodes point into the labels
     TreeIndex& operator=(const TreeIndex&) = delete;
     TreeIndex(TreeIndex&&) = default;
     TreeIndex& operator=(TreeIndex&&) = default;
 
-    /// Follows a result: its tree, its walk, and how far its step has come. A result without a tree changes nothing.
+    /// Updates to a result: its tree, its traversal, and the progress of its step. Ignores a result without a tree.
     void follow(const std::shared_ptr<const HiddenResult>& result);
-    /// Counts the trees that were followed.
+    /// The number of trees followed so far.
     std::uint64_t revision() const { return revision_; }
 
     const std::vector<widgets::TreeNode>& nodes() const { return nodes_; }
-    int node_of(int fragment) const;  ///< −1 where there is no such fragment
-    /// Of the walk, also where the step has not come yet: 1 in front, −1 behind, 0 in the plane or not known.
+    int node_of(int fragment) const;  ///< −1 if there is no such fragment
+    /// Which side of the node's plane the eye is on, even if the traversal has not reached the node yet: 1 in front, −1
+    /// behind, 0 in the plane or unknown.
     int eye_side_of(int node) const;
 
 private:
@@ -42,11 +43,11 @@ private:
     std::vector<signed char> eye_sides_;
 };
 
-/// "30 nodes, 7 deep, 34 fragments, 4 splits; splitter: fewest splits", and how far the step has come.
+/// "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits", and the progress of the step.
 std::string tree_sentence(const HiddenResult& result);
 
-/// What a node's plane is and does, and once the walk has reached it what the eye's side means for the order. Nodes are
-/// counted from 1, as the steps of the build are. Empty where there is no such node at this step.
+/// Describes a node's plane and, once the traversal has reached it, how the eye's side decides the order. Nodes count
+/// from 1, like the steps that build the tree. Empty if there is no such node at this step.
 std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// The tree of a BSP build, linked with the pictures: it stays still while the camera moves, only the walk over it
-// changes. Read order_view.cpp next.
+// The BSP tree, linked with the pictures. The tree does not change while the camera moves; only its traversal does.
+// Read order_view.cpp next.
 #include "ui/hidden/tree_view.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace viewing {
 namespace {
 
-/// The selected node: that of the selected polygon where there is one.
+/// The node of the selected polygon if there is one, otherwise the selected node.
 int selected_node(const PolygonLinks& links) {
     const int of_polygon = links.tree.node_of(links.now.selected_fragment);
     return of_polygon >= 0 ? of_polygon : links.now.selected_node;
 }
 
-/// A node that was chosen, with the polygon of it that is seen.
+/// Selects a node and the last of its polygons.
 void select_node(PolygonLink& link, const BspTree& tree, int node) {
     link.selected_node = node;
     link.selected_fragment = -1;
@@ -26,7 +26,7 @@ void select_node(PolygonLink& link, const BspTree& tree, int node) {
     if (chosen.fragment_count > 0) link.selected_fragment = chosen.first_fragment + chosen.fragment_count - 1;
 }
 
-/// The node that the step is at; −1 when all steps are shown.
+/// The step's node; −1 if all steps are shown.
 int current_node(const HiddenResult& result) {
     if (result.step < 0) return -1;
     if (result.visited_nodes > 0 && result.visited_nodes <= static_cast<int>(result.walk->visits.size()))
@@ -34,7 +34,8 @@ int current_node(const HiddenResult& result) {
     return result.built_nodes - 1;
 }
 
-/// As long as a sentence about a node gets, so that the tree does not move when another one is told.
+/// The longest sentence that is likely for a node. Its height is reserved, so that the tree does not move when the
+/// sentence changes.
 constexpr const char* longest_sentence = marked(
     "node 1000: plane of small box, polygon 1000; 1000 in front, 1000 behind, 1000 cut; the eye is in front, so its "
     "back side is drawn first");
@@ -69,7 +70,7 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
                     const Rect& rect) {
     const ViewWindow view("tree view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (session.params.visibility.method != VisibilityMethod::bsp) {
-        if (offer("Only the BSP tree has a tree to show.", "Use the BSP tree"))
+        if (offer("Only the BSP tree method has a tree to show.", "Use the BSP tree"))
             session.params.visibility.method = VisibilityMethod::bsp;
         return;
     }
@@ -77,7 +78,7 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
     if (!result || !result->tree) return tell_waiting(hidden);
     links.tree.follow(result);
 
-    // What there is no room for is left out, the node's sentence first.
+    // Omit what does not fit, the node's sentence first.
     const std::string sentence = tree_sentence(*result);
     const float gap = ImGui::GetStyle().ItemSpacing.y, least = px(100.0F);
     float room = ImGui::GetContentRegionAvail().y;

@@ -1,4 +1,4 @@
-// The tree of a BSP build as a view of its own.
+// The view of a BSP tree.
 #pragma once
 
 #include "session/session.h"
@@ -10,9 +10,9 @@ namespace viewing {
 
 struct TreeViewState {
     widgets::TreeDiagramState diagram;
-    int revealed = -1;           ///< the node that the diagram was last moved to, as it was selected
-    int current = -1;            ///< and as the step reached it
-    ImVec2 size_px{0.0F, 0.0F};  ///< that it was fitted to
+    int revealed = -1;           ///< the selected node to which the diagram last moved
+    int current = -1;            ///< the step's node to which it last moved
+    ImVec2 size_px{0.0F, 0.0F};  ///< the size to which it was fitted
 };
 
 void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,

@@ -12,9 +12,9 @@ namespace viewing {
 namespace {
 
 constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
-constexpr float letter_room = 24.0F;                                    ///< in front of a choice, for its letter
+constexpr float letter_room = 24.0F;                                    ///< before a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
-constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
+constexpr float least_half = 330.0F;  ///< two columns of choices from twice this width on
 
 int columns_of_choices(float width, float scale) {
     return width >= 2.0F * least_half * scale ? 2 : 1;
@@ -31,7 +31,7 @@ Paragraph choice_text(const LessonText& say, float width, const widgets::Context
                      choices_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
 }
 
-/// Of the rows of choices: each as high as its highest one.
+/// Height of each row of choices: that of its tallest choice.
 std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context, bool presents) {
     const auto columns = static_cast<std::size_t>(columns_of_choices(width, context.scale));
     std::vector<float> rows((ask.choices.size() + columns - 1) / columns, 0.0F);
@@ -42,7 +42,7 @@ std::vector<float> row_heights(const Ask& ask, float width, const widgets::Conte
     return rows;
 }
 
-/// Of those that are typed.
+/// Number of entry fields per row.
 std::size_t numbers_in_a_row(const Ask& ask) {
     constexpr int most_in_a_row = 6;
     return static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : std::min(ask.rows, most_in_a_row));
@@ -59,13 +59,13 @@ float tile_width(const LessonText& item, const widgets::Context& context) {
     return text_width + 2.0F * padding_x * context.scale;
 }
 
-/// Room at both ends of a tile for what moves it, or in front of it for its number.
+/// Extra width of a tile: for an arrow at each end, or for a number in front.
 float tile_extra(const Ask& ask, const widgets::Context& context) {
     const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
     return (moves ? 2.0F * 20.0F : letter_room) * context.scale;
 }
 
-/// Tiles in rows; calls `place(item, x, y)` for each place of the list, relative to the first one's corner.
+/// Lays out tiles in rows. Calls `place(item, x, y)` for each item, relative to the first tile's corner.
 template <typename Place>
 float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const widgets::Context& context,
                     const Place& place) {
@@ -108,7 +108,7 @@ void draw_ground(ImVec2 min, ImVec2 max, const TileLook& look, bool hovered) {
     draw->AddRect(min, max, outline_of(look), rounding, 0, px(is_marked ? 2.0F : 1.0F) * palette().stroke);
 }
 
-/// Hands that were raised, behind the text of a choice.
+/// Draws a bar for the raised hands, behind the text of a choice.
 void draw_votes(ImVec2 min, ImVec2 max, int votes, int most) {
     if (votes == 0) return;
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -203,7 +203,7 @@ bool draw_tile(const LessonText& item, ImVec2 min, float width, float text_x, co
     return pressed && is_open;
 }
 
-/// Tiles that stand in an order: arrows at their ends move them, and one can be dragged onto another's place.
+/// Draws tiles to put in order: arrows at their ends move them, and dragging one onto another swaps them.
 void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
@@ -225,12 +225,12 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
                 swapped = std::pair(*static_cast<const int*>(payload->Data), place);
             ImGui::EndDragDropTarget();
         }
-        const auto arrow_button = [&](const char* sign, float at, int neighbour) {
-            if (!style.is_open || neighbour < 0 || neighbour >= std::ssize(order)) return;
+        const auto arrow_button = [&](const char* sign, float at, int neighbor) {
+            if (!style.is_open || neighbor < 0 || neighbor >= std::ssize(order)) return;
             ImGui::SetCursorScreenPos({at, min.y});
             const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
             if (ImGui::InvisibleButton(id.c_str(), {arrow, frame_height(context)}))
-                swapped = std::pair(place, neighbour);
+                swapped = std::pair(place, neighbor);
             widgets::Record(id.c_str());
             const ImVec2 size = ImGui::CalcTextSize(sign);
             ImGui::GetWindowDrawList()->AddText(
@@ -251,7 +251,7 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
     ImGui::Dummy({0.0F, 0.0F});
 }
 
-/// Tiles that are chosen by a click; in a sequence they get numbers in the order of the clicks.
+/// Draws tiles to choose by clicking. A sequence numbers them in the order of the clicks.
 void draw_chosen(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();

@@ -1,4 +1,4 @@
-// How the questions of a lesson are answered in the window: choices, numbers, vectors, matrices, tiles.
+// Input of the answers to a lesson's questions: choices, numbers, vectors, matrices, tiles.
 #pragma once
 
 #include "lesson/run.h"
@@ -6,20 +6,20 @@
 
 namespace viewing {
 
-/// Pixels below each other that draw_answers() takes; also outside a frame. `presents`: choices are larger.
+/// Height of draw_answers() in pixels; also works outside a frame. `presents`: choices are larger.
 float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents);
 
 struct AnswerStyle {
-    bool is_open = true;       ///< it can be answered still
-    bool shows_right = false;  ///< the right answer is marked
-    bool presents = false;     ///< in front of a room: larger, with bars of raised hands in place of a click
+    bool is_open = true;       ///< still accepts an answer
+    bool shows_right = false;  ///< marks the right answer
+    bool presents = false;     ///< for an audience: larger, with bars of raised hands instead of clicks
 };
 
-/// Edits the run's answer. True when it was given with this: a choice that was clicked. What is typed or put in order
-/// is given by Check.
+/// Edits the run's answer. Returns true when a click on a choice has given the answer. Typed or ordered answers are
+/// submitted with the Check button.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
-/// Whether answers of that kind are given by a button of their own.
+/// Whether answers of this kind need the Check button.
 bool needs_check(AskKind kind);
 
 }  // namespace viewing

@@ -13,7 +13,7 @@ constexpr float least_card = 232.0F, card_gap = 14.0F, inset = 8.0F;  ///< desig
 
 struct CardSize {
     float width = 0.0F, picture = 0.0F;
-    float height = 0.0F;  ///< of all in a row
+    float height = 0.0F;  ///< of the whole row
 };
 
 float text_height(const Card& card, float width, const widgets::Context& context) {

@@ -1,4 +1,4 @@
-// A page of small pictures to choose from: the lessons of the lecture, or the steps of one.
+// A page of thumbnails to choose from: the lessons of the lecture, or the steps of one.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,21 @@
 namespace viewing {
 
 struct Card {
-    std::string key;    ///< its picture's name
-    std::string title;  ///< shown whole, in as many lines as it takes
-    std::string note;   ///< small, below: "7 steps · 15 min"
+    std::string key;    ///< identifies its picture
+    std::string title;  ///< never cut off; wraps
+    std::string note;   ///< small, below the title: "7 steps · 15 min"
     bool is_done = false, is_current = false;
 };
 
-/// In rows that fill the width and scroll where they are too many; the chosen one is brought into view. `texture_of` of
-/// a key: null while there is none. Returns the place of the card that was clicked, −1: none.
+/// Draws cards in rows that fill the width, scrolling if needed; scrolls the chosen one into view. `texture_of` returns
+/// the picture for a key, or null if there is none yet. Returns the index of the clicked card, or −1.
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
                int chosen);
 
-/// From one edge of the window to the cards of a page, design pixels.
+/// Margin between the window's edge and a page's cards, in design pixels.
 inline constexpr float page_margin = 30.0F;
 
-/// How many stand beside each other on a page over the whole window, as wide as it is now.
+/// Returns the number of cards per row on a full-window page at the current width.
 int card_columns();
 
 }  // namespace viewing

@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// A set's name in its file, and in the window.
+/// A set's name in its file, and its label in the window.
 struct SetName {
     const char *name, *label;
 };
@@ -33,7 +33,7 @@ std::string key_of(const ExerciseDesk::Entry& entry) {
     return "exercise/" + entry.exercise.id + "/" + std::to_string(entry.variant);
 }
 
-/// A field with its name in front of it; true when another text counts from now on.
+/// Draws a field with its label before it. Returns true when its text has changed.
 bool text_field(const char* label, std::string& text, float width, const char* tip) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr(label));
@@ -47,21 +47,20 @@ bool text_field(const char* label, std::string& text, float width, const char* t
 
 std::string what_practice_is(const ExerciseDesk& desk) {
     const bool has_number = !desk.student().number.empty(), has_course = !desk.student().course.empty();
-    const char* const why = has_number && has_course ? marked("Practice: these numbers are not your own.")
-                            : has_number             ? marked("Practice: the course is missing.")
+    const char* const why = has_number && has_course ? marked("Practice: these are not your numbers.")
+                            : has_number             ? marked("Practice: no course entered.")
                             : has_course             ? marked("Practice: the student number is missing.")
                                                      : marked("Practice: student number and course are missing.");
     return std::string(tr(why)) + " " + tr("Answers are kept on this computer and are not handed in.");
 }
 
-/// What was practised, and what becomes of it on one's own sheet.
-std::string told_of_practice(const ExerciseDesk::Practised& practised) {
-    const std::string all =
-        say_count(practised.all, "One exercise was practised.", "{count} exercises were practised.");
-    if (practised.with_own_numbers == 0) return all + " " + tr("The answers are kept under Practice.");
+/// Says how many exercises were practiced, and how many of them can be imported.
+std::string told_of_practice(const ExerciseDesk::Practiced& practiced) {
+    const std::string all = say_count(practiced.all, "You practiced one exercise.", "You practiced {count} exercises.");
+    if (practiced.with_own_numbers == 0) return all + " " + tr("The answers are kept under Practice.");
     return all + " " +
-           say_count(practised.with_own_numbers, "One of them has your numbers: its answers can be taken over.",
-                     "{count} of them have your numbers: their answers can be taken over.");
+           say_count(practiced.with_own_numbers, "One of them has your numbers: you can import its answers.",
+                     "{count} of them have your numbers: you can import their answers.");
 }
 
 }  // namespace
@@ -94,13 +93,13 @@ std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk)
 void ExercisePage::draw_student(ExerciseDesk& desk, Guide& guide) {
     Student typed = desk.student();
     bool is_new = text_field(marked("Student number"), typed.number, 110.0F,
-                             marked("Says together with the course which numbers the questions have."));
+                             marked("Together with the course, sets the numbers in your questions."));
+    ImGui::SameLine(0.0F, px(18.0F));
+    is_new |= text_field(marked("Course"), typed.course, 130.0F,
+                         marked("The course name exactly as the lecturer writes it."));
     ImGui::SameLine(0.0F, px(18.0F));
     is_new |=
-        text_field(marked("Course"), typed.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
-    ImGui::SameLine(0.0F, px(18.0F));
-    is_new |= text_field(marked("Name"), typed.name, 130.0F,
-                         marked("Stands in what is handed in, and changes nothing else."));
+        text_field(marked("Name"), typed.name, 130.0F, marked("Appears in the hand-in file and changes nothing else."));
     if (!is_new) return;
     const bool is_another = typed.number != desk.student().number || typed.course != desk.student().course;
     if (is_another && guide.is_sheet()) guide.close();
@@ -108,28 +107,28 @@ void ExercisePage::draw_student(ExerciseDesk& desk, Guide& guide) {
 }
 
 void ExercisePage::draw_whose(ExerciseDesk& desk, Guide& guide) {
-    const ExerciseDesk::Practised practised = desk.practised();
-    const bool offers_practice = !desk.is_practice() && practised.all > 0;
+    const ExerciseDesk::Practiced practiced = desk.practiced();
+    const bool offers_practice = !desk.is_practice() && practiced.all > 0;
     if (desk.is_practice())
         widgets::Note(what_practice_is(desk).c_str());
     else
         widgets::Note(
-            "Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
-            "in is one file.");
+            "Each student gets different numbers. Every answer is saved on this computer immediately; you hand in one "
+            "file.");
     widgets::Record("whose");
-    if (offers_practice) widgets::Note(told_of_practice(practised).c_str());
+    if (offers_practice) widgets::Note(told_of_practice(practiced).c_str());
     if (offers_practice) widgets::Record("practised");
-    if (offers_practice && practised.with_own_numbers > 0) {
-        if (widgets::SmallButton("Take over")) {
-            if (guide.is_sheet()) guide.close();  // it shows the answers as they were
+    if (offers_practice && practiced.with_own_numbers > 0) {
+        if (widgets::SmallButton("Import")) {
+            if (guide.is_sheet()) guide.close();  // it still shows the old answers
             desk.take_over_practice();
         }
-        widgets::Tooltip("Take over", "Adds these answers, with all their attempts, to what you hand in.");
+        widgets::Tooltip("Import", "Adds these answers, with all their attempts, to your hand-in.");
         ImGui::SameLine();
     }
     const bool goes_back = desk.is_practice() && desk.has_own_sheet();
     if (!offers_practice && !goes_back) return;
-    if (!widgets::SmallButton(goes_back ? marked("My own sheet") : marked("Practice"))) return;
+    if (!widgets::SmallButton(goes_back ? marked("My sheet") : marked("Practice"))) return;
     if (guide.is_sheet()) guide.close();
     desk.sit_down(desk.student(), !goes_back);
 }
@@ -150,13 +149,12 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
         return names;
     }();
     widgets::Segments("##set", set_, labels, 0);
-    wishes.save =
-        widgets::Button("Save answers…", !desk.is_practice() && !desk.hand_in().items.empty(),
-                        desk.is_practice() ? marked("practice is not handed in") : marked("nothing is answered yet"));
-    widgets::Tooltip("Save answers", "The one file to hand in.");
+    wishes.save = widgets::Button("Save answers…", !desk.is_practice() && !desk.hand_in().items.empty(),
+                                  desk.is_practice() ? marked("practice is not handed in") : marked("no answers yet"));
+    widgets::Tooltip("Save answers", "Saves the file to hand in.");
     ImGui::SameLine();
     wishes.open_answers = widgets::Button("Open answers…");
-    widgets::Tooltip("Open answers", "Goes on with a file that was saved, here or on another computer.");
+    widgets::Tooltip("Open answers", "Continues from a file saved here or on another computer.");
     std::string trouble = desk.trouble() ? "" : desk.trouble().error();
     std::vector<Card> cards;
     const std::vector<std::size_t> places = shown(desk);
@@ -166,9 +164,9 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
         const bool is_right = desk.is_right(exercise.id);
         const std::string points = say_count(exercise.points, "one point", "{count} points");
         if (entry.step && !*entry.step && trouble.empty()) trouble = entry.step->error();
-        const std::string note = entry.step && !*entry.step ? tr("it cannot be shown here")
+        const std::string note = entry.step && !*entry.step ? tr("cannot be shown here")
                                  : !is_right && desk.is_tried(exercise.id)
-                                     ? say("{points} · begun, not right yet", "points"_a = points)
+                                     ? say("{points} · started, not correct yet", "points"_a = points)
                                      : points;
         cards.push_back({key_of(entry), exercise.short_id() + " · " + exercise.title.shown(), note, is_right, false});
     }
@@ -236,9 +234,9 @@ void TypedMatrix::draw(const Pictures& pictures) {
             draw->AddImageRounded(texture, corner, end, {0.0F, 1.0F}, {1.0F, 0.0F}, IM_COL32_WHITE, px(6.0F));
         ImGui::EndGroup();
     };
-    show(*mine_, marked("with your matrix"));
+    show(*mine_, marked("your matrix"));
     if (are_beside) ImGui::SameLine(0.0F, gap);
-    show(*right_, marked("with the right one"));
+    show(*right_, marked("correct matrix"));
     if (!trouble_.empty()) widgets::Trouble(printable(trouble_).c_str());
 }
 

@@ -1,5 +1,5 @@
-// The page of exercises: whose they are, what is done, and the way to each; and what a typed matrix does, beside the
-// right one. Read session/exercise_desk.h for what stands behind it.
+// The exercise page: the student, the progress, and the list of exercises; and the dialog that compares a typed matrix
+// with the right one. Read session/exercise_desk.h for the data.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace viewing {
 class ExercisePage {
 public:
     bool is_open() const { return is_open_; }
-    /// Reads the exercises when they are wanted first.
+    /// Reads the exercises on first use.
     void open(ExerciseDesk& desk);
     void close() {
         is_open_ = false;
@@ -25,26 +25,26 @@ public:
     struct Wishes {
         bool save = false, open_answers = false;
     };
-    /// Over everything. Begins what is chosen.
+    /// Covers the whole window. Starts the exercise that the user chooses.
     Wishes draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures);
     std::vector<CardPicture> wanted_pictures(const ExerciseDesk& desk) const;
 
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;
     static void draw_student(ExerciseDesk& desk, Guide& guide);
-    /// Whether it is practice, what that means, and the ways between practice and one's own sheet.
+    /// Says whether this is practice, and explains it; switches between practice and the student's own sheet.
     static void draw_whose(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;
     int set_ = 0;         ///< 0: all
-    std::string chosen_;  ///< the exercise that is begun when all are made
+    std::string chosen_;  ///< the exercise to start once all are generated
 };
 
-/// Two pictures, larger: what a typed S or R makes of the scene, and what the right one does.
+/// Two larger pictures: the scene with the typed S or R, and with the right one.
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }
-    /// Of a step that asks for S or R (Ask::shows_as).
+    /// Only for a step whose answer is S or R (Ask::shows_as).
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);
@@ -52,7 +52,7 @@ public:
 
 private:
     std::optional<CardPicture> mine_, right_;
-    std::string trouble_;  ///< why there is no picture of it
+    std::string trouble_;  ///< why the typed matrix has no picture
 };
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Texts of lessons, set in lines.
+// Lesson texts, broken into lines.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace viewing {
 
-/// A paragraph in a font of its own size.
+/// A paragraph in a font at the font's own size.
 struct Paragraph {
-    std::string lines;  ///< broken at blanks
+    std::string lines;  ///< broken at spaces
     ImFont* font = nullptr;
     float height = 0.0F;
 
-    /// Draws it and moves the cursor below; recorded under `label`.
+    /// Draws the text, moves the cursor below it, and records it under `label`.
     void draw(const char* label, ImU32 color) const;
 };
-/// Also outside a frame.
+/// Breaks a text into lines; also works outside a frame.
 Paragraph paragraph(const std::string& text, ImFont* font, float width);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// What pages over the whole window have in common: lessons, steps, exercises.
+// Common parts of full-window pages: lessons, steps, exercises.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// A page over the whole window, as long as it lives.
+/// Opens a full-window page for its own lifetime.
 class Page {
 public:
     explicit Page(const char* name);
@@ -18,13 +18,13 @@ public:
     Page& operator=(const Page&) = delete;
 };
 
-/// `room`: what stands at the right end of its line, design pixels.
+/// `room`: width to keep free at the right end of the line, in design pixels.
 void page_heading(const std::string& text, const char* label, float room = 180.0F);
 
-/// At the right end of the line that was begun.
+/// Draws a button at the right end of the current line.
 bool button_at_right(const char* label);
 
-/// The picture of a card; null while there is none.
+/// Returns a card's picture, or null if there is none yet.
 ImTextureID texture_in(const Pictures& pictures, const std::string& key);
 
 }  // namespace viewing

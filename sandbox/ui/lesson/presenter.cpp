@@ -97,7 +97,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
     if (is_modifier(press.key) || !guide.is_shown()) return false;
     if (shows_overview_) return take_in_overview(press, guide, session);
     if (!is_on_) return false;
-    if (blank_ != Blank::none) {  // any key brings the picture back and does nothing else
+    if (blank_ != Blank::none) {  // any key just brings the picture back
         blank_ = Blank::none;
         return true;
     }
@@ -153,8 +153,8 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             return true;
         }
         case Key::f5:
-        case Key::f1:  // no help over the lecture
-        case Key::x:   // held
+        case Key::f1:  // no help while presenting
+        case Key::x:   // update() handles it while held
             return true;
         case Key::escape:
             if (press.shift)
@@ -210,7 +210,7 @@ void PresenterMode::draw_pointer() {
         draw->AddCircle(at, size.y / 60.0F, palette().text, 48, px(1.5F));
         return;
     }
-    // A ring so wide that it reaches every corner.
+    // A ring thick enough to darken everything outside the spotlight.
     const float radius = size.y / 7.0F, reach = std::hypot(size.x, size.y);
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
 }

@@ -46,9 +46,9 @@ bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     if (!is_open_) return false;
     const Page page("start page");
     const widgets::Group group("start");
-    page_heading(tr("Viewing: a lecture in pictures that answer back"), "title");
+    page_heading(tr("Viewing: a lecture in pictures that answer you"), "title");
     if (button_at_right("Explore freely")) is_open_ = false;
-    widgets::Note("Each lesson asks before it shows. Leave one at any point and come back to the step.");
+    widgets::Note("Each lesson asks before it shows the answer. Leave at any point and return to that step.");
     if (button_at_right("Exercises")) {
         is_open_ = false;
         return true;
@@ -61,14 +61,14 @@ bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
             session.open(recent[i]);
             is_open_ = false;
         }
-        widgets::Tooltip("Opened before", printable(recent[i]).c_str());
+        widgets::Tooltip("Recent files", printable(recent[i]).c_str());
     }
     ImGui::Dummy({0.0F, px(4.0F)});
     ImGui::BeginChild("cards");
     std::vector<Card> cards;
     for (const LessonFile& file : lessons()) {
         const auto known = progress.find(file.id);
-        // Steps that the lesson no longer has do not count.
+        // Ignore steps that the lesson no longer has.
         const auto done = known == progress.end()
                               ? 0
                               : std::count_if(known->second.done.begin(), known->second.done.end(),

@@ -1,5 +1,5 @@
-// What a person sees first: the lessons as pictures in the order of the lecture, with how far one is in each; or the
-// way past them. Also the page of a lesson's steps.
+// The start page: the lessons as pictures in lecture order, each with its progress, and buttons to skip them. Also the
+// page that shows a lesson's steps.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,8 @@
 
 namespace viewing {
 
-/// A picture of a lesson's step before its answer: its name, and how its state is had, beside the window.
+/// A picture to render in addition to the window: its key, and how to load its state. A lesson step is shown before its
+/// answer.
 struct CardPicture {
     std::string key;
     std::function<Result<LoadedState>()> load;
@@ -28,14 +29,14 @@ public:
     void open() { is_open_ = true; }
     void close() { is_open_ = false; }
 
-    /// Reads the list of lessons when it is wanted first.
+    /// Returns the lessons; reads the list on first use.
     const std::vector<LessonFile>& lessons();
 
-    /// Over everything. Opens what is chosen; true: the exercises, by whoever has them. `recent`: files that were
-    /// opened before, the latest first.
+    /// Covers the whole window and opens the lesson that the user chooses. Returns true if the caller should open the
+    /// exercises. `recent`: recently opened files, latest first.
     bool draw(Guide& guide, Session& session, const LessonsProgress& progress, const std::vector<std::string>& recent,
               const Pictures& pictures);
-    /// Pictures that it shows.
+    /// Returns the pictures that the page shows.
     std::vector<CardPicture> wanted_pictures();
 
 private:
@@ -43,7 +44,7 @@ private:
     std::optional<std::vector<LessonFile>> lessons_;
 };
 
-/// The steps of the lesson that is open, over everything; a click goes there.
+/// Draws the steps of the open lesson over the whole window; a click jumps to a step.
 void draw_overview(PresenterMode& presenter, Guide& guide, Session& session, const Pictures& pictures);
 std::vector<CardPicture> overview_pictures(const Guide& guide);
 

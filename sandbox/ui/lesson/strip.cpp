@@ -32,7 +32,7 @@ float button_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
 }
 
-/// All that may be said to an answer, in the room that it has.
+/// Height of the longest possible feedback at this width.
 float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
     float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
     if (presents) return height;
@@ -45,20 +45,20 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
     return height;
 }
 
-/// The words on the buttons of a step, in their order; `departs`: with the one that brings the step back.
+/// Button labels of a step, in order. `departs`: includes Restore.
 std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
     std::vector<const char*> labels{"◂###back"};
     const bool is_sheet = run.lesson().sheet.has_value();
     labels.push_back(run.is_revealed() || is_sheet ? marked("Next ▸") : marked("Show the answer"));
     const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
     if (!run.is_revealed() && has_more_hints) labels.push_back(marked("Hint"));
-    if (departs) labels.push_back(marked("As it was"));
+    if (departs) labels.push_back(marked("Restore"));
     labels.push_back(is_sheet ? marked("All exercises") : marked("All steps"));
     labels.push_back(marked("Explore freely"));
     return labels;
 }
 
-/// Also outside a frame.
+/// Also works outside a frame.
 float text_width(ImFont* font, const std::string& text) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
 }
@@ -68,7 +68,7 @@ float button_width(const char* label, const widgets::Context& context) {
     return text_width(context.fonts.text, std::string(tr_part(shown))) + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Whether each button begins a new line: where there is no room for it in the one before.
+/// Whether each button starts a new line because it does not fit on the current one.
 std::vector<bool> line_breaks(const std::vector<const char*>& labels, float width, const widgets::Context& context) {
     std::vector<bool> breaks;
     const float space = button_gap * context.scale;
@@ -81,14 +81,14 @@ std::vector<bool> line_breaks(const std::vector<const char*>& labels, float widt
     return breaks;
 }
 
-/// Of the buttons, with the one that may still come.
+/// Height of the buttons, including Restore, which may appear later.
 float buttons_height(const LessonRun& run, float width, const widgets::Context& context) {
     const std::vector<bool> breaks = line_breaks(button_labels(run, true), width, context);
     const auto rows = static_cast<float>(1 + std::count(breaks.begin(), breaks.end(), true));
     return rows * (button_height(context) + line_gap * context.scale);
 }
 
-/// The lesson's name; of an exercise its own with its points.
+/// The lesson's name; for an exercise, its own title and points.
 std::string title_of(const LessonRun& run) {
     if (!run.lesson().sheet) return run.lesson().title.shown();
     const Sheet::Item& item = run.lesson().sheet->items[run.index()];
@@ -104,7 +104,7 @@ std::string place_of(const LessonRun& run) {
 
 constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 
-/// The title beside what stands at its right: how far one is, a dot and a clock.
+/// The title, which leaves space for the progress, dot and clock at its right.
 Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
     ImFont* const font = context.fonts.note;
     const float beside =
@@ -112,7 +112,7 @@ Paragraph heading(const LessonRun& run, float width, const widgets::Context& con
     return paragraph(title_of(run), font, width - beside);
 }
 
-/// The dot says that the state is no longer the step's.
+/// A dot shows that the state differs from the step's.
 void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -159,7 +159,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     return height + feedback_height(step, width, context, presents);
 }
 
-/// A paragraph and the gap below it.
+/// Draws a paragraph and the gap below it.
 void draw_paragraph(const LessonText& text, ImFont* font, float width, const char* label, ImU32 color) {
     if (text.empty()) return;
     paragraph(text.shown(), font, width).draw(label, color);
@@ -178,22 +178,24 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         return pressed;
     };
     if (is_sheet) {
-        wishes.previous = button(!run.is_first(), marked("this is the first exercise"), marked("The exercise before."));
+        wishes.previous =
+            button(!run.is_first(), marked("this is the first exercise"), marked("The previous exercise."));
         wishes.next = button(!run.is_last(), marked("this is the last exercise"), marked("The next exercise."));
     } else {
-        wishes.previous = button(!run.is_first() || is_revealed, marked("this is where the lesson begins"),
-                                 marked("Back: the question again, then the step before."));
-        wishes.next = is_revealed
-                          ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
-                          : button(true, "", marked("What one would see, and why. Answering first teaches more."));
+        wishes.previous = button(!run.is_first() || is_revealed, marked("this is the first step"),
+                                 marked("Back to the question, then to the previous step."));
+        wishes.next = is_revealed ? button(!run.is_last(), marked("this is the last step"), marked("The next step."))
+                                  : button(true, "", marked("Shows the result and why. Answering first teaches more."));
     }
-    if (place + 2 + (look.departs ? 1U : 0U) < labels.size() && button(true, "", marked("A step towards the answer.")))
+    if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&
+        button(true, "", marked("Shows a step toward the answer.")))
         run.show_hint();
-    if (look.departs) wishes.again = button(true, "", marked("The step's state again. Ctrl+Z takes that back."));
+    if (look.departs) wishes.again = button(true, "", marked("Restores the step's state. Ctrl+Z undoes this."));
     wishes.overview = button(
-        true, "", is_sheet ? marked("The list, with what is done.") : marked("The steps of this lesson as pictures."));
+        true, "",
+        is_sheet ? marked("Shows the list and your progress.") : marked("Shows the steps of this lesson as pictures."));
     wishes.leave = button(
-        true, "", marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
+        true, "", marked("Leaves the lesson and keeps the current state; the Lesson button returns to this step."));
 }
 
 void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
@@ -206,7 +208,7 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
     if (!look.presents) draw_buttons(run, look, width, wishes);
 }
 
-/// A sign in front of what is said: ✓ or ✗, without relying on colour.
+/// Draws feedback after ✓ or ✗, so that color is not the only cue.
 void draw_told(bool is_right, const std::string& text, float width, const char* label) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -218,19 +220,19 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
     paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
 }
 
-/// What is wrong fits nothing that is known: where it is, never how much.
+/// Feedback for an answer that matches no known mistake: says where the error is, never how large it is.
 std::string not_yet(const Ask& ask, const Verdict& verdict) {
     if (verdict.place == 0) return tr("Not yet. Try again, or take a hint.");
     if (ask.kind == AskKind::matrix)
         return say("Not yet: the largest difference is in row {row}.", "row"_a = verdict.place);
-    return say("Not yet: the largest difference is in number {number}.", "number"_a = verdict.place);
+    return say("Not yet: the largest difference is in entry {number}.", "number"_a = verdict.place);
 }
 
 void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const LessonStep& step = run.step();
     if (look.is_checking) {
-        paragraph(tr("It is being checked…"), context.fonts.text, width).draw("checking", palette().quiet);
+        paragraph(tr("Checking…"), context.fonts.text, width).draw("checking", palette().quiet);
         return;
     }
     if (run.is_revealed()) {
@@ -242,7 +244,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     if (!run.verdict()) return;
     const Verdict& verdict = *run.verdict();
     if (verdict.right)
-        draw_told(true, tr("Reached."), width, "verdict");
+        draw_told(true, tr("Goal met."), width, "verdict");
     else if (!verdict.say.empty())
         draw_told(false, verdict.say.shown(), width, "verdict");
     else if (step.ask.kind != AskKind::goal)
@@ -257,18 +259,18 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
     wishes.check = draw_answers(run, style, width);
     if (!look.presents && needs_check(step.ask.kind)) {
         const bool is_open = !run.is_revealed();
-        wishes.check = widgets::Button("Check", is_open, marked("the answer is shown already")) || wishes.check;
+        wishes.check = widgets::Button("Check", is_open, marked("the answer is already shown")) || wishes.check;
         if (step.ask.rows > 1) {
             ImGui::SameLine(0.0F, px(button_gap));
-            wishes.paste = widgets::Button("Paste", is_open, marked("the answer is shown already"));
-            widgets::Tooltip(
-                "Paste", "The numbers in the clipboard, row by row, however they are written: NumPy, MATLAB, text.");
+            wishes.paste = widgets::Button("Paste", is_open, marked("the answer is already shown"));
+            widgets::Tooltip("Paste",
+                             "Pastes the numbers from the clipboard row by row, in any format: NumPy, MATLAB, text.");
         }
         if (!step.ask.shows_as.empty()) {
             ImGui::SameLine(0.0F, px(button_gap));
             wishes.show_matrix = widgets::Button("What my matrix does", run.verdict().has_value() || run.is_revealed(),
                                                  marked("check it first"));
-            widgets::Tooltip("What my matrix does", "The picture that it makes, beside the right one.");
+            widgets::Tooltip("What my matrix does", "Shows the picture it makes beside the correct one.");
         }
     }
     draw_feedback(run, look, width);

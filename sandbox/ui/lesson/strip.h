@@ -1,5 +1,5 @@
-// The strip below the views while a lesson leads: what the step says, its question with the answers, and what to do
-// next. In front of a room it has nothing to press. Read session/guide.h for what its buttons do.
+// The strip below the views during a lesson: the step's text, its question with the answers, and the buttons. In
+// presenter mode it has no buttons. Read session/guide.h for the effect of each button.
 #pragma once
 
 #include <string>
@@ -11,24 +11,24 @@
 namespace viewing {
 
 struct StripLook {
-    bool presents = false;     ///< to a room: larger than what is around it, and without buttons
-    bool departs = false;      ///< the state is no longer the step's: a dot says so
-    std::string clock;         ///< of the timer; empty: none
-    std::string trouble;       ///< why an answer could not be judged; empty: it could
-    bool is_checking = false;  ///< what is measured takes a moment
+    bool presents = false;     ///< to an audience: larger than its surroundings, without buttons
+    bool departs = false;      ///< the state differs from the step's; a dot shows it
+    std::string clock;         ///< the timer's text; empty: no timer
+    std::string trouble;       ///< why an answer could not be judged; empty: no problem
+    bool is_checking = false;  ///< a measurement is still running
 };
 
-/// What was pressed.
+/// The buttons pressed in this frame.
 struct StripWishes {
     bool next = false, previous = false, again = false, check = false, leave = false, overview = false;
     bool paste = false, show_matrix = false;
 };
 
-/// Pixels below each other that the step needs at this width, before and after its answer, so that nothing jumps; also
-/// outside a frame.
+/// Returns the height in pixels that the step needs at this width, both before and after its answer, so that nothing
+/// jumps. Also works outside a frame.
 float strip_height(const LessonRun& run, float width, const widgets::Context& context, bool presents);
 
-/// Edits the answer in the run. Hints are shown here.
+/// Draws the strip and edits the answer in the run. Also shows hints.
 StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look);
 
 }  // namespace viewing

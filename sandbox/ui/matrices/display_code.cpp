@@ -14,7 +14,7 @@ ImU32 color_of(const DisplayLine& line) {
     return line.moves_world ? palette().of(widgets::Role::camera) : palette().text;
 }
 
-/// Its name for a lesson.
+/// The line's name in lessons.
 std::string target_of_line(const DisplayLine& line) {
     return line.part.empty() ? "code:display" : "code:display." + line.part;
 }

@@ -1,4 +1,4 @@
-// The lecture's display() with the numbers of a camera: a part of the matrices' column, and a view of its own.
+// The lecture's display() with the camera's numbers: a part of the matrix column, and its own view.
 #pragma once
 
 #include "frame/derive.h"
@@ -6,10 +6,10 @@
 
 namespace viewing {
 
-/// Below one another, where the window stands.
+/// Draws the lines one below the other, starting at the cursor.
 void draw_display_code(const Params& params, const Derived& derived);
 
-/// As large as there is room for.
+/// Draws the code in the largest size that fits.
 void draw_display_code_view(const Params& params, const Derived& derived, const Rect& rect);
 
 }  // namespace viewing

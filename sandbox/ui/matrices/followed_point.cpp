@@ -13,7 +13,7 @@ using widgets::Role;
 
 namespace {
 
-/// A line of what is followed, under its name for a lesson.
+/// Draws one line about the followed point, which lessons know as `target`.
 void followed_line(const char* target, const std::string& text, Role role) {
     if (widgets::IsCovered(target))
         widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
@@ -22,7 +22,7 @@ void followed_line(const char* target, const std::string& text, Role role) {
     widgets::MarkTarget(target);
 }
 
-/// "name = (   1.000,   2.000,   3.000 )" with the columns of all lines under each other; `w` is a fourth.
+/// "name = (   1.000,   2.000,   3.000 )", with the columns of all lines aligned. `w`: an optional fourth component.
 void vector_line(const char* target, const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
     constexpr std::size_t columns = 7;
     const auto padded = [](double number) {
@@ -30,7 +30,7 @@ void vector_line(const char* target, const char* name, const glm::dvec3& value, 
         const std::size_t shown = character_count(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
-    // A word of another script is as wide as it is.
+    // A word in another script has a different width: pad by pixels, not by characters.
     const ImFont& font = *widgets::CurrentContext().fonts.number;
     const auto width_of = [&font](const std::string& text) {
         return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text.c_str()).x;
@@ -48,21 +48,21 @@ void vector_line(const char* target, const char* name, const glm::dvec3& value, 
 void draw_followed_point(Session& session, const Derived& derived) {
     if (widgets::CurrentContext().printed && !session.params.follow) return;
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
-    const std::string of = session.params.follow ? session.params.follow->object : "";
+    const std::string of = session.params.follow ? object_text(session.params.follow->object) : "";
     const bool says_which = has_several && derived.followed;
     const std::string note = says_which
-                                 ? say("{object} · by plane {plane}, light {light}", "object"_a = of,
+                                 ? say("{object} · plane {plane}, light {light}", "object"_a = of,
                                        "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
                                  : of;
     const bool has_note = matrix_heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
-    // As high without a point: what is below stays where it is when one is clicked.
+    // Use the same height without a point, so that nothing below moves when one is clicked.
     const float top = ImGui::GetCursorPosY();
     const float bottom =
         top + 6.0F * (widgets::CurrentContext().fonts.number->FontSize + ImGui::GetStyle().ItemSpacing.y);
     if (!derived.followed) {
         widgets::Note(
-            "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
-            "from here.");
+            "Click a vertex of an object in the camera view to follow p, its shadow S p and its mirror image R p "
+            "here.");
         ImGui::SetCursorPosY(bottom - ImGui::GetStyle().ItemSpacing.y);
         ImGui::Dummy({0.0F, 0.0F});
         return;

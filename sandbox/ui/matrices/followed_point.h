@@ -1,4 +1,4 @@
-// The followed point p with its shadow and mirror image in numbers: part of the matrices' column.
+// The followed point p with its shadow and mirror image in numbers: part of the matrix column.
 #pragma once
 
 #include "frame/derive.h"
@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// As high with a point as without one.
+/// Draws the numbers; keeps the same height if there is no point.
 void draw_followed_point(Session& session, const Derived& derived);
 
 }  // namespace viewing

@@ -19,12 +19,12 @@ namespace {
 
 using widgets::Role;
 
-/// What the column shows: the state, and the same numbers now and before the latest edit.
+/// The data of the column: the state, and the derived numbers now and before the latest edit.
 struct Column {
     Session& session;
     const Derived& derived;
     const Derived& before;
-    bool has_symbols = true;  ///< below the numbers
+    bool has_symbols = true;  ///< shows symbols below the numbers
 
     MatrixCells shown(MatrixCells cells) const {
         for (widgets::MatrixCell& cell : cells)
@@ -33,19 +33,20 @@ struct Column {
     }
 };
 
-/// How far points of the plane are moved: "points of the plane stay ± 0", "points of the plane move by 0.25".
+/// How far the matrix moves points on the plane: "points on the plane stay ± 0", "points on the plane move by up to
+/// 0.25".
 std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     double moved = 0.0;
     for (const glm::dvec3& corner : patch.corners()) {
         const glm::dvec4 sent = matrix * glm::dvec4(corner, 1.0);
-        if (std::abs(sent.w) < 1e-12) return tr("points of the plane go to infinity");
+        if (std::abs(sent.w) < 1e-12) return tr("points on the plane go to infinity");
         moved = std::max(moved, glm::length(glm::dvec3(sent) / sent.w - corner));
     }
-    if (moved > 1e-3) return say("points of the plane move by up to {distance}", "distance"_a = number_text(moved, 3));
-    return identity_text(tr("points of the plane stay"), moved);
+    if (moved > 1e-3) return say("points on the plane move by up to {distance}", "distance"_a = number_text(moved, 3));
+    return identity_text(tr("points on the plane stay"), moved);
 }
 
-/// "plane 1", "plane 2", …: `number` counts from 1 on.
+/// "plane 1", "plane 2", …; `number` counts from 1.
 void choose_one(const char* name, int& number, std::size_t count) {
     if (count == 1) return;
     std::vector<std::string> texts;
@@ -62,7 +63,7 @@ void choose_one(const char* name, int& number, std::size_t count) {
 void choose_pair(Params& params) {
     if (params.planes.size() == 1 && params.lights.size() == 1) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(tr("S and R of"));
+    ImGui::TextUnformatted(tr("S and R for"));
     choose_one(marked("plane"), params.view.plane, params.planes.size());
     choose_one(marked("light"), params.view.light, params.lights.size());
 }
@@ -70,7 +71,8 @@ void choose_pair(Params& params) {
 constexpr const char* shadow_facts[] = {"fact:det_shadow", "fact:rank_shadow", "fact:plane_dot_light"};
 constexpr const char* mirror_facts[] = {"fact:det_mirror"};
 
-/// What holds for S; its determinant and Π·L, which stand in it anyway, where a lesson points them out.
+/// The note on S. If a lesson highlights the determinant or Π·L, the note shows that instead: both follow from the
+/// usual note.
 std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
     const std::string identity = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light));
     if (widgets::IsHighlighted("fact:det_shadow")) return "det S = " + number_text(glm::determinant(shadow), 3);
@@ -83,8 +85,8 @@ const char* told_sign(const CastShadow& cast) {
     return cast.sign < 0.0 ? "−1·S" : "+1·S";
 }
 
-/// S and R of the chosen plane and light, and what stood in their place before; another one that is chosen is no change
-/// of its entries.
+/// S and R of the chosen plane and light, and their values before the latest edit. Choosing another pair is not a
+/// change.
 struct ChosenPair {
     explicit ChosenPair(const Column& column)
         : plane(column.derived.chosen_plane()), cast(column.derived.chosen_shadow()) {
@@ -105,15 +107,15 @@ void show_shadow(const Column& column) {
     const auto& [plane, cast, plane_before, cast_before] = pair;
     const auto [plane_index, light_index] = column.derived.chosen;
     const glm::dmat4& shadow = cast.shadowed_world_from_world;
-    show_overridable(
-        {marked("Shadow"), "S", "shadow_from_world",
-         marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal: it flattens every point along the "
-                "ray from the light, so its determinant is 0. What is uploaded is sign(Π·L) · S, the factor in front: "
-                "the same map, but with w > 0, which the clipper keeps."),
-         Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()), shadow_roles(),
-         shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
-         shadow_facts},
-        shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
+    show_overridable({marked("Shadow"), "S", "shadow_from_world",
+                      marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point "
+                             "along the ray from the light, so its determinant is 0. The uploaded matrix is sign(Π·L) "
+                             "· S, with the factor in front: the same map, but with w > 0, which the clipper keeps."),
+                      Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()),
+                      shadow_roles(), shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast),
+                      moved_text(shadow, plane.patch), shadow_facts},
+                     shadow_note(shadow, cast),
+                     column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
 }
 
 void show_mirror(const Column& column) {
@@ -126,26 +128,26 @@ void show_mirror(const Column& column) {
     const bool is_transposed = by_rows && !by_hand;
     const std::string determinant = "det " + number_text(glm::determinant(mirror), plane.mirror_has_slip ? 2 : 0);
     const std::string fact = is_transposed           ? tr("as printed")
-                             : plane.mirror_has_slip ? say("a slip, {fact}", "fact"_a = determinant)
+                             : plane.mirror_has_slip ? say("mistake, {fact}", "fact"_a = determinant)
                                                      : determinant;
     show_overridable(
         {marked("Reflection"), "R", "mirror_from_world",
-         marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
-                "winding around."),
+         marked("R p = p − 2 (n·p + d) n maps every point to its mirror image. R is its own inverse and reverses the "
+                "winding."),
          Role::mirror, mirror, pair.plane_before->mirrored_world_from_world,
          column.shown(mirror_cells(by_rows, column.session.params.slips.plus_2ab)), mirror_roles(),
          mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand);
 }
 
-/// With a button for what else may stand here; says whether it was pressed.
+/// Draws C with buttons to alternatives; returns whether one was pressed.
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
     return show_matrix({marked("Camera"), "C", "world_from_view",
-                        marked("Where the camera is: its columns are right, up, back and the eye."), Role::camera,
+                        marked("The camera in the world: its columns are right, up, back and the eye."), Role::camera,
                         column.derived.world_from_view, column.before.world_from_view,
                         column.shown(camera_cells(swapped)), camera_roles()},
-                       swapped ? tr("C = R_y R_x R_z T, a slip") : "C = T R_y R_x R_z", buttons);
+                       swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons);
 }
 
 bool show_view(const Column& column, std::span<const char* const> buttons) {
@@ -157,10 +159,10 @@ bool show_view(const Column& column, std::span<const char* const> buttons) {
          column.derived.view_from_world, column.before.view_from_world,
          column.shown(slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order)),
          camera_roles()},
-        slips.camera_as_view ? tr("= C, a slip") : "= C⁻¹ · " + inverse, buttons);
+        slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse, buttons);
 }
 
-/// Camera movement read both ways: V and C take turns.
+/// Draws either V or C: the two readings of camera movement.
 void show_view_or_camera(const Column& column, bool& shows_camera) {
     static constexpr const char* to_view[] = {marked("Show V")};
     static constexpr const char* to_camera[] = {marked("Show C")};
@@ -176,7 +178,7 @@ void show_projection(const Column& column) {
         return figures(clip.z / clip.w);
     };
     const std::string becomes =
-        say("P takes view space to clip space; after ÷ w near becomes {near} and far {far}.",
+        say("P maps view space to clip space; after ÷ w, near becomes {near} and far {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect = number_text(derived.aspect, 3);
     show_matrix({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
@@ -184,22 +186,21 @@ void show_projection(const Column& column) {
                  camera_roles()},
                 !perspective ? say("aspect {aspect}", "aspect"_a = aspect)
                 : params.slips.degrees_as_radians
-                    ? say("c = cot(½ · {fovy} radians), a slip · aspect {aspect}",
+                    ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
                           "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
                     : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
                 {});
 }
 
-/// The slide's display().
+/// Draws the slide's display().
 void show_display(const Column& column) {
     const char* const slide = tr("the slide's display()");
     if (!matrix_heading(marked("Camera movement"), "", slide, Role::camera, ImGui::GetContentRegionMax().x))
         widgets::Note(slide);
     if (!widgets::IsPartCovered("code:display"))
-        widgets::Tooltip(
-            "Moving the camera is moving the world the other way",
-            "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
-            "the same.");
+        widgets::Tooltip("Moving the camera means moving the world the other way",
+                         "The lecture's display() with angles in radians and with pitch and roll added: the product is "
+                         "V, so the picture is the same.");
     draw_display_code(column.session.params, column.derived);
 }
 
@@ -241,11 +242,11 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     if (has("S") || has("R")) choose_pair(session.params);
     const bool has_both = has("V") && has("C");
     bool shows_camera = has("V") ? choice.shows_camera : !choice.shows_camera;
-    // Two side by side where there is room, and none wider than it can be read in one look.
+    // Two matrices side by side if they fit, but none too wide to read at a glance.
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));
-    // Rather all numbers at once than symbols below them.
+    // Showing all numbers matters more than showing the symbols below them.
     const auto rows =
         static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
     const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * px(205.0F)};

@@ -53,16 +53,16 @@ bool matrix_heading(const char* title, const char* letter, const std::string& no
 
 namespace {
 
-/// Of what is covered nothing is copied.
-constexpr const char* covered_text = marked("Covered until the answer is given.");
+/// Covered values cannot be copied.
+constexpr const char* covered_text = marked("Hidden until answered.");
 
 void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool is_covered) {
     struct Entry {
         const char* label;
         MatrixFormat format;
     };
-    static constexpr Entry entries[] = {{marked("GLM (columns first)"), MatrixFormat::glm},
-                                        {marked("GLSL (columns first)"), MatrixFormat::glsl},
+    static constexpr Entry entries[] = {{marked("GLM (column-major)"), MatrixFormat::glm},
+                                        {marked("GLSL (column-major)"), MatrixFormat::glsl},
                                         {"NumPy", MatrixFormat::numpy},
                                         {"MATLAB", MatrixFormat::matlab},
                                         {"LaTeX", MatrixFormat::latex},
@@ -71,7 +71,7 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool 
     ImGui::PushID(id);
     ImGui::SameLine(place_at_right("Copy"));
     if (widgets::SmallButton("Copy", !is_covered, covered_text)) ImGui::OpenPopup("copy");
-    if (!is_covered) widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
+    if (!is_covered) widgets::Tooltip("Copy", "Copies this matrix to the clipboard with all its digits.");
     if (ImGui::BeginPopup("copy")) {
         widgets::ClosePopupOnEscape();
         for (const Entry& entry : entries) {
@@ -84,7 +84,7 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool 
     ImGui::PopID();
 }
 
-/// What a fact's name stands for is told, unless it is covered; where it is, the whole note is.
+/// Hides the whole note if any of its facts is covered.
 std::string told_fact(const std::string& note, std::span<const char* const> facts) {
     return std::any_of(facts.begin(), facts.end(), widgets::IsCovered) ? "?" : note;
 }
@@ -108,8 +108,8 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
         note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
         explains =
-            say("By hand: light and plane change nothing here. The largest difference to the right {matrix}, up "
-                "to a factor, is {difference}; {property}.",
+            say("Entered by hand: light and plane have no effect here. The largest difference from the correct "
+                "{matrix}, up to scale, is {difference}; {property}.",
                 "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3), "property"_a = shown.property);
     }
     ImGui::PushID(shown.name);

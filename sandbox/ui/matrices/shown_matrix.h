@@ -1,5 +1,4 @@
-// A matrix with everything around it: headline with what holds for it, buttons, the entries. What a lesson covers of it
-// is neither shown nor copied.
+// A matrix with its header, note, buttons, and entries. The parts that a lesson covers are neither shown nor copied.
 #pragma once
 
 #include <optional>
@@ -11,16 +10,16 @@
 
 namespace viewing {
 
-/// How well an identity holds, measured: "S² = (Π·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (Π·L)S".
+/// Shows how well an identity holds numerically: "S² = (Π·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (Π·L)S".
 std::string identity_text(const char* identity, double residual);
 
-/// Where a small button at the right end of a row begins.
+/// Returns the left edge of a small button at the right end of a row.
 float place_at_right(const char* button);
 
-/// "Shadow S   rank 3 · S² = (Π·L) S" up to `right`. False where the note has no room there and has to stand below.
+/// Draws "Shadow S   rank 3 · S² = (Π·L) S" up to `right`. Returns false if the note does not fit and has to go below.
 bool matrix_heading(const char* title, const char* letter, const std::string& note, widgets::Role role, float right);
 
-/// A matrix with everything around it.
+/// A matrix and everything around it.
 struct ShownMatrix {
     const char* title;
     const char* letter;
@@ -30,17 +29,17 @@ struct ShownMatrix {
     glm::dmat4 now, before;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
-    glm::dmat4 derived{1.0};                  ///< what it would be without an entry by hand
-    std::string heading = "";                 ///< in place of the letter
-    std::string property = "";                ///< what one by hand should have, and how far it is from that
-    std::span<const char* const> facts = {};  ///< what the note tells, by its names for a lesson
+    glm::dmat4 derived{1.0};                  ///< the value unless entered by hand
+    std::string heading = "";                 ///< replaces the letter
+    std::string property = "";                ///< expected of one entered by hand, with its error
+    std::span<const char* const> facts = {};  ///< facts in the note, by their names in lessons
 };
 
-/// Buttons beside Copy, from the right; returns which one was pressed. `fact` is the note.
+/// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the note.
 const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 
-/// S or R with a button to enter it by hand, or to go back.
+/// Draws S or R with a button that starts editing it by hand, or ends that.
 void show_overridable(const ShownMatrix& shown, const std::string& fact, std::optional<glm::dmat4>& by_hand);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// One function a section. A problem is told where its cause is.
+// One function per section. Each problem is reported in the section that has its cause.
 #include "ui/panel/panel.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 namespace viewing {
 namespace {
 
-/// Of the width of a code, for the projection and mapping at hand. ε is the step between neighbouring floats.
+/// Formula for the width of a depth code under the current projection and mapping. ε is the step between adjacent
+/// floats.
 const char* depth_step_formula(const Params& params) {
     const bool is_float = precision_of(params.depth.format).is_float;
     if (params.depth.mapping == DepthMapping::logarithmic)
@@ -46,11 +47,11 @@ void camera_lamps(const Session& session) {
     widgets::Lamps("degrees of freedom", lamps, Role::camera);
     widgets::MarkTarget("lamps", from, ImGui::GetItemRectMax());
     widgets::Tooltip("Degrees of freedom",
-                     "Ringed: this mode has it. Filled: it is moving now. Fly-through has six, walk-through two: "
-                     "pan about y and walk forward or back.");
+                     "Ring: available in this mode. Filled: moving now. Fly-through has six, walk-through two: pan "
+                     "about y and walk forward or back.");
 }
 
-/// Ways to a view that is known; each is a key, too.
+/// Draws buttons for standard views; each also has a key.
 void known_views(Session& session, const Derived& derived) {
     if (widgets::IsListing()) return;
     const float gap = px(4.0F);
@@ -59,25 +60,25 @@ void known_views(Session& session, const Derived& derived) {
         if (ImGui::GetItemRectMax().x + gap + widgets::SmallButtonWidth(label) <= right) ImGui::SameLine(0.0F, gap);
     };
     if (widgets::SmallButton("Home")) session.go_home();
-    widgets::Tooltip("Home", "Back to where the camera was when this state was opened. Key: Home");
+    widgets::Tooltip("Home", "Returns the camera to its pose when this state was opened. Key: Home");
     next("Frame all");
     if (widgets::SmallButton("Frame all")) session.frame_all(derived.aspect);
     widgets::Tooltip("Frame all",
-                     "Goes back or forward until the whole scene is in the picture; directions stay. Key: G");
+                     "Moves back or forward until the whole scene is in view; the direction stays. Key: G");
     next("Level");
     if (widgets::SmallButton("Level", session.params.camera.roll != 0.0, "The roll is 0.")) session.level();
-    widgets::Tooltip("Level", "Takes the roll out. Key: L");
+    widgets::Tooltip("Level", "Removes the roll. Key: L");
     static constexpr const char* axes[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
         next(axes[axis]);
         if (widgets::SmallButton(axes[axis])) session.look_along(axis);
-        widgets::Tooltip("Look along an axis",
-                         "At the target, from the positive side of the axis; once more: from the negative one. "
-                         "Keys: X, Y, Z");
+        widgets::Tooltip(
+            "Look along an axis",
+            "Looks at the target from the positive side of the axis; again: from the negative side. Keys: X, Y, Z");
     }
 }
 
-/// Of flight and walk: it belongs to the person, not to the state.
+/// Speed of flying and walking. It belongs to the user, not to the state.
 void speed_control(Session& session) {
     if (widgets::IsListing()) return;
     double speed = session.speed();
@@ -89,21 +90,20 @@ void speed_control(Session& session) {
     ImGui::BeginDisabled(session.params.camera.navigation == Navigation::orbit);
     if (widgets::Slider("speed", speed, style)) session.set_speed(speed);
     ImGui::EndDisabled();
-    widgets::Tooltip(
-        "Speed",
-        "World units a second, in flight and walk, not in orbit; Shift: a quarter. Ctrl and the wheel in the "
-        "camera view change it, too.");
+    widgets::Tooltip("Speed",
+                     "World units per second for fly and walk, not for orbit; Shift: a quarter. Ctrl+wheel in the "
+                     "camera view also changes it.");
 }
 
 void slips(Params& params) {
     control(params, "slips.walk_slows", {.label = marked("walking slows (walk)")});
     control(params, "slips.creeping_roll", {.label = marked("creeping roll (walk, orbit)")});
     control(params, "slips.pole_flip", {.label = marked("flip at the pole (orbit)")});
-    control(params, "slips.swapped_order", {.label = marked("R·T in place of T·R")});
+    control(params, "slips.swapped_order", {.label = marked("R·T instead of T·R")});
     control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
-/// Three numbers in a row; where they are listed one by one, each by itself.
+/// Three numbers in a row; if listed one by one, each has a row of its own.
 void camera_angles(Params& params) {
     if (widgets::IsListing()) {
         static constexpr widgets::Links yaw[] = {link::yaw}, pitch[] = {link::pitch}, roll[] = {link::roll};
@@ -134,7 +134,7 @@ void camera_angles(Params& params) {
     }
     if (std::any_of(std::begin(targets), std::end(targets), widgets::IsCovered)) return;
     widgets::Tooltip("Yaw, pitch, roll",
-                     "Heading about y, then nodding about the camera's x, then tilting about its z.",
+                     "Yaws about y, then pitches about the camera's x axis, then rolls about its z axis.",
                      "C = T R_y R_x R_z");
 }
 
@@ -154,7 +154,7 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
 
     named_section("slips", {}, [&params] {
         static constexpr const char* targets[] = {"control:slips", "section:slips"};
-        if (details("Famous slips", targets)) slips(params);
+        if (details("Common mistakes", targets)) slips(params);
     });
 }
 
@@ -170,7 +170,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
         control(params, "projection.fovy", {.decimals = 1, .slider = true, .links = fovy});
     else
         control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
-    // Near and far push against each other, so that near < far holds while either is dragged.
+    // Near and far push each other, so that near < far holds while either one is dragged.
     ProjectionParams& projection = params.projection;
     if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
         projection.near = std::min(projection.near, projection.far * 0.999);
@@ -193,11 +193,11 @@ void projection_section(Session& session, const Derived& derived, const std::vec
                                                 : say("{bits}-bit depth: Δz at z = {z} is {step}",
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
     if (!named_note("note:depth_step", note)) return;
-    widgets::Tooltip("Depth resolution",
-                     "The least difference in eye z that can be told apart at the camera's target: the width of a code "
-                     "or, where those of a float are finer, what float32 keeps of eye z itself. Two surfaces closer "
-                     "than this may fight.",
-                     depth_step_formula(params));
+    widgets::Tooltip(
+        "Depth resolution",
+        "The smallest difference in eye z that depth can distinguish at the camera's target: the code width or, where "
+        "float codes are finer, the float32 precision of eye z itself. Two surfaces closer than this may fight.",
+        depth_step_formula(params));
 }
 
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
@@ -230,7 +230,7 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     const char* const front_label = widgets::IsListing() ? marked("Front face") : "##front_face";
     control(params, "cull.front_face", {.width = choice, .names = fronts, .label = front_label});
     if (control(params, "visibility.method", {.width = choice, .names = method_names, .label = marked("method")}))
-        params.view.lower_right = Topic::automatic;  // what belongs to the method
+        params.view.lower_right = Topic::automatic;  // the topic that suits the method
     draw_hidden_panel(hidden_state, session, hidden);
 }
 
@@ -247,7 +247,7 @@ void observer_section(Session& session) {
     control(session.params, "observer.image_space", {.label = marked("Image space")});
 }
 
-/// Leaves room for the longest label; a wider panel has longer sliders.
+/// Leaves space for the longest label. A wider panel has longer sliders.
 float item_width() {
     const float usual = px(189.0F), room = ImGui::GetContentRegionAvail().x - px(93.0F);
     return room > usual + px(8.0F) ? std::floor(room) : usual;
@@ -273,7 +273,7 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                    "control:view.beside", "control:animation.jiggle", "note:offset_unit"},
                   [&] { draw_depth_section(session, derived); });
     named_section("light", {"control:light", "control:animation"}, [&] { draw_light_section(session, problems); });
-    named_section("plane", {"control:plane", "text:unit normal", "button:normalise"},
+    named_section("plane", {"control:plane", "text:unit normal", "button:normalize"},
                   [&] { draw_plane_section(session, derived, problems); });
     named_section("shadow", {"control:shadow", "control:reflection"},
                   [&] { draw_shadow_and_reflection_section(session, problems); });

@@ -1,4 +1,4 @@
-// The left column: every parameter that takes effect, in the lecture's order and words.
+// The left column: every parameter that has an effect, in the lecture's order and words.
 #pragma once
 
 #include "frame/problems.h"
@@ -11,7 +11,7 @@ namespace viewing {
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden);
 
-/// Only the controls that the state lists (view.layout.controls), under one headline.
+/// Draws only the controls that the state lists (view.layout.controls), under one heading.
 void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                           HiddenPanelState& hidden_state, const HiddenStatus& hidden);
 

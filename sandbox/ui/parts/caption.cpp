@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// The next character of a UTF-8 text, whose bytes are taken off; texts here are checked before.
+/// Removes and returns the first character of a UTF-8 text, which must be valid.
 int take_character(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     const unsigned first = byte(0);
@@ -33,7 +33,7 @@ public:
         baseline_px_ = static_cast<int>(std::lround(static_cast<float>(ascent) * scale_));
     }
 
-    /// Calls with each character and where it begins; the width in the end.
+    /// Calls `each` with each character and its left edge; returns the width.
     template <typename Each>
     float walk(std::string_view text, const Each& each) const {
         float x_px = 0.0F;

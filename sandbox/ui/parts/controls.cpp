@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-// A field's address inside a Params that is only read.
+// The const_cast is safe: the value is only read.
 template <typename T>
 const T& default_of(const Field& field) {
     return *std::get<T*>(field.in(const_cast<Params&>(default_params())));
@@ -31,14 +31,14 @@ widgets::NumberStyle number_style(const Field& field, const ControlStyle& style,
     return number;
 }
 
-/// Draws what the field holds; the visitor's cases are the field types that have a control of their own here.
+/// Draws the field's value; the visitor's overloads cover the field types that have a control here.
 struct DrawControl {
     const Field& field;
     const ControlStyle& style;
     const char* label;
 
     float width() const { return style.width * widgets::CurrentContext().scale; }
-    /// As asked for, and wider where the chosen name needs it and there is room.
+    /// The style's width; more if the chosen name needs it and there is space.
     float choice_width(std::span<const char* const> names, int index) const {
         if (style.width <= 0.0F || index < 0 || index >= static_cast<int>(names.size())) return width();
         const float needed = widgets::ChoiceWidth(names.subspan(static_cast<std::size_t>(index), 1));

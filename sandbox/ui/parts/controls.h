@@ -1,5 +1,5 @@
-// A control for any field of the one list: label, range, step, default and tooltip come from there, so the panel
-// only says which field stands where.
+// A control for any field. Its label, range, step, default, and tooltip come from the list of fields, so the panel only
+// decides where each field goes.
 #pragma once
 
 #include <string>
@@ -11,34 +11,36 @@
 
 namespace viewing {
 
-/// What the list of fields does not know: how it should look here.
+/// The appearance of a control, which the list of fields does not define.
 struct ControlStyle {
     int decimals = 2;
     bool slider = false;
-    bool segments = false;                       ///< an enumeration as radio buttons
-    float width = 0.0F;                          ///< design pixels; 0: the usual one. A list may be wider, for its name
+    bool segments = false;                       ///< draws an enumeration as radio buttons
+    float width = 0.0F;                          ///< design pixels; 0: the default. A list may grow to fit its name
     std::span<const widgets::Links> links = {};  ///< one per component
-    std::span<const char* const> names = {};     ///< shown in place of the enumeration's own
-    std::span<const char* const> tips = {};      ///< of segments: what each one means
-    const char* label = nullptr;                 ///< in place of the field's
+    std::span<const char* const> names = {};     ///< replace the enumeration's names
+    std::span<const char* const> tips = {};      ///< explain each segment
+    const char* label = nullptr;                 ///< replaces the field's label
     double min = 0.0, max = 0.0;                 ///< a narrower range for drags and sliders; both 0: the field's own
-    const Scene* scene = nullptr;                ///< of a field that not every scene has a use for
+    const Scene* scene = nullptr;                ///< needed for a field that only some scenes use
 };
 
-/// Draws the control; true when it changed the value. Where the field has no effect it is greyed and says why.
+/// Draws the control; returns whether the value changed. If the field has no effect, the control is grayed out and says
+/// why.
 bool control(Params& params, std::string_view path, const ControlStyle& style = {});
 
-/// The name under which a field's control is covered and pointed out: "control:camera.yaw".
+/// The name by which lessons cover and highlight a field's control: "control:camera.yaw".
 std::string target_of(std::string_view path);
 
-/// Draws in place of the field's control a plate so many pixels wide where it is covered, and says whether it did.
+/// Draws a plate `width` pixels wide instead of the field's control if it is covered; returns whether it is.
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
-/// The tooltip that explains a field, for the last item. Its title is `label`, what the control shows ("##…" counts as
-/// nothing), else the field's own; the field's path stands below. `why_not`: why it has no effect now, else empty.
+/// Draws the tooltip that explains a field, for the last item. Its title is `label` without any "##…" or, if `label` is
+/// empty, the field's own label; the field's path is below. `why_not` says why the field has no effect now, or is
+/// empty.
 void explain(const Field& field, std::string_view label = {}, std::string_view why_not = {});
 
-/// The defaults, as right-click resets to them.
+/// The defaults that a right-click restores.
 const Params& default_params();
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ glm::dvec2 CrossSection::flat(const glm::dvec3& point_world) const {
 }
 
 void CrossSection::fit(std::span<const glm::dvec3> points_world, const Margins& margins_px) {
-    glm::dvec2 least(0.0), most(0.0);  // the foot is always shown
+    glm::dvec2 least(0.0), most(0.0);  // always shows the foot
     for (const glm::dvec3& point : points_world) {
         least = glm::min(least, flat(point));
         most = glm::max(most, flat(point));
@@ -32,7 +32,7 @@ void CrossSection::fit(std::span<const glm::dvec3> points_world, const Margins& 
 }
 
 ImVec2 CrossSection::place(const glm::dvec2& flat) const {
-    // Farther away than this nothing is seen, and lines keep their direction.
+    // Nothing is visible farther away. Clamping the length keeps the direction of lines.
     constexpr double farthest_px = 1e6;
     glm::dvec2 offset = (flat - middle_) * scale_;
     const double length = glm::length(offset);
@@ -62,7 +62,7 @@ void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     const ImU32 color = palette().plane, shade = with_alpha(color, 30);
     const float thickness = px(2.0F) * palette().stroke, arrow = px(26.0F), head = px(7.0F);
     const float towards = along_up ? 1.0F : -1.0F;
-    ImVec2 root, tip, side;  // of the normal; `side` is across its head
+    ImVec2 root, tip, side;  // of the normal's arrow; `side` runs across its head
     if (upright_) {
         draw->AddRectFilled(rect_.min, {foot.x, rect_.max.y}, shade);
         draw->AddLine({foot.x, rect_.min.y}, {foot.x, rect_.max.y}, color, thickness);

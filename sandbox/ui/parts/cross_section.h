@@ -1,5 +1,5 @@
-// A cross-section of the world: what lies in one plane upright on another, fitted into a rectangle of the screen with
-// the same scale both ways.
+// A cross-section of the world in a plane perpendicular to another, fitted into a rectangle of the screen with the same
+// scale on both axes.
 #pragma once
 
 #include "ui/parts/layout.h"
@@ -9,27 +9,28 @@ namespace viewing {
 
 class CrossSection {
 public:
-    /// Through `foot_world` on the plane; `across` along the plane and `up` away from it, both unit vectors of the
-    /// world. `upright`: the plane's line stands upright in the picture, and `up` is to the right.
+    /// Cuts the world at `foot_world`, a point on the plane. `across` runs along the plane and `up` away from it; both
+    /// are unit vectors in world space. If `upright`, the plane's line is vertical in the picture and `up` points
+    /// right.
     CrossSection(const Rect& rect, const glm::dvec3& foot_world, const glm::dvec3& across, const glm::dvec3& up,
                  bool upright = false);
 
-    /// Pixels that stay free around what is shown.
+    /// Pixels to keep free around the content.
     struct Margins {
         float left, right, top, bottom;
     };
-    /// Fits these points; whatever else lies outside.
+    /// Chooses the scale at which these points fit; others may fall outside.
     void fit(std::span<const glm::dvec3> points_world, const Margins& margins_px);
 
     ImVec2 place(const glm::dvec3& point_world) const;
 
-    /// The plane as a line through the whole rectangle, its back side shaded, with its normal at one end; `along_up`
-    /// says whether the normal points along `up`.
+    /// Draws the plane as a line through the whole rectangle, its back side shaded, with its normal at one end.
+    /// `along_up` says whether the normal points along `up`.
     void draw_plane(ImDrawList* draw, bool along_up) const;
 
-    /// Of the screen, around the plane's line: labels keep off it.
+    /// The area on screen around the plane's line, which labels avoid.
     Rect plane_strip() const;
-    /// Where the normal and its letter may be, on either side.
+    /// The area that the normal and its letter may cover, on either side of the plane.
     Rect normal_area() const;
 
     const Rect& rect() const { return rect_; }
@@ -41,9 +42,9 @@ private:
     Rect rect_;
     glm::dvec3 foot_world_, across_, up_;
     bool upright_;
-    glm::dvec2 middle_{0.0};  ///< in the section, of what is shown
+    glm::dvec2 middle_{0.0};  ///< center of the content, in section coordinates
     ImVec2 middle_px_{0.0F, 0.0F};
-    double scale_ = 1.0;  ///< pixels per unit
+    double scale_ = 1.0;  ///< pixels per world unit
 };
 
 }  // namespace viewing

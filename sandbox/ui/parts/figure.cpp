@@ -97,7 +97,7 @@ void Figure::dimension(const glm::dvec3& from, const glm::dvec3& to, const char*
         widgets::HaloText(draw_, at, color, text.c_str());
         taken_.push_back({at, {a.x + tick, at.y + size.y}});
     } else {
-        labels_.push_back({{middle.x + px(12.0F), middle.y}, text, color, false});  // right of the line itself
+        labels_.push_back({{middle.x + px(12.0F), middle.y}, text, color, false});  // to the right of the line itself
     }
     ImGui::PopFont();
 }
@@ -131,7 +131,8 @@ ImVec2 Figure::middle_seen(ImVec2 from, ImVec2 to) const {
     return {(part.from.x + part.to.x) * 0.5F, (part.from.y + part.to.y) * 0.5F};
 }
 
-/// Small boxes along the line. Labels of a small figure may touch slanted ones, or there would be no place for them.
+/// Keeps labels off a line with small boxes along it. In a small figure, labels may touch slanted lines; otherwise they
+/// would not fit anywhere.
 void Figure::keep_labels_off(ImVec2 from, ImVec2 to) {
     const Segment part = seen(from, to);
     const ImVec2 way(part.to.x - part.from.x, part.to.y - part.from.y);

@@ -1,4 +1,4 @@
-// A figure as on a slide: lines, marks and labels in a cross-section. Read section.h for what is where.
+// A figure as on a slide: lines, marks, and labels in a cross-section. Read cross_section.h for the placement.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// Draws into the current window at once, but for the labels: they are placed when the figure ends, where nothing else
-/// is. Places are of the world, sizes design pixels.
+/// Draws into the current window immediately, except for labels: the destructor places them in free space. Positions
+/// are in world space, sizes in design pixels.
 class Figure {
 public:
     explicit Figure(const CrossSection& section) : draw_(ImGui::GetWindowDrawList()), section_(section) {}
@@ -17,7 +17,7 @@ public:
     Figure(const Figure&) = delete;
     Figure& operator=(const Figure&) = delete;
 
-    /// Whether symbols stand beside the numbers.
+    /// Whether symbols fit beside the numbers.
     static bool has_room(const Rect& rect);
     bool has_room() const { return has_room(section_.rect()); }
 
@@ -25,14 +25,14 @@ public:
     void dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color);
     void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, ImU32 color, ImU32 alpha);
     void dot(const glm::dvec3& point, ImU32 color, float radius = 4.5F);
-    /// Half a square in the corner between the plane and a perpendicular.
+    /// Draws the right-angle mark between the plane and a perpendicular.
     void right_angle(const glm::dvec3& foot, const glm::dvec3& across, const glm::dvec3& up);
     void name(const glm::dvec3& point, const char* text, ImU32 color);
-    /// In the middle of what is seen of a line: "|p − l| = 3.91", where there is little room the number alone.
+    /// Labels the middle of a line's visible part: "|p − l| = 3.91", or only the number if the figure is small.
     void measure(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
-    /// The same of an upright line, beside a dimension line left of it.
+    /// The same for a vertical line, with a dimension line to its left.
     void dimension(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
-    /// What stands about this line bears a name for a lesson.
+    /// Names the area around this line for lessons.
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
@@ -45,7 +45,7 @@ private:
     struct Segment {
         ImVec2 from, to;
     };
-    /// The part of a line inside the rectangle; the whole line where none is.
+    /// Returns the part of a line inside the rectangle, or the whole line if it is outside.
     Segment seen(ImVec2 from, ImVec2 to) const;
     ImVec2 middle_seen(ImVec2 from, ImVec2 to) const;
     void keep_labels_off(ImVec2 from, ImVec2 to);

@@ -10,15 +10,15 @@
 namespace viewing {
 namespace {
 
-constexpr double parallel_light_distance = 5.0;  ///< where a parallel light's lamp hangs, from the patch's centre
+constexpr double parallel_light_distance = 5.0;  ///< from the patch's center to a parallel light's lamp
 
-/// Its lamp would hang too far away to be seen: it is shown by its direction.
+/// Whether the light is too far away to be visible, so that only its direction is shown.
 bool is_far_away(const glm::dvec4& light) {
     const double length = glm::length(glm::dvec3(light));
     return length > 0.0 && length >= 1e3 * light.w;
 }
 
-/// On screen; very far for what is behind the eye.
+/// Distance on screen from `place`; very large for a point behind the eye.
 float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place) {
     const std::optional<ImVec2> there = overlay.project(point);
     return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
@@ -30,7 +30,7 @@ const char* light_name(std::size_t light) {
     return names[light];
 }
 
-/// Of the light that has the handle: "ℓ₂ (parallel)".
+/// The label of the light that has the handle: "ℓ₂ (parallel)".
 std::string light_label(const Derived& derived) {
     const glm::dvec4& light = derived.chosen_light();
     const char* const name = light_name(derived.chosen.light);
@@ -38,7 +38,7 @@ std::string light_label(const Derived& derived) {
     return is_far_away(light) ? say("{light} (far away)", "light"_a = name) : name;
 }
 
-/// A light with its name; a parallel one with its direction.
+/// Draws a light with its name; a light that is far away also gets an arrow for its direction.
 void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived, const char* name, float radius) {
     const ImU32 color = widgets::CurrentContext().palette.light;
     const glm::dvec3 place = lamp_place(light, derived);
@@ -48,7 +48,7 @@ void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived
     overlay.label(place, name, color);
 }
 
-/// Where a grip took hold.
+/// The position of the handle that was grabbed.
 glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& overlay, ImVec2 place) {
     const auto nearest = [&](const std::array<glm::dvec3, 5>& points) {
         return *std::min_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
@@ -75,7 +75,7 @@ glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& ov
     return places.plane;
 }
 
-/// Where a ray meets the plane through `point` that faces the eye.
+/// Intersects a ray with the plane through `point` that faces the eye.
 glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& facing) {
     const std::optional<double> t = intersect_plane(ray, glm::dvec4(facing, -glm::dot(facing, point)));
     return t ? ray.at(*t) : point;
@@ -129,7 +129,7 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
         found[4] = 0.5 * (found[0] + found[2]);
         return found;
     };
-    constexpr double share = 0.14;  // of the observer's distance: about as long in any picture
+    constexpr double share = 0.14;  // of the observer's distance, for a similar length in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
     places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
     return places;
@@ -169,7 +169,7 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 
 namespace {
 
-/// The eye distance to which a point of the near or far plane is pulled along the frustum.
+/// The eye distance to which the pointer pulls a point of the near or far plane along the frustum.
 std::optional<double> pulled_distance(const Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
     const glm::dvec3 eye = params.camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
@@ -221,7 +221,7 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
         }
         case Handle::light: {
             glm::dvec4& light = params.lights[chosen.light].position;
-            params.animation.light_orbit = false;  // it stays where it is put
+            params.animation.light_orbit = false;  // so that the light stays where the user puts it
             glm::dvec3 target = point;
             if (along_y) target = {grip.grabbed_world.x, point.y, grip.grabbed_world.z};
             if (!is_far_away(light)) {
@@ -233,12 +233,12 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             break;
         }
         case Handle::plane_offset: {
-            // Measured from where the pointer took hold, so that nothing jumps.
+            // Measure from where the pointer grabbed the handle, so that nothing jumps.
             const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
             const auto along = closest_point_parameter_on_line(ray, grip.center_world, normal);
             const auto at_grab =
                 closest_point_parameter_on_line({ray.origin, pressed - ray.origin}, grip.center_world, normal);
-            if (!along || !at_grab) return;  // looking straight along the normal: no way to tell how far
+            if (!along || !at_grab) return;  // looking straight along the normal: the distance is undefined
             const glm::dvec3 center = grip.center_world + normal * (*along - *at_grab);
             equation.w = -glm::dot(glm::dvec3(grip.equation), center);
             break;
@@ -255,7 +255,7 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
 
 namespace {
 
-/// The camera is drawn already: what can be taken of it, and what is about to be.
+/// Draws handles on the camera, which is already drawn, and highlights the hovered one.
 void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, Handle hovered) {
     const ImU32 color = widgets::CurrentContext().palette.camera;
     overlay.arrow(camera.eye, camera.direction_tip, color);

@@ -1,5 +1,5 @@
-// What can be taken with the mouse inside a view: the chosen light, the chosen plane along its normal, the tip of its
-// normal; and, where it is seen from outside, the camera, where it looks, and its near and far planes.
+// The handles that the mouse can drag in a view: the chosen light, the chosen plane along its normal, and the tip of
+// its normal. Views from outside also have the camera, its direction, and its near and far planes.
 #pragma once
 
 #include <array>
@@ -12,51 +12,51 @@ namespace viewing {
 
 enum class Handle { none, light, plane_offset, plane_tilt, camera, direction, near_plane, far_plane };
 
-/// The field that it moves; "" of the camera's own, which flying moves as well.
+/// The field that a handle moves; "" for the camera's own handles, since flying also changes their fields.
 const char* field_of(Handle handle);
 
-/// Where each handle is in the world.
+/// The position of each handle in the world.
 struct HandlePlaces {
-    glm::dvec3 light;  ///< the light, or a place along its direction when it is parallel
-    glm::dvec3 plane;  ///< the patch's centre
+    glm::dvec3 light;  ///< the light, or a point along its direction if it is parallel
+    glm::dvec3 plane;  ///< the patch's center
     glm::dvec3 normal_tip;
 
-    /// The camera's, where it is seen from outside.
+    /// The camera's handles, if it is seen from outside.
     struct Camera {
         glm::dvec3 eye, direction_tip;
-        std::array<glm::dvec3, 5> near, far;  ///< middles of the edges, then of the whole
+        std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
     };
     std::optional<Camera> camera;
 };
 HandlePlaces handle_places(const Derived& derived);
-/// With those of the camera, for an observer.
+/// Returns the handles for an observer, including the camera's.
 HandlePlaces observer_handle_places(const Params& params, const Derived& derived);
 
-/// Where a light is drawn: itself, or a place along its direction when it is parallel.
+/// Returns the place at which to draw a light: its position, or a point along its direction if it is parallel.
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);
 
 /// A handle that is being dragged.
 struct Grip {
     Handle handle = Handle::none;
-    glm::dvec3 grabbed_world{0.0};  ///< where the handle was when it was taken
+    glm::dvec3 grabbed_world{0.0};  ///< the handle's position when grabbed
     glm::dvec3 offset_world{0.0};   ///< from the pointer's ray to the handle, so that nothing jumps
-    glm::dvec3 center_world{0.0};   ///< the patch's centre then
-    glm::dvec4 equation{0.0};       ///< the plane then
+    glm::dvec3 center_world{0.0};   ///< the patch's center at that time
+    glm::dvec4 equation{0.0};       ///< the plane at that time
 };
 
-/// The handle nearest to a place on screen, within reach; none otherwise.
+/// Returns the nearest handle within reach of a place on screen, or none.
 Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 place);
 
-/// Takes a handle.
+/// Grabs a handle.
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
-/// Moves it with the pointer: light and camera parallel to the picture (`along_y`: up and down only), the plane along
-/// its normal, the normal's tip about the patch's centre, the camera's direction about its eye, near and far along that
-/// direction. The equation keeps its length and sign, the camera its roll, and near stays before far.
+/// Moves the handle with the pointer: light and camera parallel to the picture (`along_y`: only vertically), the plane
+/// along its normal, the normal's tip around the patch's center, the camera's direction around its eye, near and far
+/// along that direction. Preserves the length and sign of the plane's normal, the camera's roll, and near < far.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
-/// Draws them with their labels, and the lamps of the other lights, which have no handle. A lamp outside the picture is
-/// an arrow at its edge.
+/// Draws the handles with their labels, and the lamps of the other lights, which have no handle. A lamp outside the
+/// picture becomes an arrow at its edge.
 void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

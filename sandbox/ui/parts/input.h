@@ -1,4 +1,5 @@
-// The keys the sandbox knows, by meaning: the window fills them in from GLFW, tests by hand.
+// The keys that the sandbox knows, named by meaning, and the input of a frame. The window fills it in from GLFW; tests
+// do so by hand.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ enum class Key {
     left,
     right,
     up,
-    down,  // turning
+    down,  // rotation
     shift,
     ctrl,
     alt,
@@ -72,19 +73,19 @@ enum class Key {
     count
 };
 
-/// A key that went down, with what was held then: by the next frame all of it may be up again.
+/// A key press with the modifiers held at that time; by the next frame, they may have been released.
 struct KeyPress {
     Key key;
     bool ctrl = false, shift = false;
 };
 
-/// What a person did since the last frame. `pressed` holds each key that went down, in order.
+/// The user's input since the last frame. `pressed` holds each key press in order.
 struct FrameInput {
     std::array<bool, static_cast<std::size_t>(Key::count)> down{};
     std::vector<KeyPress> pressed;
     std::vector<std::filesystem::path> dropped_files;
-    bool loses_focus = false;  ///< the window does
-    double dt_s = 1.0 / 60.0;  ///< since the last frame, however long the window slept
+    bool loses_focus = false;  ///< the window loses focus
+    double dt_s = 1.0 / 60.0;  ///< since the last frame, even if the window slept
 
     bool is_down(Key key) const { return down[static_cast<std::size_t>(key)]; }
 };

@@ -9,10 +9,10 @@
 namespace viewing {
 namespace {
 
-/// Until a text field that was clicked, or that Tab leads to, listens.
+/// Until a text field accepts input after a click or Tab.
 constexpr int frames_to_take_effect = 3;
 
-/// What follows sees another state of things than what came before.
+/// Whether the key may change how later events are handled.
 bool acts(const KeyChanged& event) {
     return event.down && event.kind != KeyKind::modifier && (event.kind != KeyKind::prints || event.ctrl);
 }
@@ -127,7 +127,7 @@ void InputQueue::apply(const FocusChanged& event) {
     frame_.focus = event.focused;
     frame_.input.loses_focus = !event.focused;
     if (event.focused) return;
-    frame_.keys.fill(false);  // releases are not reported to a window without focus
+    frame_.keys.fill(false);  // a window without focus gets no key releases
     frame_.input.down.fill(false);
 }
 

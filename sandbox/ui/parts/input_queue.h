@@ -1,7 +1,8 @@
-// What the window system reports, kept until a frame can show it. Dear ImGui 1.86 sees only what is down when a frame
-// begins, and where the pointer is then: on a busy machine a click would be a drag from elsewhere, and a key that is up
-// again already nothing at all. So a frame gets one change, in order, as Dear ImGui's own queue does from 1.87 on
-// (ConfigInputTrickleEventQueue). Knows no window system. Read run_loop in app/desktop/window.cpp next.
+// A queue of window-system events, held until a frame can process them. Dear ImGui 1.86 sees only the keys, buttons,
+// and pointer position at the start of a frame: on a busy machine, a click would become a drag from elsewhere, and a
+// key press that has already ended would be lost. So each frame gets one change, in order, as with Dear ImGui's own
+// queue since 1.87 (ConfigInputTrickleEventQueue). Independent of the window system. Read run_loop in
+// app/desktop/window.cpp next.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@
 
 namespace viewing {
 
-/// Where the pointer is now; nothing: outside the window.
+/// The current position of the pointer; nullopt outside the window.
 struct PointerMoved {
     std::optional<glm::vec2> place;
 };
@@ -26,21 +27,21 @@ struct ButtonChanged {
     bool down = false;
 };
 struct WheelTurned {
-    glm::vec2 lines{0.0F};  ///< right and up positive
+    glm::vec2 lines{0.0F};  ///< positive: right and up
 };
 
 enum class KeyKind {
-    prints,    ///< it is seen as a character
-    modifier,  ///< it changes what others mean
+    prints,    ///< produces a character
+    modifier,  ///< changes the meaning of other keys
     edits,     ///< backspace, arrows, …
-    leaves     ///< enter, tab, escape, F1, …: what comes next may be for somebody else
+    leaves     ///< enter, tab, escape, F1, …: the next input may go elsewhere
 };
 struct KeyChanged {
-    std::size_t code = 0;  ///< as ImGui's io.KeysDown counts
+    std::size_t code = 0;  ///< index into ImGui's io.KeysDown
     KeyKind kind = KeyKind::prints;
-    std::optional<Key> key;  ///< where the sandbox knows it
+    std::optional<Key> key;  ///< if the sandbox knows it
     bool down = false;
-    bool ctrl = false, shift = false;  ///< held meanwhile
+    bool ctrl = false, shift = false;  ///< held at that time
 };
 struct CharacterTyped {
     unsigned code_point = 0;
@@ -54,31 +55,31 @@ struct FilesDropped {
 using InputEvent =
     std::variant<PointerMoved, ButtonChanged, WheelTurned, KeyChanged, CharacterTyped, FocusChanged, FilesDropped>;
 
-/// All that a frame has to know of a person's hands.
+/// All user input of a frame.
 struct InputFrame {
     std::optional<glm::vec2> pointer;
     std::array<bool, 5> buttons{};
     glm::vec2 wheel{0.0F};
     std::array<bool, 512> keys{};
     std::vector<unsigned> characters;
-    std::optional<bool> focus;  ///< where it changed
+    std::optional<bool> focus;  ///< set if it changed
     FrameInput input;
 };
 
 class InputQueue {
 public:
-    /// When something happened: a window that was busy hears of it later, and knows only between when and when.
+    /// The time of an event. A busy window learns of the event later and knows only the two bounds.
     struct Time {
         double earliest_s = 0.0, latest_s = 0.0;
     };
     void push(InputEvent event, Time time);
 
-    /// More frames are wanted at once.
+    /// If false, draw more frames immediately.
     bool is_empty() const { return events_.empty(); }
 
-    /// What the next frame shows: as much as fits into one. Its time is that of what it shows while more is waiting,
-    /// and `now_s` else: two clicks are no further apart than they were, and a key is held as long, however slow the
-    /// frames.
+    /// Returns the input of the next frame: as many events as one frame can take. While more are queued, the frame's
+    /// time is that of its events, otherwise `now_s`. So the time between two clicks, and the time that a key is held,
+    /// stay the same however slow the frames are.
     const InputFrame& next_frame(double now_s);
 
 private:
@@ -86,10 +87,10 @@ private:
         InputEvent event;
         double time_s = 0.0;
     };
-    /// What the present frame has got already.
+    /// The kinds of events that the current frame already contains.
     struct Taken {
         bool pointer = false, wheel = false, keyboard = false, alone = false;
-        bool pressed = false, acted = false;  ///< a key that is no modifier; a key that does more than print
+        bool pressed = false, acted = false;  ///< pressed: not a modifier; acted: does more than print
         std::vector<std::size_t> codes;
     };
 
@@ -101,7 +102,7 @@ private:
     bool fits(const FocusChanged& event) const;
     bool fits(const FilesDropped& event) const;
     bool is_nothing_taken() const;
-    /// Time passes with what is held before the next key changes that.
+    /// Whether held keys must act for a while before the next key event changes them.
     bool lets_held_keys_act() const;
 
     void apply(const PointerMoved& event);
@@ -115,11 +116,11 @@ private:
     std::deque<Waiting> events_;
     InputFrame frame_;
     Taken taken_;
-    int keyboard_waits_ = 0;  ///< frames until what was clicked or entered has taken effect
+    int keyboard_waits_ = 0;  ///< frames until a click or a key has taken effect
     double clock_s_ = 0.0;
 };
 
-/// Fills ImGui's IO before its frame begins. `pixels_per_unit`: of the window system's coordinates.
+/// Fills ImGui's IO before its frame begins. `pixels_per_unit` scales the coordinates of the window system.
 void feed_imgui(const InputFrame& frame, float pixels_per_unit);
 
 }  // namespace viewing

@@ -11,7 +11,7 @@ Rect rounded(float left, float top, float right, float bottom) {
             {std::round(std::max(left, right)), std::round(std::max(top, bottom))}};
 }
 
-/// The lower end of the camera's picture becomes the caption's.
+/// Gives the bottom of the camera's picture to the caption.
 void cut_caption(Layout& layout, float height, float gap) {
     if (height <= 0.0F) return;
     layout.caption = layout.camera;
@@ -23,25 +23,25 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     if (!arrangement.halves) return;
     layout.beside = layout.camera;
     const float middle = (layout.camera.min.x + layout.camera.max.x) * 0.5F;
-    // Both of the same size, so that the same pixels lie at the same places.
+    // Make both the same size, so that corresponding pixels are in the same place.
     const float width = std::floor((layout.camera.width() - std::max(gap, 2.0F)) * 0.5F);
     layout.camera.max.x = layout.camera.min.x + width;
     layout.beside.min.x = std::max(middle, layout.beside.max.x - width);
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
-constexpr float width_of_vectors = 360.0F;  ///< design pixels: of a column with rows of numbers in it
+constexpr float width_of_vectors = 360.0F;  ///< design pixels: a column for rows of numbers
 
-/// What the listed controls need, with their headings.
+/// The height of the listed controls with their headings.
 float height_of_controls(const Telling& telling, float scale) {
     return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
 }
 
-/// The area of the maximised view, from which the named small things are cut off.
+/// Cuts the listed columns off the area of the maximized view; returns the rest.
 Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole, float scale) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;
-    const bool is_big_matrices = arrangement.maximised == ViewName::matrices;
+    const bool is_big_matrices = arrangement.maximized == ViewName::matrices;
     const bool has_matrices = telling.matrices && !is_big_matrices && !arrangement.matrices_folded;
     const bool has_controls = telling.control_rows > 0 && !arrangement.panel_folded;
     if (has_matrices || has_controls) {
@@ -63,12 +63,12 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
-    // The lesson's text is a 36th of the height, numbers are not smaller than a 48th.
-    constexpr float text_px = 17.0F, number_px = 14.0F;  // of design
+    // When presenting, the lesson's text is 1/36 of the window's height, and numbers are at least 1/48.
+    constexpr float text_px = 17.0F, number_px = 14.0F;  // design pixels
     if (arrangement.presents && !arrangement.bare)
         return std::max(window_px.y / (36.0F * text_px), window_px.y / (48.0F * number_px)) / scale;
-    if (arrangement.maximised == ViewName::none || arrangement.bare) return 1.0F;
-    // The bar above needs that much.
+    if (arrangement.maximized == ViewName::none || arrangement.bare) return 1.0F;
+    // Enlarge only as far as the bar above still fits.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
 }
@@ -79,14 +79,14 @@ float small_type(const Arrangement& arrangement) {
 
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const auto px = [scale](float design) { return design * scale; };
-    const bool bare = arrangement.bare && arrangement.maximised != ViewName::none;
+    const bool bare = arrangement.bare && arrangement.maximized != ViewName::none;
     const bool has_bars = !bare && !arrangement.presents && !arrangement.embedded;
     const bool is_short = has_bars && window_px.y < px(420.0F);
     const bool has_status = has_bars && !(is_short && arrangement.strip_px > 0.0F);
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
                 gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    // A room sees both lower views: there is no button that leads from one to the other.
+    // When presenting, both lower views must be visible: no button switches between them.
     const float least_view = px(420.0F), least_lower = px(arrangement.presents ? 160.0F : 240.0F);
 
     Layout layout;
@@ -94,13 +94,13 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     layout.header_height = bare ? 0.0F : px(26.0F);
     layout.top_bar = rounded(0, 0, window_px.x, bar);
     layout.status_bar = rounded(0, window_px.y - status, window_px.x, window_px.y);
-    // A strip that would leave no room for what it is about goes on below the window's end.
+    // Keep space for the views; the rest of a taller strip is below the window's edge.
     const float strip = std::min(bare ? 0.0F : arrangement.strip_px, 0.62F * window_px.y);
     if (strip > 0.0F) layout.strip = rounded(0, window_px.y - status - strip, window_px.x, window_px.y - status);
     const float top = bar + margin, bottom = window_px.y - status - strip - margin;
 
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
-    if (arrangement.maximised != ViewName::none) {
+    if (arrangement.maximized != ViewName::none) {
         panel = false;
         matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
     }
@@ -124,10 +124,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     }
 
     Rect outer{{left, top}, {right, bottom}};
-    if (arrangement.telling.is_on() && arrangement.maximised != ViewName::none)
+    if (arrangement.telling.is_on() && arrangement.maximized != ViewName::none)
         outer = cut_small_things(layout, arrangement, outer, scale);
     const Rect whole = rounded(outer.min.x, outer.min.y + layout.header_height, outer.max.x, outer.max.y);
-    switch (arrangement.maximised) {
+    switch (arrangement.maximized) {
         case ViewName::camera:
             layout.camera = whole;
             cut_caption(layout, arrangement.caption_px, px(3.0F));
@@ -145,7 +145,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
         case ViewName::none:
             break;
     }
-    if (is_short) {  // one of the lower views, beside the camera's
+    if (is_short) {  // one of the lower views, beside the camera view
         layout.lower_fit = false;
         const float split = left + 0.6F * (right - left);
         layout.camera = rounded(left, top + layout.header_height, split - gap * 0.5F, bottom);
@@ -155,13 +155,13 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
         return layout;
     }
-    // The lower views give way first: at least 55 % of the height is the camera's, a little less where a room has to
-    // read them.
+    // The lower views shrink first: the camera keeps at least 55 % of the height, or a little less when presenting,
+    // since an audience must be able to read the lower views.
     const float share = arrangement.presents ? 0.52F : 0.45F;
     const float lower = std::min(px(arrangement.lower_height), (bottom - top) * share - layout.header_height);
     const float split_y = bottom - lower;
-    // In front of a room few controls end with the camera's picture, so that tables below have the width that they
-    // need.
+    // When presenting with few controls, the panel ends level with the camera's picture, so that tables below it get
+    // the width they need.
     const float controls = height_of_controls(arrangement.telling, scale);
     layout.lower_are_wide = arrangement.presents && panel && !matrices && arrangement.telling.control_rows > 0 &&
                             controls <= split_y - layout.header_height - top;

@@ -1,5 +1,5 @@
-// Which parameter is which bit: so that a matrix entry can point at the controls it comes from, and the other way
-// round. Also the lecture's symbols for the entries of S, R, V, C and P.
+// The bit of each parameter, so that a matrix entry can point at the controls it comes from, and vice versa. Also the
+// lecture's symbols for the entries of S, R, V, C, and P.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr Links fovy = bit(14), near = bit(15), far = bit(16), height = bit(17),
 constexpr Links all_light = light[0] | light[1] | light[2] | light[3];
 constexpr Links all_plane = plane[0] | plane[1] | plane[2] | plane[3];
 constexpr Links turning = yaw | pitch | roll;
-/// The entries themselves, 4 · row + column.
+/// The bits of the entries themselves; `cell` = 4 · row + column.
 constexpr Links shadow_entry(int cell) {
     return bit(20 + cell);
 }
@@ -35,17 +35,17 @@ using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
 /// Symbols and links of each entry, row by row.
 MatrixCells shadow_cells();
-/// `printed_by_rows`: of the transpose, which GL gets from the slide's code. `plus_2ab`: with the slip of that name.
+/// `printed_by_rows`: for the transpose, which GL gets from the slide's code. `plus_2ab`: with that mistake.
 MatrixCells mirror_cells(bool printed_by_rows = false, bool plus_2ab = false);
-/// `swapped_order`: for the slip C = R T.
+/// `swapped_order`: with the mistake C = R T.
 MatrixCells view_cells(bool swapped_order);
 MatrixCells camera_cells(bool swapped_order);
 MatrixCells projection_cells(const Params& params, bool clip_zero_to_one);
 
-/// Marks the entries that differ between the two matrices as they are shown.
+/// Marks the entries whose displayed numbers differ between the two matrices.
 void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& before);
 
-/// l and L are the light, n, P and the plane's letters the plane.
+/// l and L belong to the light; n, Π, and the letters a to d to the plane; n, f, and h in P to the camera.
 std::span<const widgets::LetterRole> shadow_roles();
 std::span<const widgets::LetterRole> mirror_roles();
 std::span<const widgets::LetterRole> camera_roles();

@@ -1,16 +1,16 @@
-// Short words for what every panel and view asks the widgets' context for.
+// Short names for what panels and views often need from the widgets' context.
 #pragma once
 
 #include "widgets/widgets.h"
 
 namespace viewing {
 
-/// Pixels of a size in design pixels.
+/// Converts design pixels to pixels.
 inline float px(float design) {
     return design * widgets::CurrentContext().scale;
 }
 
-/// The same colour, 0 … 255 opaque.
+/// The same color with this alpha, 0 … 255.
 constexpr ImU32 with_alpha(ImU32 color, ImU32 alpha) {
     return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }

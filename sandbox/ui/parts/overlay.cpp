@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_w = 1e-4;  ///< nearer to the eye's plane than this counts as behind it
+constexpr double least_w = 1e-4;  ///< a smaller w counts as behind the eye
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Overlay::Overlay(ImDrawList* draw, const Rect& rect, const glm::dmat4& clip_from
 Overlay::~Overlay() {
     widgets::LabelPlacer placer(draw_, rect_.min, rect_.max);
     for (const Rect& taken : taken_) placer.Avoid(taken.min, taken.max);
-    const float around = 12.0F * scale_;  // the largest mark: the light's ring
+    const float around = 12.0F * scale_;  // radius of the largest mark, the light's ring
     for (const Label& label : labels_)
         placer.Avoid({label.place.x - around, label.place.y - around},
                      {label.place.x + around, label.place.y + around});
@@ -52,7 +52,8 @@ Ray Overlay::ray_at(ImVec2 place) const {
 
 std::optional<Overlay::Segment> Overlay::segment(const glm::dvec3& from, const glm::dvec3& to) const {
     glm::dvec4 a = clip_from_world_ * glm::dvec4(from, 1.0), b = clip_from_world_ * glm::dvec4(to, 1.0);
-    // Near the eye's plane places run to infinity: what is three pictures away is cut off, out of sight.
+    // Near the plane through the eye, screen positions go to infinity: clip at three times the picture's size, out of
+    // sight.
     constexpr double reach = 3.0;
     const auto cut = [&](const auto& distance) {
         const double at_a = distance(a), at_b = distance(b);
@@ -182,7 +183,7 @@ bool Overlay::is_free(const Rect& part) const {
 bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color) {
     const std::optional<ImVec2> place = project(point);
     if (place && rect_.contains(*place)) return false;
-    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // before the division: behind the eye, too
+    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // not divided by w, for points behind the eye
     const ImVec2 half(0.5F * rect_.width(), 0.5F * rect_.height());
     const float inset = 14.0F * scale_;
     if (half.x <= inset || half.y <= inset) return true;
@@ -190,11 +191,11 @@ bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 col
     if (const float length = std::hypot(way.x, way.y); length > 0.0F)
         way = {way.x / length, way.y / length};
     else
-        way = {0.0F, 1.0F};  // straight behind
+        way = {0.0F, 1.0F};  // directly behind
     const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
                                    (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
     ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);
-    for (const Rect& taken : taken_)  // sentences stand at the top
+    for (const Rect& taken : taken_)  // below the sentences at the top
         if (taken.contains(at)) at.y = taken.max.y + inset;
     const float size = 9.0F * scale_;
     const ImVec2 tip(at.x + way.x * size, at.y + way.y * size);

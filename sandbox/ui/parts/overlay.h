@@ -1,4 +1,4 @@
-// Points and lines of the world drawn over a picture of it, clipped at the eye, anti-aliased by ImGui.
+// Draws points and lines of the world over its picture, clipped at the eye and anti-aliased by ImGui.
 #pragma once
 
 #include <array>
@@ -19,29 +19,28 @@ public:
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
-    /// Where a point of the world is on screen; none behind the eye.
+    /// Returns a world point's position on screen; nullopt behind the eye.
     std::optional<ImVec2> project(const glm::dvec3& point_world) const;
-    /// The ray of the world under a place on screen.
+    /// Returns the ray in world space through a screen position.
     Ray ray_at(ImVec2 place) const;
 
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 1.6F);
     void dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 1.6F);
-    /// A translucent quad; left out when a corner lies behind the eye.
+    /// Draws a translucent quad, unless a corner is behind the eye.
     void fill(const std::array<glm::dvec3, 4>& corners, ImU32 color);
     void dot(const glm::dvec3& point, ImU32 color, float radius = 4.0F);
     void ring(const glm::dvec3& point, ImU32 color, float radius);
     void square(const glm::dvec3& point, ImU32 color, float half_size);
     void arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 2.0F);
-    /// Labels are placed when the overlay ends, beside their points and not over each other.
+    /// Adds a label. The destructor places all labels beside their points, without overlap.
     void label(const glm::dvec3& point, const char* text, ImU32 color);
-    /// An arrow at the picture's edge that shows the way to a point outside it, with a label; true when the point is
-    /// there.
+    /// Draws a labeled arrow at the picture's edge toward a point outside it; returns whether the point is outside.
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
-    /// What stands about this line bears a name for a lesson (widgets/targets.h).
+    /// Names the area around this line for lessons (widgets/targets.h).
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to);
-    /// A cross in a ring with a label on a plate; an arrow at the edge where it is outside the picture.
+    /// Draws a cross in a ring with a label on a plate, or an arrow at the edge if the point is outside the picture.
     void target(const glm::dvec3& point, const char* text, ImU32 color);
-    /// No label covers this part of the picture.
+    /// Keeps labels off this part of the picture.
     void keep_labels_off(const Rect& taken) { taken_.push_back(taken); }
     bool is_free(const Rect& part) const;
 

@@ -1,4 +1,4 @@
-// What the panel's sections share.
+// Shared parts of the panel's sections.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// What is wrong in some groups of fields, a line each, for the sign on their section.
+/// The problems in the given groups of fields, one per line, for the warning sign on their section.
 inline std::string troubles(const std::vector<Problem>& problems, std::initializer_list<std::string_view> groups) {
     std::string sentences;
     if (widgets::IsCovered("sentences")) return sentences;
@@ -24,22 +24,22 @@ inline std::string troubles(const std::vector<Problem>& problems, std::initializ
 
 constexpr float second_column = 142.0F;  ///< design pixels
 
-/// Places the cursor for a second control `width` pixels wide: in the same row, at a fixed column; below where the
-/// first one reaches into that column or the second has no room there.
+/// Places the cursor for a second control `width` pixels wide: in the same row at a fixed column, or below if the first
+/// control reaches into that column or the second one does not fit.
 inline void beside(float design_x, float width) {
-    if (widgets::IsListing()) return;  // each has a row of its own
+    if (widgets::IsListing()) return;  // each control has its own row
     const float left = ImGui::GetWindowPos().x + px(design_x);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (ImGui::GetItemRectMax().x < left && left + width <= right) ImGui::SameLine(px(design_x));
 }
 
-/// Places the cursor for an item `width` pixels wide: behind the last one where there is room, else below it.
+/// Places the cursor for an item `width` pixels wide: after the last one if it fits, otherwise below it.
 inline void behind(float width) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
-/// What is wanted less often stays folded, unless one of these names is sought in it. Returns whether it is open.
+/// Draws a fold for rarely used controls; opens it if one of these names is sought. Returns whether it is open.
 inline bool details(const char* label, std::span<const char* const> targets = {}) {
     if (widgets::IsListing()) return true;
     if (widgets::IsSought(targets)) ImGui::SetNextItemOpen(true);
@@ -49,7 +49,8 @@ inline bool details(const char* label, std::span<const char* const> targets = {}
     return open;
 }
 
-/// A quiet line under its name for a lesson, which may be covered. Says whether it is there to be explained.
+/// Draws a quiet line that lessons know as `target`, or a plate if that is covered. Returns whether the line is
+/// visible.
 inline bool named_note(const char* target, const std::string& text) {
     const bool is_covered = widgets::IsCovered(target);
     if (is_covered)
@@ -60,8 +61,8 @@ inline bool named_note(const char* target, const std::string& text) {
     return !is_covered;
 }
 
-/// A section of the panel under its name for a lesson: folded out where one of `targets` is sought in it, a plate where
-/// it is covered. `draw` draws it, headline and all.
+/// Draws a section of the panel that lessons know by `name`: opened if one of `targets` is sought in it, or a plate if
+/// it is covered. `draw` draws the section with its header.
 template <typename Draw>
 void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {
     if (widgets::IsListing()) return draw();

@@ -1,5 +1,5 @@
-// What a lesson wants of the window for a while, beside the state: what must not be read yet, what is pointed out, a
-// place that is marked. Without a lesson there is nothing of it. Names as lesson/targets.h reads them.
+// A lesson's temporary changes to the window, apart from the state: covered parts, highlighted parts, a marked place.
+// Empty without a lesson. lesson/targets.h reads the names.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,14 +10,14 @@
 namespace viewing {
 
 struct Stage {
-    /// A place in the world, marked in the camera's and the observer's view.
+    /// A place in the world, marked in the camera and observer views.
     struct Target {
         glm::dvec3 point_world{0.0};
         std::string label;
     };
 
     bool has_lesson = false;
-    bool asks = false;  ///< not answered yet: red sentences, advice and formulas of tooltips keep quiet as well
+    bool asks = false;  ///< not answered yet: also hide red sentences, advice, and formulas in tooltips
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;
 };

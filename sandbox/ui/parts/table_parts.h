@@ -1,4 +1,4 @@
-// What the views' tables have in common.
+// Shared parts of the views' tables.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace viewing {
 
-/// Around the content of a table's cells, design pixels.
+/// Padding of a table's cells, design pixels.
 constexpr float cell_padding_x = 5.0F, cell_padding_y = 1.0F;
 
-/// Of each column of a table without what is around it, pixels; 0 for those that are left out.
+/// The widths of a table's columns without padding, in pixels; 0 for omitted columns.
 template <std::size_t count>
 struct ColumnWidths : std::array<float, count> {
-    /// With what is around them.
+    /// Includes the padding.
     float sum() const {
         float sum = 0.0F;
         for (const float width : *this) sum += width > 0.0F ? width + 2.0F * px(cell_padding_x) : 0.0F;
@@ -23,14 +23,13 @@ struct ColumnWidths : std::array<float, count> {
     }
 };
 
-/// Pixels.
+/// The width of a text in pixels.
 float width_of(const std::string& text, ImFont* font);
 
-/// At the right end of its cell, or from the left where it does not fit.
+/// Draws text right-aligned in its cell, or left-aligned if it does not fit.
 void text_at_right(const std::string& text);
 
-/// What is too wide is told in brief, or where there is nothing briefer by widgets::Shortened; then a tooltip has the
-/// whole.
+/// Draws text. If it is too wide, shows `brief` or, without one, the shortened text; a tooltip then has the whole text.
 void shortened_text(const std::string& text, float width, const std::string& brief = "");
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// What the two views below the camera's can show, and which of it they do. Pure.
+// The topics that the two views below the camera view can show, and the current ones. Pure functions.
 #pragma once
 
 #include <span>
@@ -7,23 +7,23 @@
 
 namespace viewing {
 
-/// The two views below the camera's.
+/// The two views below the camera view.
 enum class Slot { left, right };
 
-/// What a slot shows: never `automatic`, which is the observer on the left and what belongs to the hidden-surface
-/// method on the right.
+/// Returns the topic of a slot, never `automatic`, which means the observer on the left, and the topic of the
+/// hidden-surface method on the right.
 Topic topic_of(const Params& params, Slot slot);
 
-/// Another topic for a slot. What the other slot shows already comes over from there: they swap.
+/// Chooses another topic for a slot. If the other slot already shows it, the two swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
-/// Which slot has what this state is about, where there is room for one of them only: the one whose topic was chosen.
+/// The slot to show where only one fits: the one whose topic was chosen.
 Slot telling_slot(const Params& params);
 
-/// Whether one of the two slots shows it.
+/// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
 
-/// As they stand in the list, in the order of Topic; the first one is `automatic`.
+/// The names in the list, in the order of Topic; the first one is `automatic`.
 std::span<const char* const> topic_names();
 
 }  // namespace viewing

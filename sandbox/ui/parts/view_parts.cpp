@@ -9,7 +9,7 @@
 namespace viewing {
 void draw_picture(const Rect& rect, ImTextureID picture) {
     if (picture)
-        ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's rows count up
+        ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's rows go upward
 }
 
 void picture_item(const char* name, const Rect& rect, ImTextureID picture) {
@@ -41,7 +41,7 @@ bool have_room(std::span<const char* const> names, float right) {
 
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right) {
-    if (!have_room(names, right)) return widgets::Choice(id, index, names, default_index);  // has none to explain
+    if (!have_room(names, right)) return widgets::Choice(id, index, names, default_index);  // a list has no tooltips
     bool changed = false;
     ImGui::PushID(id);
     for (int one = 0; one < static_cast<int>(names.size()); ++one) {
@@ -87,7 +87,7 @@ Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         return swatch + gap + ImGui::CalcTextSize(tr(entry.meaning)).x;
     };
 
-    // As many as fit, on a plate that keeps them readable over any picture.
+    // As many entries as fit, on a plate that keeps them legible over any picture.
     float width = -between;
     std::size_t count = 0;
     while (count < entries.size() && width + between + width_of(entries[count]) < rect.width() - 4.0F * margin)

@@ -1,4 +1,4 @@
-// What the views have in common: headline, picture, legend, the followed point.
+// Shared parts of the views: header, picture, legend, the followed point.
 #pragma once
 
 #include "frame/derive.h"
@@ -7,46 +7,46 @@
 
 namespace viewing {
 
-/// Nothing without a picture.
+/// Draws a picture; nothing if `picture` is null.
 void draw_picture(const Rect& rect, ImTextureID picture);
 
-/// The picture fills its rectangle exactly, with an invisible button over it for the mouse.
+/// Draws the picture, filling its rectangle exactly, with an invisible button over it for the mouse.
 void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 
-/// The headline above a view, in large type where a room sees it; further items go on its line. An empty title only
+/// Draws the header above a view, in large type when presenting; more items may follow on its line. An empty title only
 /// places the cursor.
 void view_header(const Rect& rect, const char* title);
 
-/// Words in a row of which one is chosen, quiet until it is; as a list where the row would go beyond `right`. Each
-/// explains itself by the sentence of the same index.
+/// Draws words in a row, all quiet except the chosen one, or a list if the row would extend past `right`. The
+/// explanation with the same index is a word's tooltip.
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right);
 
-/// Whether they have room from the cursor on to `right`, as words in a row.
+/// Whether these words fit in a row between the cursor and `right`.
 bool have_room(std::span<const char* const> names, float right);
 
-/// A quiet note on the headline; left out where it would go beyond `right`.
+/// Draws a quiet note on the header, unless it would extend past `right`.
 void header_note(const char* text, float right);
 
-/// A ground on which text over any picture can be read, so much larger than this rectangle on each side.
+/// Draws a plate that keeps text legible over any picture, larger than the rectangle by the margin on each side.
 void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px);
 
-/// One colour of a view and what it stands for.
+/// A color of a view and its meaning.
 struct LegendEntry {
     Color color;
     const char* meaning;
 };
-/// In the lower left corner of a view; returns what it covers.
+/// Draws a legend in the lower left corner of a view; returns the area it covers.
 Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
 
-/// At the lower edge of a picture: the whole sentence in one line where there is room, else the brief one in as many
-/// lines as it takes. Returns what it covers.
+/// Draws a sentence at the lower edge of a picture: the whole one in one line if it fits, otherwise the brief one in as
+/// many lines as needed. Returns the area it covers.
 Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, const char* whole, const char* brief);
 
-/// Whether the mirror image of the followed point is not to be seen.
+/// Whether the mirror image of the followed point is covered.
 bool is_image_covered();
 
-/// p with its ray from the light, s, the foot on the plane and the mirror image.
+/// Draws p with its ray from the light, its shadow s, its foot on the plane, and its mirror image.
 void draw_followed(Overlay& overlay, const Derived& derived);
 
 }  // namespace viewing

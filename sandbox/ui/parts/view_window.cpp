@@ -47,9 +47,9 @@ bool offer(const char* english, const char* button) {
     const ImVec2 size = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width);
     const float button_height = button ? ImGui::GetFrameHeight() + px(8.0F) : 0.0F;
     const float top = from.y + std::floor(std::max(0.0F, (room.y - size.y - button_height) * 0.5F));
-    const auto centred = [&](float item) { return from.x + std::floor(std::max(0.0F, (room.x - item) * 0.5F)); };
+    const auto centered = [&](float item) { return from.x + std::floor(std::max(0.0F, (room.x - item) * 0.5F)); };
 
-    ImGui::SetCursorScreenPos({centred(size.x), top});
+    ImGui::SetCursorScreenPos({centered(size.x), top});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1.0F);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::TextUnformatted(sentence.c_str());
@@ -59,8 +59,8 @@ bool offer(const char* english, const char* button) {
     widgets::CurrentContext().offered = tr(english);
     if (!button) return false;
     const float button_width = ImGui::CalcTextSize(tr(button)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});
-    // It stands in the place of all that the view shows: a room needs it, too.
+    ImGui::SetCursorScreenPos({centered(button_width), top + size.y + px(8.0F)});
+    // The view has no other content, so presentations need the button, too.
     auto offered = std::exchange(widgets::CurrentContext().targets.offered, std::nullopt);
     const bool pressed = widgets::Button(button);
     widgets::CurrentContext().targets.offered = std::move(offered);

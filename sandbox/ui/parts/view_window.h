@@ -1,4 +1,4 @@
-// A view that is drawn by the user interface alone: its window, and what it says where it has nothing to show.
+// A view drawn only by the user interface: its window, and its message if it has nothing to show.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// A view's child window over its rectangle, on the views' ground; ends with its scope.
+/// A view's child window over its rectangle, with the views' background. Closes at the end of its scope.
 struct ViewWindow {
     ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0);
     ~ViewWindow();
@@ -16,17 +16,17 @@ struct ViewWindow {
 
 private:
     bool never_scrolls_;
-    int counted_before_;  ///< windows that scroll
+    int counted_before_;  ///< number of scrolling windows
 };
 
-/// How high a widgets::Note is in the room that there is, pixels.
+/// The height of a widgets::Note in the available width, in pixels.
 float note_height(const char* text);
 
-/// A quiet sentence that tests find by its words; nothing where it is empty.
+/// Draws a quiet sentence and records it for tests; nothing if it is empty.
 void recorded_note(const std::string& sentence);
 
-/// A sentence in the middle of the view and, unless null, a button below it, both looked up here. True when it was
-/// clicked.
+/// Draws a sentence in the middle of the view and, unless `button` is null, a button below it; translates both. Returns
+/// whether the button was clicked.
 bool offer(const char* english, const char* button = nullptr);
 
 }  // namespace viewing

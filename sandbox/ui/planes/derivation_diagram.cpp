@@ -13,18 +13,18 @@
 namespace viewing {
 namespace {
 
-/// Some unit vector along the plane.
+/// Returns some unit vector in the plane with this normal.
 glm::dvec3 along_plane(const glm::dvec3& normal) {
     const glm::dvec3 axis = std::abs(normal.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     return glm::normalize(axis - normal * glm::dot(axis, normal));
 }
 
-/// Where light, point and shadow are in the figure, and which way is up in it.
+/// Places of light, point and shadow in the figure, and the figure's axes.
 struct ShadowPlaces {
     glm::dvec3 up, across;
-    glm::dvec3 towards_light;  ///< unit, from p; zero where there is no ray
-    glm::dvec3 source;         ///< where the ray begins: l, or far away along a parallel light
-    bool has_light = false;    ///< l is a place
+    glm::dvec3 towards_light;  ///< unit vector from p; zero without a ray
+    glm::dvec3 source;         ///< start of the ray: l, or far away toward a parallel light
+    bool has_light = false;    ///< l is a point within reach
 };
 
 ShadowPlaces shadow_places(const ShadowDerivation& found, double farthest_world) {
@@ -43,7 +43,7 @@ ShadowPlaces shadow_places(const ShadowDerivation& found, double farthest_world)
     return places;
 }
 
-/// What the figure has to show: as much of the ray as it would be for l_w = 1.
+/// The points to fit into the figure. The ray is at least as long as for l_w = 1.
 std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const ShadowPlaces& places,
                                        double farthest_world) {
     const glm::dvec3& p = found.point_world;
@@ -55,11 +55,11 @@ std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const Shad
     return {p, found.point_foot_world, p + places.towards_light * to_source, s};
 }
 
-/// l above its foot, and the two triangles at l whose heights t divides.
+/// Draws l above its foot, and the two triangles at l whose heights have the ratio t.
 void draw_light_side(Figure& figure, const ShadowDerivation& found, const ShadowPlaces& places, const glm::dvec3& s) {
     const ImU32 light = palette().light;
     const glm::dvec3 &l = found.light_world, &foot = found.light_foot_world, &p = found.point_world;
-    const glm::dvec3 level = foot + glm::dvec3(found.unit_plane) * found.point_height;  // on l's vertical, as high as p
+    const glm::dvec3 level = foot + glm::dvec3(found.unit_plane) * found.point_height;  // above foot, as high as p
     figure.triangle(l, foot, s, light, 26);
     figure.triangle(l, level, p, light, 34);
     figure.dashed(l, foot, light);

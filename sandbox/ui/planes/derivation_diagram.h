@@ -1,5 +1,5 @@
-// The slides' two figures with the numbers of now: the plane seen edge-on, and what is derived on both sides of it.
-// Read derivation_views.h for what stands beside them.
+// The two figures of the slides with the current numbers, as cross-sections that show the plane edge-on. Read
+// derivation_views.h for the text beside them.
 #pragma once
 
 #include "frame/planes/derivation.h"
@@ -7,13 +7,13 @@
 
 namespace viewing {
 
-/// The plane through light and point that stands upright on the plane: l, p and s, the similar triangles between them,
-/// heights and lengths along the ray. The light is always above. What is shown does not depend on l_w, as long as s
-/// stays near: as l_w falls the light leaves at the top, and the ray comes in from above. Nothing farther from p than
-/// `farthest_world` is shown.
+/// Draws the cross-section through light and point, perpendicular to the plane: l, p and s, the similar triangles
+/// between them, and heights and lengths along the ray. The light is always above the plane. While s is near, the
+/// visible region does not depend on l_w: as l_w falls, the light leaves the figure at the top, and the ray enters from
+/// above. Shows nothing farther from p than `farthest_world`.
 void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& derivation, double farthest_world);
 
-/// q, its foot and q′, with k on both sides; a wall stands upright.
+/// Draws q, its foot and q′, with k on both sides. A vertical plane is drawn upright.
 void draw_mirror_diagram(const Rect& rect, const MirrorDerivation& derivation);
 
 }  // namespace viewing

@@ -12,12 +12,12 @@
 namespace viewing {
 namespace {
 
-/// One of the three forms: its cells' symbols under the numbers, linked to the controls as S itself is.
+/// One of the three forms: symbols under the numbers, linked to the same controls as S.
 struct Form {
     const char* name;
-    const glm::dmat4* matrix;             ///< null: not made for this light and plane
-    const char* needs;                    ///< of the plane, beside l_w = 1
-    std::array<const char*, 16> symbols;  ///< null: as of S itself
+    const glm::dmat4* matrix;             ///< null: undefined for this light and plane
+    const char* needs;                    ///< condition on the plane, besides l_w = 1
+    std::array<const char*, 16> symbols;  ///< null: the symbol of S
 };
 
 void show_form(const Form& form, float width) {
@@ -36,16 +36,16 @@ void show_form(const Form& form, float width) {
 }
 
 std::string difference_text(double difference) {
-    if (difference == 0.0) return tr("Largest difference of any two entries: 0.");
+    if (difference == 0.0) return tr("Largest difference between matching entries: 0.");
     const int exponent = static_cast<int>(std::floor(-std::log10(difference)));
-    return say("Largest difference of any two entries: below {bound}.",
+    return say("Largest difference between matching entries: below {bound}.",
                "bound"_a = "10⁻" + raised_text(std::max(exponent, 0)));
 }
 
 }  // namespace
 
 void show_three_forms(const ShadowForms& forms) {
-    derivation_heading(marked("The same matrix three times"));
+    derivation_heading(marked("The same matrix in three forms"));
     const Form shown[] = {
         {marked("for y = 0 (Blinn)"),
          forms.blinn ? &*forms.blinn : nullptr,

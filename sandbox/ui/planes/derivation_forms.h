@@ -1,11 +1,12 @@
-// The shadow matrix as the lecture has it three times: for y = 0, with d, and as 4-vectors.
+// The lecture's three forms of the shadow matrix: for y = 0, with d, and with 4-vectors.
 #pragma once
 
 #include "frame/planes/derivation.h"
 
 namespace viewing {
 
-/// With the symbols of its slide under each number, side by side where there is room, and how far they differ.
+/// Shows each form with its slide's symbols under the numbers, side by side if they fit, and the largest difference
+/// between them.
 void show_three_forms(const ShadowForms& forms);
 
 }  // namespace viewing

@@ -26,7 +26,7 @@ void note(Lines& lines, const char* text) {
     lines.push_back({DerivationLine::Kind::note, {text}, "", true});
 }
 
-/// "= 5.200·1.300": factors that are negative in brackets.
+/// Puts a negative factor in parentheses: "= 5.200·(−1.300)".
 std::string in_brackets(double value) {
     std::string number = derivation_number(value);
     return number.starts_with("−") ? "(" + number + ")" : number;
@@ -61,20 +61,20 @@ glm::dvec4 projected(const ShadowDerivation& found) {
             found.parallel_light ? found.n_dot_l : found.n_dot_l - found.n_dot_p};
 }
 
-/// Why there is a fourth coordinate.
+/// Explains why a fourth coordinate is needed.
 void introduce_w(Lines& lines) {
     heading(lines, marked("The common denominator becomes w"));
-    note(lines,
-         marked("No matrix can divide by what differs from point to point. So its last row makes the denominator, "
-                "as w, and the division is left to the end. The slide writes 1 in its place, which is what it is after "
-                "that."));
+    note(
+        lines,
+        marked("No matrix can divide by a value that differs from point to point. So the last row puts the denominator "
+               "into w, and the division comes last. The slide writes 1 instead, the value of w after the division."));
 }
 
 /// The rows of the slide "Planar Shadow", for y = 0.
 void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec3 &l = found.light_world, &p = found.point_world, &s = *found.shadow_world;
     const glm::dvec4 sum = projected(found);
-    heading(lines, marked("Similar triangles give the same"));
+    heading(lines, marked("Similar triangles give the same result"));
     add_step(lines, {"(s_x − l_x)/(p_x − l_x)", "= l_y/(l_y − p_y)", equals(found.t)});
     heading(lines, marked("Coordinate by coordinate"));
     add_step(lines, {"s_x", "= l_x + l_y/(l_y − p_y) (p_x − l_x)"});
@@ -176,7 +176,7 @@ std::vector<DerivationLine> mirror_lines(const MirrorDerivation& found) {
               {name, x, y, z, d, "= " + signed_sum(found.terms[row]), equals(found.mirrored_world[row])});
     }
     lines.push_back({DerivationLine::Kind::note,
-                     {marked("The slide's second line begins with 2ab x₀; it is −2ab x₀.")},
+                     {marked("The slide's second line begins with 2ab x₀; it should be −2ab x₀.")},
                      "text:mirror_derivation.rows",
                      false});
     return lines;

@@ -1,5 +1,5 @@
-// A derivation as a list of lines, in the order in which they are written on a board. Pure text: derivation_views.h
-// shows them, all at once or one after the other.
+// A derivation as a list of lines, in the order of a blackboard. Text only: derivation_views.h shows the lines, all at
+// once or step by step.
 #pragma once
 
 #include <string>
@@ -13,22 +13,22 @@ struct DerivationLine {
     enum class Kind { equation, heading, note };
 
     Kind kind = Kind::equation;
-    std::vector<std::string> parts;  ///< of an equation as equation() takes them; else one text, marked or finished
-    std::string target = {};         ///< its name for a lesson
-    bool is_step = false;  ///< leads to a result: left out where there is room for results alone and none is stepped to
+    std::vector<std::string> parts;  ///< for an equation, see equation(); otherwise one text, marked() or translated
+    std::string target = {};         ///< its name for lessons
+    bool is_step = false;  ///< an intermediate step: omitted if only the results fit, unless the user goes step by step
 };
 
-/// How s follows from l, p and the plane, from the line of sight of the light to the rows of S and the division by w.
-/// `is_blinn`: the plane is y = 0 with its normal up, whose rows are the slide's.
+/// Derives s from l, p and the plane: from the light's ray to the rows of S and the division by w. `is_blinn`: the
+/// plane is y = 0 with its normal up, so the rows match the slide.
 std::vector<DerivationLine> shadow_lines(const ShadowDerivation& found, bool is_blinn);
 
-/// How q′ follows from q and the plane, with the lecture's expansion row by row.
+/// Derives q′ from q and the plane, then expands it row by row as the lecture does.
 std::vector<DerivationLine> mirror_lines(const MirrorDerivation& found);
 
-/// How many steps there are: a heading comes with the line below it.
+/// Returns the number of steps. A heading appears together with the line below it.
 int step_count(const std::vector<DerivationLine>& lines);
 
-/// What is written after so many steps; all for −1 or more than there are.
+/// Returns the lines written after `steps` steps; all for −1 or a number past the end.
 std::vector<DerivationLine> lines_until(const std::vector<DerivationLine>& lines, int steps);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// The derivations in the world: the slides' figures where they belong.
+// The derivations in the world: the slides' figures, drawn into the scene.
 #include <algorithm>
 
 #include "frame/planes/derivation.h"
@@ -10,12 +10,12 @@
 namespace viewing {
 namespace {
 
-/// Whether a view has room for more than names and numbers.
+/// Whether the view is large enough for more than names and numbers.
 bool is_large(const Overlay& overlay) {
     return overlay.rect().width() >= px(560.0F);
 }
 
-/// In the middle of a line "symbol = number", or the number alone.
+/// Labels the middle of a line with "symbol = number", or with the number alone.
 void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
              ImU32 color) {
     const std::string number = number_text(value, 2);
@@ -23,7 +23,7 @@ void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, con
     overlay.label((from + to) * 0.5, text.c_str(), color);
 }
 
-/// A height above the plane: what a lesson calls "label:heights".
+/// A height above the plane; lessons call it "label:heights".
 void height(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
             ImU32 color) {
     overlay.mark_target("label:heights", from, to);
@@ -34,7 +34,7 @@ void triangle(Overlay& overlay, const glm::dvec3& a, const glm::dvec3& b, const 
     overlay.fill({a, b, c, c}, with_alpha(color, 36));
 }
 
-/// The light's handle with its label is there already.
+/// Omits the light itself, whose handle and label are already there.
 void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDerivation& found) {
     const widgets::Palette& colors = palette();
     const glm::dvec3 &p = found.point_world, &foot = found.point_foot_world;

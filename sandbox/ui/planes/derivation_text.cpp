@@ -12,7 +12,7 @@ namespace {
 
 constexpr int decimals = 3;
 
-/// Where the next primed symbol begins and how long it is; the end of the text and 0 where there is none.
+/// Position and length of the next primed symbol; the end of the text and 0 if there is none.
 struct Found {
     std::size_t begin, length;
 };
@@ -24,7 +24,7 @@ Found primed_symbol(const std::string& text) {
     return found;
 }
 
-/// Draws a part, or only measures it where `draw` is null. Returns its width.
+/// Draws a part, or only measures it if `draw` is null. Returns its width.
 float formula(ImDrawList* draw, ImVec2 at, std::string part) {
     const float from = at.x;
     while (!part.empty()) {

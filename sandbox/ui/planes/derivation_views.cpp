@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// A view's rectangle with its figure at the left, or at the top of a narrow one; ends with its scope.
+/// A view with its figure at the left, or at the top if the view is narrow. Closes at the end of its scope.
 class FigureView {
 public:
     FigureView(const char* name, const Rect& rect)
@@ -38,7 +38,7 @@ private:
     bool is_wide_;
 };
 
-/// What stands beside or below the figure, and scrolls; ends with its scope.
+/// The scrolling text beside or below the figure. Closes at the end of its scope.
 class Steps {
 public:
     explicit Steps(const FigureView& view) {
@@ -55,21 +55,21 @@ public:
     Steps(const Steps&) = delete;
     Steps& operator=(const Steps&) = delete;
 
-    /// There is room for the results, not for every step that leads to them.
+    /// Whether there is space for the results, but not for every step toward them.
     bool is_short() const { return is_short_; }
 
 private:
     bool is_short_;
 };
 
-/// "light: parallel [      ] point": l_w from 0 to 1, where x, y and z stay. In a narrow place the first words stand
-/// above.
+/// "light: parallel [      ] point": l_w from 0 to 1; x, y and z stay the same. In a narrow view, the first label is
+/// above the slider.
 void light_slider(Params& params) {
-    if (widgets::HasPlainTitles()) return;  // the panel has it, where it is named
+    if (widgets::HasPlainTitles()) return;  // the panel has this control, with its name
     constexpr double smallest = 1e-6;
     glm::dvec4& light = params.lights[params.chosen().light].position;
     const bool has_direction = glm::length(glm::dvec3(light)) >= smallest;
-    const widgets::NumberStyle style{.min = has_direction ? 0.0 : 0.01,  // never all zero
+    const widgets::NumberStyle style{.min = has_direction ? 0.0 : 0.01,  // never let all four be zero
                                      .max = 1.0,
                                      .step = 0.005,
                                      .decimals = 3,
@@ -84,9 +84,10 @@ void light_slider(Params& params) {
     ImGui::TextUnformatted(tr("light: parallel"));
     if (in_a_row) ImGui::SameLine(0.0F, gap);
     widgets::Slider("##l_w", light.w, style, std::clamp(room - behind - (in_a_row ? before : 0.0F), least, px(260.0F)));
-    widgets::Tooltip("Parallel or point light",
-                     "The light's fourth coordinate. 1: a point light at ℓ. 0: a parallel light from the direction (x, "
-                     "y, z). Between them the light is at (x, y, z) divided by it, farther away the smaller it is.");
+    widgets::Tooltip(
+        "Parallel or point light",
+        "The light's fourth coordinate. 1: a point light at ℓ. 0: a parallel light from the direction (x, y, z). In "
+        "between, the light is at (x, y, z) divided by it: the smaller the value, the farther away.");
     ImGui::SameLine(0.0F, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("point"));
@@ -95,7 +96,7 @@ void light_slider(Params& params) {
 void tell_point(const Derived& derived, const char* letter) {
     if (derived.followed) return;
     const std::string note =
-        say("Click an object to follow one of its vertices; until then {point} is one unit from the middle of the "
+        say("Click an object to follow one of its vertices; until then, {point} is one unit from the center of the "
             "plane's patch, on the light's side.",
             "point"_a = letter);
     widgets::Note(note.c_str());
@@ -103,7 +104,7 @@ void tell_point(const Derived& derived, const char* letter) {
 
 void tell_ray(ShadowRay ray) {
     if (ray == ShadowRay::regular) return;
-    if (ray == ShadowRay::point_in_plane) return widgets::Note(sentence_of(ray));  // nothing is wrong with it
+    if (ray == ShadowRay::point_in_plane) return widgets::Note(sentence_of(ray));  // not an error
     widgets::Trouble(sentence_of(ray));
 }
 
@@ -122,7 +123,7 @@ void write_shown(const DerivationLine& line) {
     }
 }
 
-/// What else tells a line's numbers: covered there, they are covered here, too.
+/// Whether this line, or another part that shows the same numbers, is covered.
 bool is_covered(const std::string& target) {
     struct Same {
         std::string_view line;
@@ -151,7 +152,7 @@ void write(const DerivationLine& line) {
     widgets::MarkTarget(line.target, from, {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y});
 }
 
-/// All lines, or those up to the step of the state with the latest in view. True when all are there.
+/// Writes all lines, or those up to the state's step, then scrolls to the latest. Returns true when all are written.
 bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_short, bool is_stepped) {
     const std::vector<DerivationLine> shown = lines_until(lines, step);
     for (const DerivationLine& line : shown)
@@ -160,7 +161,7 @@ bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_sho
     return shown.size() == lines.size();
 }
 
-/// Steps through the lines; true when one was gone to.
+/// Draws the step bar. Returns true when a step was chosen.
 bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets::StepPlayer& player) {
     constexpr float least_room = 215.0F;
     if (ImGui::GetContentRegionAvail().x < px(least_room)) return false;
@@ -170,7 +171,7 @@ bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets:
     return step != before && step >= 0;
 }
 
-/// In place of a part of a derivation that is covered: says whether it was.
+/// Draws a plate if this part of the derivation is covered. Returns whether it is.
 bool is_part_covered(const char* target, float height) {
     if (!widgets::IsCovered(target)) return false;
     widgets::Plate(target, {ImGui::GetContentRegionAvail().x, std::max(height, px(20.0F))});
@@ -191,11 +192,10 @@ void mirror_form(const MirrorDerivation& found) {
                     {.cells = cells, .roles = mirror_roles(), .target = "matrix:R"}, width);
     widgets::MarkTarget("text:mirror_derivation.matrix", from, ImGui::GetItemRectMax());
     widgets::Note(
-        "The slide divides n·q + d by |n| once. That makes k a distance, but the n behind it has to be of length 1, "
-        "too: "
-        "for a plane as it is typed, divide by |n|².");
+        "The slide divides n·q + d by |n| once. That makes k a distance, but the n after it must also have length 1: "
+        "for a plane as typed, divide by |n|².");
     if (found.plane == MirrorPlane::general)
-        widgets::Note("The buttons yz, xz and xy of the plane give the three that the slide shows.");
+        widgets::Note("The plane's buttons yz, xz and xy give the three cases on the slide.");
 }
 
 }  // namespace
@@ -216,7 +216,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     const bool is_short = steps.is_short() && step < 0;
     light_slider(params);
     tell_ray(found.ray);
-    if (derived.chosen_shadow().by_hand) widgets::Note("S is entered by hand; here it is as derived.");
+    if (derived.chosen_shadow().by_hand) widgets::Note("S was entered by hand; here it is as derived.");
     equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
               "= " + derivation_vector(found.light_world)});
     equation({"p", "= " + derivation_vector(found.point_world)});
@@ -239,8 +239,8 @@ void draw_mirror_derivation(Session& session, const Derived& derived, const Rect
     if (is_part_covered("text:mirror_derivation", ImGui::GetContentRegionAvail().y)) return;
     const std::vector<DerivationLine> lines = mirror_lines(found);
     const bool is_stepped = step_bar(session.params, lines, player);
-    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R is entered by hand; here it is as derived.");
-    if (derived.chosen_plane().mirror_has_slip) widgets::Note("A slip is in R; here it is as derived.");
+    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R was entered by hand; here it is as derived.");
+    if (derived.chosen_plane().mirror_has_slip) widgets::Note("R contains a mistake; here it is as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     tell_point(derived, "q");

@@ -1,4 +1,4 @@
-// From the inside out: words of code in colour, code broken into rows, a line with its number, a function.
+// From the inside out: words of code in color, code broken into rows, a line with its number, a function.
 #include "ui/planes/lecture_code.h"
 
 #include <algorithm>
@@ -19,18 +19,18 @@ namespace {
 using widgets::Links;
 using widgets::Role;
 
-/// How code is written where there is so much room.
+/// Style of the code for a given width.
 struct Writing {
     ImFont* font;
-    int columns;         ///< characters in a row
+    int columns;         ///< characters per row
     bool names_array;    ///< "shadowMat[4] = …" or "[4] = …"
-    const char* before;  ///< the number
+    const char* before;  ///< precedes the number
 };
 
-/// One function, ready to be shown.
+/// One function, ready to show.
 struct Function {
     const char *title, *signature, *array;
-    char letter;  ///< of the matrix
+    char letter;  ///< names the matrix
     CodeLines lines;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
@@ -53,7 +53,7 @@ void draw_code(ImDrawList* draw, ImVec2 at, std::string_view code) {
     }
 }
 
-/// Broken at blanks; further rows are indented.
+/// Breaks code at spaces; continuation rows are indented.
 std::vector<std::string> rows_of(std::string_view code, std::size_t columns) {
     std::vector<std::string> rows;
     std::string row;
@@ -70,7 +70,7 @@ std::vector<std::string> rows_of(std::string_view code, std::size_t columns) {
     return rows;
 }
 
-/// A line of code with its number at the right end, as one item.
+/// Draws a line of code, with its number at the right end, as one item.
 void code_item(const Writing& writing, const std::string& code, const std::string& number) {
     std::vector<std::string> rows = rows_of(code, static_cast<std::size_t>(writing.columns));
     const std::string note = number.empty() ? "" : writing.before + number;
@@ -89,7 +89,7 @@ void code_item(const Writing& writing, const std::string& code, const std::strin
     draw->AddText({x, y}, palette().text, number.c_str());
 }
 
-/// Lights the item and its entry when either is hovered.
+/// Highlights the item and its matrix entry when either is hovered.
 void follow_entry(Links own, Links links) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     if (widgets::FollowEntry(own, links))
@@ -121,7 +121,7 @@ void draw_line(const Function& function, const CodeLine& line, const Writing& wr
     widgets::Tooltip(name.c_str(), place_of(function, line).c_str(), cell.symbol, "", function.roles);
 }
 
-/// The largest writing in which no line has to be broken; the last one breaks them.
+/// Returns the largest style in which no line wraps, or the smallest if there is none.
 Writing writing_for(const Function& function, float width) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     Writing writings[] = {{fonts.number, 0, true, "// = "},
@@ -148,7 +148,7 @@ void title(const Function& function) {
     ImGui::PopFont();
 }
 
-/// The lines; `dot`: the shadow's line before them.
+/// Draws the lines. `dot`: the value of the extra line before those of S.
 void draw_lines(const Function& function, std::optional<double> dot) {
     const Writing writing = writing_for(function, ImGui::GetContentRegionAvail().x);
     ImGui::PushFont(writing.font);
@@ -179,26 +179,26 @@ void shadow_function(const Derived& derived) {
                             shadow_cells(),
                             shadow_roles()};
     title(function);
-    widgets::Note("Filled by columns. The plane has a unit normal.");
-    if (cast.by_hand) widgets::Trouble("S is entered by hand and not what this code fills.");
+    widgets::Note("Filled column by column. The plane has a unit normal.");
+    if (cast.by_hand) widgets::Trouble("S was entered by hand; it is not what this code fills in.");
     draw_lines(function, cast.plane_dot_light);
 }
 
-/// The switch that fills R as the slide does, and what GL makes of either, in one sentence.
+/// The switch that fills R as on the slide, and one sentence on how GL reads the array.
 void order_switch(Params& params, double d) {
     if (widgets::Offers("control:reflection.printed_by_rows"))
         control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});
     if (!params.reflection.printed_by_rows)
         widgets::Note(
-            "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is put right.");
+            "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is corrected.");
     else if (d == 0.0 && !widgets::IsCovered("sentences"))
         widgets::Note(
-            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: right only here, where d = 0, since the rest "
-            "of R is symmetric.");
+            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: correct only here, where d = 0, since the "
+            "rest of R is symmetric.");
     else if (!widgets::IsCovered("sentences"))
         widgets::Trouble(
-            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: with d ≠ 0 the translation (−2ad, −2bd, −2cd) "
-            "lands in the bottom row, and w is no longer 1.");
+            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: with d ≠ 0, the translation (−2ad, −2bd, "
+            "−2cd) lands in the bottom row, and w is no longer 1.");
 }
 
 void mirror_function(const Params& params, const Derived& derived) {
@@ -215,9 +215,10 @@ void mirror_function(const Params& params, const Derived& derived) {
                             mirror_roles()};
     title(function);
     widgets::Note(printed ? marked("Filled by rows.") : marked("Filled by columns."));
-    if (slips.normal_not_unit) widgets::Trouble("A slip: plane[] is as it is typed, not divided by |n|.");
-    if (slips.plus_2ab) widgets::Trouble("A slip: row 2, column 1 has lost its minus.");
-    if (derived.chosen_plane().mirror_by_hand) widgets::Trouble("R is entered by hand and not what this code fills.");
+    if (slips.normal_not_unit) widgets::Trouble("Mistake: plane[] is used as typed, not divided by |n|.");
+    if (slips.plus_2ab) widgets::Trouble("Mistake: row 2, column 1 has lost its minus sign.");
+    if (derived.chosen_plane().mirror_by_hand)
+        widgets::Trouble("R was entered by hand; it is not what this code fills in.");
     draw_lines(function, std::nullopt);
 }
 

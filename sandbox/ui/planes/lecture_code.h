@@ -1,5 +1,5 @@
-// The lecture's two functions, ShadowMatrix and ReflectionMatrix, as array fills with the current numbers. Each line
-// lights up with the entry of S or R that it fills. Read frame/planes/lecture_code.h first.
+// The lecture's functions ShadowMatrix and ReflectionMatrix, as array assignments with the current numbers. Each line
+// is highlighted together with the entry of S or R that it fills. Read frame/planes/lecture_code.h first.
 #pragma once
 
 #include "frame/derive.h"
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// Side by side where both fit, else one below the other.
+/// Draws both functions, side by side if they fit, otherwise one below the other.
 void draw_lecture_code(Session& session, const Derived& derived, const Rect& rect);
 
 }  // namespace viewing

@@ -18,21 +18,23 @@ const char* explanation_of(MirrorWay way) {
     switch (way) {
         case MirrorWay::clip_distance:
             return tr(
-                "The mirrored scene is cut at the mirror with gl_ClipDistance: each vertex has its distance, and each "
-                "triangle is cut where that is 0. The other pictures are compared with this one.");
+                "gl_ClipDistance clips the mirrored scene at the mirror: each vertex has a distance, and each triangle "
+                "is clipped where the distance is 0. The other pictures are compared with this one.");
         case MirrorWay::none:
-            return tr("Nothing is cut: what lies behind the mirror, or crosses it, stands in front of the image.");
+            return tr(
+                "Nothing is clipped: objects that lie behind the mirror or cross it appear in front of the image.");
         case MirrorWay::oblique:
             return tr(
-                "The near plane is the mirror itself: nothing else is needed, but depth is measured from that plane "
-                "on, and the far plane tilts with it.");
+                "The mirror itself is the near plane: nothing else is needed, but depth is measured from that plane, "
+                "and the far plane tilts with it.");
         case MirrorWay::camera:
             break;
     }
-    return tr("The camera is mirrored in place of the scene and its picture flipped left and right: the same picture.");
+    return tr(
+        "The camera is mirrored instead of the scene, and its picture is flipped left to right: the same picture.");
 }
 
-/// With three decimals, whatever the size: depths are from 0 to 1.
+/// Always three decimals: depths are from 0 to 1.
 std::string depth_text(double depth) {
     return plain_decimals(depth, 3);
 }
@@ -45,7 +47,7 @@ std::string difference_of(MirrorWay way, const MirrorWayReport& report) {
     return say("{share} differ", "share"_a = percent(share, 2));
 }
 
-/// Empty where the image leaves no depth.
+/// Empty if no pixel shows the mirror image.
 std::string depths_of(const MirrorWayReport& report) {
     if (report.image_pixels == 0) return "";
     return say("depth {first}…{last}", "first"_a = depth_text(report.first_depth),
@@ -58,7 +60,8 @@ bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
     return mirrored_in(params, way).reflection == reflection;
 }
 
-/// Its name above and its numbers below, as far as they leave something of the picture; the tooltip has them all.
+/// Draws the name above and the numbers below, as many as leave enough of the picture visible; the tooltip has them
+/// all.
 void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<const std::string> numbers) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     float room = 0.6F * place.height();
@@ -94,7 +97,7 @@ void way_picture(Session& session, const Rect& place, MirrorWay way, const Mirro
     const DepthParams& depth = session.params.depth;
     if (way == MirrorWay::oblique && depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex)
         told += std::string(" ") +
-                tr("Here each vertex writes its own z, the logarithm, and nothing is left of that near plane.");
+                tr("Here each vertex writes its own logarithmic z, so nothing of that near plane remains.");
     std::vector<std::string> numbers;
     if (shown.ways) {
         const MirrorWayReport& report = shown.ways->reports[index];
@@ -113,7 +116,7 @@ void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysS
         widgets::Note("Reflection is off: there is no image to compare.");
         return;
     }
-    // Two by two, each with the shape of the camera's picture.
+    // In a 2 × 2 grid, each with the camera picture's aspect ratio.
     const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
     const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
     const float width =

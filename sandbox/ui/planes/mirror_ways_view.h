@@ -1,4 +1,4 @@
-// The mirror image in four ways side by side, with what differs marked in red.
+// The mirror image made in four ways, side by side, with differences marked in red.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace viewing {
 
-/// Pictures and counts; nothing while they have not been made yet.
+/// Pictures and counts; null until they exist.
 struct MirrorWaysShown {
     std::array<ImTextureID, mirror_way_count> pictures{};
     std::shared_ptr<const MirrorWays> ways;
 };
 
-/// A click on a picture takes its way over into the state.
+/// Draws the four pictures. A click on one applies its way to the state.
 void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown);
 
 }  // namespace viewing

@@ -11,21 +11,21 @@
 namespace viewing {
 namespace {
 
-constexpr const char* buffer_names[] = {marked("colour"), marked("depth"), marked("stencil")};
+constexpr const char* buffer_names[] = {marked("color"), marked("depth"), marked("stencil")};
 constexpr const char* whole_frame =
-    marked("The frame of this hidden-surface method is drawn whole: it stops after no pass.");
+    marked("This hidden-surface method always draws the whole frame: it cannot stop after a pass.");
 
-/// A part of the place, since pictures are sized before there is a frame to ask for its scale.
+/// Relative to the view, since pictures are sized before any frame sets a scale.
 float gap_in(const Rect& rect) {
     return std::round(0.02F * std::min(rect.width(), rect.height()));
 }
 
-/// The pictures stand beside the list, one below the other; else below it, side by side.
+/// Whether the pictures form a column beside the list; otherwise they form a row below it.
 bool is_wide(const Rect& rect) {
     return rect.width() >= 1.4F * rect.height();
 }
 
-/// The list with its steps, and the pictures of the buffers.
+/// Places of the list, which includes the step bar, and of the three buffers' pictures.
 struct Places {
     Rect list;
     std::array<Rect, 3> pictures;
@@ -48,8 +48,9 @@ Places places_in(const Rect& rect, double aspect) {
     return places;
 }
 
-/// Passes as steps from 1 on; a frame that stops nowhere is at its last one. True when they were stepped. In a narrow
-/// place the bar is lower, as its buttons are the less wide then; where that is not enough, clicks on passes remain.
+/// Draws the step bar: passes as steps, counted from 1; a frame without a stop is at its last step. Returns true when
+/// the step changed. In a narrow view, the bar is lower, so that its buttons are narrower, too. If even that does not
+/// fit, clicks on passes still work.
 bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -62,19 +63,19 @@ bool steps(Session& session, int count, widgets::StepPlayer& player) {
                         {ImGui::GetStyle().FramePadding.x, is_narrow ? 0.0F : ImGui::GetStyle().FramePadding.y});
     widgets::StepBar("passes", step, count, player, ImGui::GetIO().DeltaTime);
     ImGui::PopStyleVar();
-    if (count < 2) player.playing = false;  // the first pass is the end already
+    if (count < 2) player.playing = false;  // the first pass is also the last
     if (step == before) return false;
     const int reached = std::max(step, 1);
     pass = step < 0 || reached >= count ? -1 : reached - 1;
     return true;
 }
 
-/// The hidden-surface methods' frames are drawn whole.
+/// Whether the frame can stop after a pass: not with a hidden-surface method.
 bool can_stop(const Session& session) {
     return is_drawn_by_gl_alone(session.params.visibility.method);
 }
 
-/// Four rows of numbers, as a matrix is written.
+/// Four rows of numbers, laid out like a matrix.
 std::string rows_text(const glm::dmat4& matrix) {
     std::string text;
     for (int row = 0; row < 4; ++row) {
@@ -87,7 +88,7 @@ std::string rows_text(const glm::dmat4& matrix) {
     return text;
 }
 
-/// `uploaded`: the product that the list names, for whoever points at it.
+/// Draws a list of calls. `uploaded`: the product that the list names, for its tooltip.
 void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
@@ -96,13 +97,13 @@ void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploade
         if (!uploaded || !call.starts_with("glUniformMatrix4fv")) continue;
         widgets::Record(call.c_str());
         if (widgets::IsPartCovered("matrix")) continue;
-        widgets::Tooltip("The product that is uploaded", "", "", rows_text(*uploaded).c_str());
+        widgets::Tooltip("The uploaded product", "", "", rows_text(*uploaded).c_str());
     }
     ImGui::Unindent(px(12.0F));
     ImGui::PopFont();
 }
 
-/// One pass: its headline stops the frame after it, or lets it go on.
+/// Draws one pass. A click on its heading stops the frame after it, or lets the frame continue.
 void entry(Session& session, const FramePlan& plan, int number) {
     const widgets::Context& context = widgets::CurrentContext();
     const Pass& pass = plan.passes[static_cast<std::size_t>(number)];
@@ -132,7 +133,7 @@ void entry(Session& session, const FramePlan& plan, int number) {
     ImGui::PopID();
 }
 
-/// In what remains of the window. `follows`: scrolls to where the frame stops.
+/// Fills the rest of the window. `follows`: scrolls to the pass where the frame stops.
 void list(Session& session, const FramePlan& plan, bool follows) {
     if (widgets::IsCovered("code:passes")) {
         widgets::Plate("list", ImGui::GetContentRegionAvail());
@@ -155,7 +156,7 @@ void list(Session& session, const FramePlan& plan, bool follows) {
 }  // namespace
 
 glm::ivec2 pass_picture_size(const Rect& rect, double aspect) {
-    // Three in a row or a column, and never more than half of the way across.
+    // Three pictures in a row or column, which takes at most half of the view's width or height.
     const double gap = gap_in(rect);
     const double height = is_wide(rect) ? std::min((rect.height() - 2.0 * gap) / 3.0, 0.5 * rect.width() / aspect)
                                         : std::min((rect.width() - 2.0 * gap) / 3.0 / aspect, 0.5 * rect.height());

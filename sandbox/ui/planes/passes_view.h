@@ -1,4 +1,4 @@
-// The frame as passes: what GL is told, in order, and what each pass leaves in colour, depth and stencil.
+// The frame as passes: the GL calls in order, and the color, depth and stencil buffers after each pass.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace viewing {
 
-/// Colour, depth and stencil after the pass that the frame stops at.
+/// Color, depth and stencil after the pass where the frame stops.
 using PassPictures = std::array<ImTextureID, 3>;
 
-/// The size of each of the three pictures in a view of this place: `aspect` is the camera's, width by height.
+/// Returns the size of each of the three pictures in a view of this size. `aspect`: width / height of the camera's
+/// picture.
 glm::ivec2 pass_picture_size(const Rect& rect, double aspect);
 
-/// The list with its steps, which edit view.pass, and the three pictures beside it.
+/// Draws the list with its step bar, which edits view.pass, and the three pictures beside it.
 void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect, const PassPictures& pictures,
                       double aspect, widgets::StepPlayer& player);
 

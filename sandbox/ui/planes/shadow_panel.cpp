@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// Where no light is yet: the first one's place on other sides of the y axis.
+/// Returns a light in a free place, if possible the first light with x, z or both negated.
 LightParams another_light(const Params& params) {
     const glm::dvec4& first = params.lights.front().position;
     const glm::dvec4 places[] = {{-first.x, first.y, first.z, first.w},
@@ -26,7 +26,7 @@ LightParams another_light(const Params& params) {
     return {first + glm::dvec4(2.0 * static_cast<double>(params.lights.size()), 0.0, 0.0, 0.0)};
 }
 
-/// The entries of the matrices, which are those of the chosen one, point at its controls.
+/// Draws the controls of a light. Only the chosen light's controls are linked to matrix entries.
 void light_controls(Params& params, std::size_t index, const char* label) {
     std::span<const widgets::Links> links;
     if (index == params.chosen().light) links = link::light;
@@ -50,12 +50,12 @@ void further_lights(Params& params) {
         if (widgets::SmallButton(remove.c_str())) return remove_light(params, index);
     }
     const bool has_room = params.lights.size() < most_lights;
-    if (widgets::SmallButton("Add a light", has_room, "Four lights are as many as the stencil has bits for."))
+    if (widgets::SmallButton("Add a light", has_room, "The stencil has bits for at most four lights."))
         params.lights.push_back(another_light(params));
     if (has_room) explain(field("lights"), marked("Add a light"));
 }
 
-/// The walls of a room about the scene, one after the other.
+/// Returns a plane for the next wall of a room around the scene.
 PlaneParams another_plane(const Params& params) {
     static constexpr glm::dvec4 walls[] = {{0, 0, 1, 3},  {1, 0, 0, 3},   {-1, 0, 0, 3}, {0, 0, -1, 3},
                                            {0, -1, 0, 6}, {0, 0, 1, 3.5}, {1, 0, 0, 3.5}};
@@ -66,13 +66,13 @@ PlaneParams another_plane(const Params& params) {
     return {.equation = walls[0]};
 }
 
-/// A plane's equation, size and flags.
+/// Draws a plane's equation, size and flags.
 void plane_controls(Params& params, std::size_t index) {
     static const PlaneParams defaults;
     PlaneParams& plane = params.planes[index];
     std::span<const widgets::Links> links;
     if (index == params.chosen().plane) links = link::plane;
-    // The names are those of the first plane's controls.
+    // Only the first plane's controls have names.
     const auto name = [index](const Field& of) { return index == 0 ? target_of(of.path) : std::string(); };
     const Field& equation = field("plane.equation");
     const auto is_drawn = [index](const Field& of, const char* label, float width = 0.0F) {
@@ -126,7 +126,7 @@ void further_planes(Params& params) {
         if (widgets::SmallButton(remove.c_str())) return remove_plane(params, index);
     }
     const bool has_room = params.planes.size() < most_planes;
-    if (widgets::SmallButton("Add a plane", has_room, "Eight planes are as many as there may be."))
+    if (widgets::SmallButton("Add a plane", has_room, "There can be at most eight planes."))
         params.planes.push_back(another_plane(params));
     if (has_room) explain(field("planes"), marked("Add a plane"));
 }
@@ -159,7 +159,7 @@ void mirror_switches(Params& params) {
         const char *left, *left_label, *right, *right_label;
     };
     static constexpr Row rows[] = {
-        {"reflection.side_of_eye", marked("Side of the eye"), "reflection.shadows", marked("Shadows inside")},
+        {"reflection.side_of_eye", marked("Eye's side"), "reflection.shadows", marked("Shadows inside")},
         {"reflection.after_objects", marked("Mirror last"), "reflection.printed_by_rows", marked("R as printed")},
         {"slips.normal_not_unit", marked("n not unit"), "slips.plus_2ab", marked("+2ab in R")},
     };
@@ -250,7 +250,7 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
                                             "control:reflection.same_projection",
                                             "control:slips.normal_not_unit",
                                             "control:slips.plus_2ab"};
-    if (details(marked("Mirror: how it is drawn"), drawn)) mirror_switches(params);
+    if (details(marked("Mirror: drawing method"), drawn)) mirror_switches(params);
 }
 
 }  // namespace viewing

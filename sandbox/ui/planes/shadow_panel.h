@@ -1,4 +1,4 @@
-// The panel's sections on lights, planes, shadows and mirror images.
+// Panel sections on lights, planes, shadows and mirror images.
 #pragma once
 
 #include "frame/problems.h"

@@ -1,4 +1,4 @@
-// What the mouse does in the camera's view: handles, looking, shifting, the wheel, picking.
+// Mouse actions in the camera's view: handles, looking, panning, zooming, picking.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// The front-most object under a place on screen; t counts along the overlay's ray there.
+/// The frontmost object at a screen position; t is the parameter along the overlay's ray.
 struct ObjectHit {
     const SceneObject* object = nullptr;
     MeshHit hit{};
@@ -30,7 +30,7 @@ std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, I
     return found;
 }
 
-/// The vertex of the front-most object under a place on screen that is nearest to it there.
+/// Returns the vertex, of the frontmost triangle at a screen position, that is nearest on screen.
 std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
     const std::optional<ObjectHit> under = object_at(overlay, scene, place);
     if (!under) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// The eye distance of what lies under a place: an object, else the chosen plane's patch, else the target.
+/// Eye distance at a screen position: that of an object there, otherwise of the chosen plane, otherwise of the target.
 double distance_at(const Overlay& overlay, const Scene& scene, const Derived& derived, ImVec2 place) {
     const Ray ray = overlay.ray_at(place);
     std::optional<double> t;
@@ -61,14 +61,14 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
     return distance > 0.0 ? std::min(distance, farthest) : derived.facts.target_distance;
 }
 
-/// World units that a pixel is wide at an eye distance.
+/// World units per pixel at an eye distance.
 double world_per_px(const Lens& lens, double distance, float height_px) {
     const double height =
         lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * lens.fovy_deg));
     return height / static_cast<double>(height_px);
 }
 
-/// Nearer and farther, as far as the mode goes; with Ctrl the speed.
+/// The wheel moves the camera, zooms in orbit mode, or scales an orthographic picture; with Ctrl it changes the speed.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
     constexpr double seconds_a_line = 0.15;  // of flight
     Params& params = session.params;
@@ -77,7 +77,7 @@ void turn_wheel(Session& session, const FrameInput& input, float lines, MotionIn
         session.set_speed(session.speed() * std::pow(1.2, lines));
         session.message = {say("speed {speed} units/s", "speed"_a = number_text(session.speed(), 2)), false};
     } else if (params.projection.type == ProjectionType::orthographic) {
-        params.projection.height *= std::pow(0.88, lines);  // distance alone would change nothing
+        params.projection.height *= std::pow(0.88, lines);  // moving the camera would not change the picture
         clamp_to_ranges(params);
     } else if (has_speed) {
         motion.dolly += seconds_a_line * session.speed() * static_cast<double>(lines);

@@ -1,4 +1,4 @@
-// The camera's view: what it shows, its handles, looking around and picking.
+// The camera's view: its display choices, handles, looking around and picking.
 #include <algorithm>
 #include <cmath>
 
@@ -17,26 +17,26 @@
 namespace viewing {
 namespace {
 
-constexpr const char* shows[] = {marked("colour"),   marked("depth"),      marked("stencil"),  marked("facing"),
+constexpr const char* shows[] = {marked("color"),    marked("depth"),      marked("stencil"),  marked("facing"),
                                  marked("overdraw"), marked("difference"), marked("fighting"), marked("w of S")};
 
-/// What the picture shows, and what belongs to that.
+/// Draws the choice of what the picture shows, and choices that depend on it.
 void view_choices(Params& params, const Rect& rect) {
     static constexpr const char* show_explanations[] = {
         marked("The picture as it is meant to be seen."),
-        marked("The depth buffer: black is near, white is far, tinted was never written."),
-        marked("The stencil buffer: which patch was marked, how deep in mirrors, and which light's shadow was counted "
-               "on it."),
-        marked("Which side of each polygon is seen: front faces and back faces in two colours."),
+        marked("The depth buffer: black is near, white is far, tinted pixels were never written."),
+        marked("The stencil buffer: which patch was marked, how many mirrors deep, and which light's shadow was "
+               "counted on it."),
+        marked("The visible side of each polygon: front faces and back faces in two colors."),
         marked("How often each pixel was drawn."),
-        marked("Where the method and the one it is compared with see different polygons: red."),
-        marked(
-            "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight."),
-        marked("The w that S gives each point of the objects: it is positive between the light and the plane, and "
-               "behind it.")};
+        marked("Red marks pixels where the two compared methods see different polygons."),
+        marked("Gaps between flat surfaces, divided by the smallest gap that depth surely resolves: below 1, they may "
+               "fight."),
+        marked("The w that S gives each point of the objects: positive between the light and the plane, and also "
+               "behind the plane.")};
     int index = static_cast<int>(params.view.shows);
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float second = px(130.0F);  // room for the choice that follows
+    const float second = px(130.0F);  // width of the next choice
     if (widgets::Offers("control:view.shows")) {
         if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
             params.view.shows = static_cast<Shows>(index);
@@ -46,10 +46,10 @@ void view_choices(Params& params, const Rect& rect) {
         ImGui::SameLine(0.0F, px(16.0F));
         depth_choices(params, rect.max.x);
     } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F) &&
-               widgets::Offers("control:view.samples")) {  // else it is in the Look menu alone
+               widgets::Offers("control:view.samples")) {  // otherwise only the Look menu has it
         static constexpr const char* samples[] = {marked("MSAA off"), marked("MSAA 4×")};
-        static constexpr const char* explanations[] = {marked("One sample for each pixel: edges show their steps."),
-                                                       marked("Four samples for each pixel: smooth edges.")};
+        static constexpr const char* explanations[] = {marked("One sample per pixel: jagged edges."),
+                                                       marked("Four samples per pixel: smooth edges.")};
         ImGui::SameLine(0.0F, px(16.0F));
         int four = params.view.samples == 4 ? 1 : 0;
         if (words("##samples", four, samples, explanations, 1, rect.max.x)) params.view.samples = four == 1 ? 4 : 0;
@@ -60,7 +60,7 @@ void show_legend(Overlay& overlay, std::span<const LegendEntry> entries) {
     overlay.keep_labels_off(draw_legend(overlay.draw(), overlay.rect(), entries));
 }
 
-/// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
+/// Low four bits: the patch's value, plus one per mirror. High four bits: one for each missing light.
 void stencil_legend(Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
@@ -71,7 +71,7 @@ void stencil_legend(Overlay& overlay, const Params& params) {
     const LegendEntry entries[] = {{stencil_colors[0], marked("0: nothing marked")},
                                    {stencil_colors[1], patches.c_str()},
                                    {stencil_colors[2], missing.c_str()},
-                                   {stencil_colors[3], marked("16 and more: beside the patch")}};
+                                   {stencil_colors[3], marked("16 or more: outside the patch")}};
     show_legend(overlay, std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
 }
 
@@ -80,8 +80,8 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
         const std::int64_t pixels = hidden.answer->different_pixels, all = hidden.answer->compared_pixels;
         const double share = all > 0 ? static_cast<double>(pixels) / static_cast<double>(all) : 0.0;
         const std::string differ =
-            say_count(pixels, "one pixel differs, away from edges: {share}",
-                      "{count} pixels differ, away from edges: {share}", "share"_a = percent(share));
+            say_count(pixels, "one pixel differs, edges excluded: {share}",
+                      "{count} pixels differ, edges excluded: {share}", "share"_a = percent(share));
         const LegendEntry entries[] = {{difference_color, differ.c_str()}};
         show_legend(overlay, entries);
     }
@@ -103,14 +103,14 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
                                        {overdraw_colors[3], "3"},
                                        {overdraw_colors[4], "4"},
                                        {overdraw_colors[6], "6"},
-                                       {overdraw_colors[8], marked("8 or more times drawn")}};
+                                       {overdraw_colors[8], marked("drawn 8 or more times")}};
         show_legend(overlay, entries);
     } else if (params.view.shows == Shows::fighting) {
         const LegendEntry entries[] = {{heat_colors[0], marked("gap ÷ safe gap: 0")},
                                        {heat_colors[1], "½"},
                                        {heat_colors[3], "1"},
                                        {heat_colors[4], "2"},
-                                       {heat_colors[5], marked("4 and more")}};
+                                       {heat_colors[5], marked("4 or more")}};
         show_legend(overlay, entries);
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
@@ -124,14 +124,14 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     }
 }
 
-/// Why the picture is broken, or what is odd about the state, over it, and a button that mends it. Returns where the
-/// next sentence has room. Drawn before the picture takes the mouse.
+/// Draws a problem's sentence over the picture, with a button that fixes it. Call before the picture takes the mouse.
+/// Returns the top for the next sentence.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
     const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
-    const bool has_button = !problem.mended_by.empty() && widgets::OffersButton("Mend");
-    const float button = has_button ? ImGui::CalcTextSize(tr("Mend")).x + px(24.0F) : 0.0F;
+    const bool has_button = !problem.mended_by.empty() && widgets::OffersButton("Fix");
+    const float button = has_button ? ImGui::CalcTextSize(tr("Fix")).x + px(24.0F) : 0.0F;
     const char* sentence = problem.sentence.c_str();
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
     const ImVec2 size(text.x + button, text.y);
@@ -145,15 +145,15 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
     const std::string& setting = problem.mended_by;
     ImGui::PushID(setting.c_str());
-    if (widgets::SmallButton("Mend"))
+    if (widgets::SmallButton("Fix"))
         if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
             session.params = *mended;
     ImGui::PopID();
-    widgets::Tooltip("Mend it", say("Sets {setting}. Ctrl+Z breaks it again.", "setting"_a = setting).c_str());
+    widgets::Tooltip("Fix it", say("Sets {setting}. Ctrl+Z undoes the fix.", "setting"_a = setting).c_str());
     return next;
 }
 
-/// What breaks the picture first; as many sentences as fit into its upper half. Returns what they cover.
+/// Shows the most serious problems first, as many as fit into the picture's upper half. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     const float first = rect.min.y + px(15.0F);
     if (widgets::IsCovered("sentences")) return {};
@@ -166,7 +166,7 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     return top > first ? Rect{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}} : Rect{};
 }
 
-/// A ring around the pinned pixel, as large as it takes to be seen.
+/// Draws a ring around the pinned pixel, large enough to be visible.
 void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
     const Rect& rect = overlay.rect();
     const ImVec2 at(rect.min.x + static_cast<float>(pixel.x) + 0.5F, rect.min.y + static_cast<float>(pixel.y) + 0.5F);
@@ -186,7 +186,7 @@ void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel) {
 }
 
 std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px) {
-    // The angle of view is the vertical one: a picture with another aspect shows more or less at its sides.
+    // The field of view is vertical: a picture with another aspect ratio shows more or less at its sides.
     const glm::dvec2 size(camera_px),
         from_middle(pointer.x - 0.5F * (rect.min.x + rect.max.x), pointer.y - 0.5F * (rect.min.y + rect.max.y));
     const glm::ivec2 pixel(
@@ -247,20 +247,20 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (!told.empty()) overlay.keep_labels_off(told);
-    if (has_divider) {  // what its sides are stands beside its upper end
+    if (has_divider) {  // the names of the two sides are at the top
         const float middle = rect.min.x + static_cast<float>(beside.share) * rect.width(), half = px(220.0F);
         overlay.keep_labels_off({{middle - half, rect.min.y}, {middle + half, rect.min.y + px(36.0F)}});
     }
     state.method_pixel = over ? method_pixel_at(pictures.hidden, overlay, mouse) : std::nullopt;
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
-    const bool has_handles = state.handles && !has_raster(params.visibility);  // they would hide its numbers
+    const bool has_handles = state.handles && !has_raster(params.visibility);  // handles would hide the numbers
     if (hovered == Handle::none && over && has_handles && !state.looking)
         hovered = movable_handle(state, handle_at(overlay, places, mouse));
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
 
-    // The legend lies over what is drawn into the picture, whose labels keep off it.
+    // The legend is on top, but its area is known first, so that the overlay's labels avoid it.
     ImDrawListSplitter layers;
     layers.Split(overlay.draw(), 2);
     layers.SetCurrentChannel(overlay.draw(), 1);

@@ -10,9 +10,9 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t most_objects = 8, most_rays = 12;  ///< so that the rays can still be told apart
+constexpr std::size_t most_objects = 8, most_rays = 12;  ///< few enough that individual rays stay visible
 
-/// The edges of near and far, and from the eye, or in an orthographic view from near, to far.
+/// Draws the edges of near and far, and the side edges to far: from the eye, or from near if orthographic.
 void draw_pyramid(Overlay& overlay, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye, bool perspective,
                   ImU32 color) {
     for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -44,7 +44,7 @@ const std::vector<OutlineVertex>& LightRays::of(const Session& session, const De
 void draw_light_rays(Overlay& overlay, const std::vector<OutlineVertex>& rays, const glm::dvec4& light_world) {
     const ImU32 faint = with_alpha(palette().light, 120);
     const bool parallel = is_parallel_light(light_world);
-    constexpr double way_before = 3.0;  ///< of a parallel ray, shown before it meets the vertex
+    constexpr double way_before = 3.0;  ///< visible length of a parallel ray before it reaches its vertex
     for (const OutlineVertex& ray : rays) {
         const glm::dvec3 from = parallel ? ray.vertex_world + glm::normalize(glm::dvec3(light_world)) * way_before
                                          : glm::dvec3(light_world) / light_world.w;
@@ -91,7 +91,7 @@ void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& d
 }
 
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
-    // Of the plane itself: R may be broken by hand or by rows.
+    // Compute R from the plane: the one in use may be entered by hand, or filled by rows.
     const glm::dmat4 mirrored_world_from_world = mirror_matrix(derived.chosen_plane().unit_plane);
     const auto mirrored = [&](const glm::dvec3& point) {
         return glm::dvec3(mirrored_world_from_world * glm::dvec4(point, 1.0));

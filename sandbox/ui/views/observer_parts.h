@@ -1,4 +1,4 @@
-// What the observer sees of light, planes, camera and mirror: what observer_view.cpp draws over its picture.
+// The parts of the observer's overlay: light, planes, camera and mirror. observer_view.cpp draws them over its picture.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// The rays of the chosen light past the outlines of the scene's first objects to their shadows on the chosen plane,
-/// found anew only where scene, light or plane is another one.
+/// Rays from the chosen light past the outlines of the scene's first objects to their shadows on the chosen plane.
+/// Cached until the scene, the light or the plane changes.
 class LightRays {
 public:
     const std::vector<OutlineVertex>& of(const Session& session, const Derived& derived);
@@ -24,19 +24,19 @@ private:
 
 void draw_light_rays(Overlay& overlay, const std::vector<OutlineVertex>& rays, const glm::dvec4& light_world);
 
-/// The edges of all planes' patches.
+/// Draws the outlines of all planes' patches.
 void draw_patches(Overlay& overlay, const Derived& derived);
 
-/// The pyramid that a camera sees, with its eye; orthographic: a box.
+/// Draws a camera's view volume with its eye: a frustum, or a box if orthographic.
 void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view);
 
-/// The same once more where V really puts the eye; nothing where that is where the camera stands.
+/// Draws the frustum again where V actually puts the eye, if that differs from the camera's position.
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
-/// eye′ = R eye, and the frustum through which it sees the same image in the mirror.
+/// Draws eye′ = R eye, and the frustum that sees the same image in the mirror.
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
-/// Names the space behind the mirror, where the image seems to be.
+/// Labels the space behind the mirror, where the image appears to be.
 void label_image_space(Overlay& overlay, const Derived& derived);
 
 }  // namespace viewing

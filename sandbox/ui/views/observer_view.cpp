@@ -1,4 +1,5 @@
-// The observer, who sees the camera from outside; and the lecture's second reading: the camera stays, the world moves.
+// The observer's view, which shows the camera from outside; and the lecture's second reading of camera movement: the
+// camera stays fixed, and the world moves.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// x, y and z from the world's origin, one unit long.
+/// Draws the x, y and z axes at the world's origin, one unit long.
 void world_axes(Overlay& overlay) {
     static constexpr const char* names[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,7 +95,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
     const char* brief = tr("the world moves by V = C⁻¹");
     if (session.params.slips.camera_as_view) {
-        whole = tr("C is sent in the place of V = C⁻¹: the camera stays, and the world moves by C");
+        whole = tr("C is sent instead of V = C⁻¹: the camera stays, and the world moves by C");
         brief = tr("the world moves by C, not by V");
     }
     overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));

@@ -1,4 +1,4 @@
-// The fixed areas of the window and what their owners share.
+// Helpers for the fixed areas of the window, and the clipboard commands.
 #pragma once
 
 #include "session/guide.h"
@@ -7,17 +7,17 @@
 
 namespace viewing {
 
-/// A window without chrome that fills a rectangle.
+/// Begins an undecorated window that fills a rectangle.
 bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
 
-/// Puts the whole state into the clipboard.
+/// Copies the whole state to the clipboard.
 void copy(Session& session);
 
-/// Puts a link to it there (state/file/link.h), or to the lesson's step where that is what is seen.
+/// Copies a link to the state (state/file/link.h), or to the current lesson step if the state is still the step's.
 void copy_link(const Guide& guide, Session& session);
 
-/// Takes the state that the clipboard holds, or that of a link, or is led through the lesson that one names; says why
-/// when it holds none.
+/// Pastes from the clipboard: a state, a link to a state, or a link to a lesson, which it opens. Reports an error if
+/// the clipboard holds none of these.
 void paste(Guide& guide, Session& session);
 
 }  // namespace viewing

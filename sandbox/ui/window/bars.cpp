@@ -1,4 +1,4 @@
-// The bar above with its menus, and the thin one below.
+// The top bar with its menus, and the status bar.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
-#include "ui/window/telling.h"
+#include "ui/window/window_layout.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {
@@ -17,13 +17,13 @@ namespace {
 
 std::string scene_title(const SceneSource& source, const std::vector<NamedFile>& scenes) {
     const auto* name = std::get_if<std::string>(&source);
-    if (!name) return tr("own scene");
+    if (!name) return tr("custom");
     for (const NamedFile& scene : scenes)
         if (scene.name == *name) return scene.title;
     return std::filesystem::path(*name).filename().string();
 }
 
-/// A combo over the scenes; returns the one that was chosen.
+/// Draws a list of the scenes. Returns the chosen one, or null.
 const NamedFile* choose_scene(const char* shown, const std::vector<NamedFile>& scenes, float width) {
     const NamedFile* chosen = nullptr;
     if (!widgets::BeginChoice("##scene", shown, width)) return nullptr;
@@ -36,15 +36,15 @@ const NamedFile* choose_scene(const char* shown, const std::vector<NamedFile>& s
     return chosen;
 }
 
-/// Pixels of a button at the bar's right end with what is between it and the next.
+/// Width in pixels of a button at the bar's right end, including the gap to the next one.
 float button_room(const char* label) {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::CalcTextSize(tr(label)).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
 }
 
-constexpr float step_padding = 5.0F;  ///< design pixels beside the sign of a step button
+constexpr float step_padding = 5.0F;  ///< design pixels on each side of a step button's symbol
 
-/// To a neighbour in the list of presets; null: there is none, and `why` says so.
+/// Draws a button that opens the neighboring preset. Null: there is none, and `why` says why.
 bool step_button(const char* label, const NamedFile* preset, const char* why) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(step_padding), ImGui::GetStyle().FramePadding.y});
     const bool clicked = widgets::Button(label, preset != nullptr, why);
@@ -57,7 +57,7 @@ float step_buttons_room() {
     return 2.0F * (ImGui::CalcTextSize("◂").x + 2.0F * px(step_padding) + px(2.0F));
 }
 
-/// A button with a popup that hangs from it, inside the window whatever its width, and closes on Escape.
+/// Draws a button with a popup below it that stays inside the window and closes on Escape.
 bool begin_menu(const char* button, const char* popup, const char* explanation, float least_width = 0.0F) {
     if (widgets::Button(button)) ImGui::OpenPopup(popup);
     widgets::Tooltip(button, explanation);
@@ -81,20 +81,21 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
     return ImGui::Begin(name, nullptr, fixed_window | extra);
 }
 
-/// Not while something is covered; the message then says so.
+/// Returns whether the state may be copied. Refuses, with a message, while something is covered.
 static bool may_tell_state(Session& session) {
     if (!widgets::IsPartCovered("control")) return true;
-    session.message = {tr("the state is not copied: it tells what is covered until the answer is given"), false};
+    session.message = {tr("the state was not copied: it reveals parts that are hidden until answered"), false};
     return false;
 }
 
 void copy(Session& session) {
     if (!may_tell_state(session)) return;
     ImGui::SetClipboardText(session.text().c_str());
-    session.message = {tr("the whole state is in the clipboard"), false};
+    session.message = {tr("the whole state is on the clipboard"), false};
 }
 
-/// Of the program's lesson that leads, while nothing is changed and its question stands: else "".
+/// Returns a link to the current step of a built-in lesson, if nothing has changed and the answer is still hidden;
+/// otherwise "".
 static std::string step_link(const Guide& guide, const Session& session) {
     if (!guide.is_shown() || guide.is_sheet() || guide.run()->is_revealed() || guide.departs(session)) return {};
     return link_to(guide.run()->lesson(), guide.run()->index()).value_or("");
@@ -103,12 +104,12 @@ static std::string step_link(const Guide& guide, const Session& session) {
 void copy_link(const Guide& guide, Session& session) {
     if (const std::string step = step_link(guide, session); !step.empty()) {
         ImGui::SetClipboardText((link_base() + step).c_str());
-        session.message = {tr("a link to this step of the lesson is in the clipboard"), false};
+        session.message = {tr("a link to this step of the lesson is on the clipboard"), false};
         return;
     }
     if (!may_tell_state(session)) return;
     ImGui::SetClipboardText((link_base() + link_fragment(session.portable(session.params))).c_str());
-    session.message = {tr("a link to this state is in the clipboard"), false};
+    session.message = {tr("a link to this state is on the clipboard"), false};
 }
 
 void paste(Guide& guide, Session& session) {
@@ -136,7 +137,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     if (item(marked("Paste state"), "Ctrl+V")) paste(guide, session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
-    if (item(recorder.is_recording() ? marked("End the recording") : marked("Record a flight"), "F9"))
+    if (item(recorder.is_recording() ? marked("Stop recording") : marked("Record a flight"), "F9"))
         toggle_recording(session);
     if (item(marked("Reset all"), "")) session.reset();
     ImGui::EndPopup();
@@ -146,10 +147,10 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
-    // Wide enough from its first frame on for the slider with its label: it takes its width from what is in it.
+    // Wide enough from the first frame for the slider with its label; apart from that, the menu sizes itself to its
+    // content.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
-    if (!begin_menu(marked("Look"), "look menu", marked("Themes, language, scale, and what is folded away"), least))
-        return;
+    if (!begin_menu(marked("Look"), "look menu", marked("Theme, language, scale and folded panels"), least)) return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
@@ -158,7 +159,7 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     static constexpr const char* languages[] = {own_name(Language::en), own_name(Language::ko)};
     if (control(params, "ui.language", {.segments = true, .names = languages, .label = "##language"}))
         requests.chosen_language = params.ui.language;
-    // The whole window changes with the scale, this slider too: it takes effect when it is let go.
+    // The scale resizes the whole window, including this slider, so apply it only on release.
     Params scaled = params;
     if (pending_scale_) scaled.ui.scale = *pending_scale_;
     if (control(scaled, "ui.scale",
@@ -197,8 +198,8 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
 
 namespace {
 
-/// Where there is room for one column only: what the button in the bar brings next. In a short window the views alone
-/// come between.
+/// The column that the bar's button shows next, if only one fits. In a short window, the cycle includes the views
+/// alone.
 const char* next_column(const Arrangement& arrangement, const Layout& layout) {
     if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
     if (layout.is_short && arrangement.prefers_matrices) return marked("Views");
@@ -227,7 +228,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
     for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
     const float exercises_room = button_room("Exercises");
-    // In a narrow bar long buttons take their room from the lists.
+    // Shorten the preset list in a narrow bar: the buttons need the width.
     const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
     const float undo = button_room("Undo") + button_room("Redo");
     const float names = px(190.0F) + ImGui::CalcTextSize(tr("Scene")).x + ImGui::CalcTextSize(tr("Preset")).x;
@@ -236,14 +237,14 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
         layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
     const float lists = scene_width + px(6.0F) + preset_width;
-    // Where the lists would be too short to be read, there is the way by the page of lessons,
+    // Without this button, the page of lessons leads to the exercises.
     const bool has_exercises = !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
     if (has_exercises) buttons += exercises_room;
-    // and Ctrl+Z and Ctrl+Shift+Z.
+    // Without these buttons, use Ctrl+Z and Ctrl+Shift+Z.
     const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;
     if (has_undo) buttons += undo;
     const float room = layout.top_bar.width() - px(20.0F) - buttons;
-    const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // else there are Page up and Page down
+    const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // otherwise, use Page up and Page down
     const float share =
         narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
     if (!narrow) {
@@ -266,7 +267,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     }
     draw_presets(session, share * preset_width, has_steps, picture);
 
-    // The buttons stand at the right end.
+    // Align the buttons to the right.
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
                              layout.top_bar.width() - buttons + ImGui::GetStyle().ItemSpacing.x - px(10.0F)));
     if (!layout.matrices_fit) {
@@ -277,7 +278,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     ImGui::SameLine();
     if (has_exercises) {
         if (widgets::Button("Exercises")) exercise_page.open(exercises);
-        widgets::Tooltip("Exercises", marked("Questions with numbers of one's own, which check themselves."));
+        widgets::Tooltip("Exercises", marked("Questions with your own numbers, checked automatically."));
         ImGui::SameLine();
     }
     if (has_undo) {
@@ -290,7 +291,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     ImGui::SameLine();
     draw_look_menu(session, requests);
     ImGui::SameLine();
-    if (widgets::Button("?")) help_open_ = true;
+    if (widgets::Button("?")) help_.open();
     widgets::Tooltip("Keys", "Every key and mouse gesture (F1)");
     ImGui::End();
 }
@@ -311,7 +312,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::TextUnformatted(status.frame_time.c_str());
     ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
-    // What fits, the most wanted first; the hint keeps its place.
+    // As many texts as fit, most important first; the hint keeps its place.
     const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
     const auto append = [&](const std::string& text) {

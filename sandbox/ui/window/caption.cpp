@@ -9,17 +9,17 @@
 namespace viewing {
 namespace {
 
-constexpr float arrow_room = 20.0F;  ///< design pixels left of the text, for the sign that it folds
+constexpr float arrow_room = 20.0F;  ///< design pixels left of the text, for the fold arrow
 constexpr float part_gap = 10.0F;    ///< between the parts of a line
 
 float width_in(const ImFont& font, const char* text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
 }
 
-/// "changed" and the button behind it keep their room while there is nothing to say, so that nothing jumps.
+/// Reserves width for "changed" and its button even while they are hidden, so that nothing jumps.
 float marks_width(const widgets::Context& context) {
     const float scale = context.scale;
-    return width_in(*context.fonts.heading, tr("changed")) + width_in(*context.fonts.text, tr("as it was")) +
+    return width_in(*context.fonts.heading, tr("changed")) + width_in(*context.fonts.text, tr("restore")) +
            (part_gap + 2.0F * part_gap + 16.0F) * scale;
 }
 
@@ -57,13 +57,14 @@ void draw_caption(const NamedFile& preset, Session& session, const Rect& rect, b
     if (ImGui::InvisibleButton("text", {text_width, rect.height()})) wanted = !is_folded;
     const ImVec2 corner = ImGui::GetItemRectMax();
     widgets::Record("text");
-    widgets::Tooltip(preset.title.c_str(), is_folded ? marked("Shows what this preset is about (C).")
-                                                     : marked("Folds the sentence away (C)."));
+    widgets::Tooltip(preset.title.c_str(),
+                     is_folded ? marked("Shows what this preset is about (C).") : marked("Folds the description (C)."));
 
     const ImFont& font = is_folded ? *context.fonts.heading : *context.fonts.caption;
     ImGui::PushFont(context.fonts.heading);
-    const std::string text = is_folded ? widgets::Shortened(tr(preset.title.c_str()), text_width - px(arrow_room))
-                                       : sentence_of(preset, context, rect.width());
+    std::string text = is_folded ? widgets::Shortened(tr(preset.title.c_str()), text_width - px(arrow_room))
+                                 : sentence_of(preset, context, rect.width());
+    if (text == "…") text.clear();  // no letter of the title fits
     ImGui::PopFont();
     const float top = is_folded ? std::floor((rect.height() - font.FontSize) * 0.5F) : 0.0F;
     const ImU32 ink = is_changed ? palette().quiet : palette().text;
@@ -85,8 +86,8 @@ void draw_caption(const NamedFile& preset, Session& session, const Rect& rect, b
     draw->AddText(context.fonts.heading, context.fonts.heading->FontSize, {x, y}, palette().accent, tr("changed"));
     ImGui::SetCursorScreenPos(
         {x + width_in(*context.fonts.heading, tr("changed")) + px(part_gap), rect.min.y + px(1.0F)});
-    if (widgets::SmallButton("as it was")) session.return_to_preset();
-    widgets::Tooltip("as it was", marked("Brings back everything as the preset has it. Ctrl+Z takes that back."));
+    if (widgets::SmallButton("restore")) session.return_to_preset();
+    widgets::Tooltip("restore", marked("Restores the preset's state. Ctrl+Z undoes this."));
 }
 
 }  // namespace viewing

@@ -16,9 +16,7 @@
 #include "widgets/widgets.h"
 
 namespace viewing {
-namespace {
 
-/// A popup in the middle of the window, as large as asked for where that fits.
 bool begin_dialog(const char* name, ImVec2 size) {
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const ImVec2 fitting(std::min(size.x, screen.Size.x - px(20.0F)), std::min(size.y, screen.Size.y - px(20.0F)));
@@ -32,11 +30,13 @@ bool begin_dialog(const char* name, ImVec2 size) {
     return is_open;
 }
 
-void title(const char* text) {
+void dialog_title(const char* text) {
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
     ImGui::TextUnformatted(tr(text));
     ImGui::PopFont();
 }
+
+namespace {
 
 bool is_known_file(const std::filesystem::path& file) {
     return file.extension() == ".json" || is_figure_name(file) || is_obj_file(file);
@@ -75,7 +75,7 @@ void FileDialog::list_folder() {
         Listing listing;
         std::error_code failed;
         for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-            if (is_cancelled(&progress)) break;
+            if (is_canceled(&progress)) break;
             const std::string name = at->path().filename().string();
             std::error_code ignored;
             const bool is_folder = at->is_directory(ignored);
@@ -105,7 +105,7 @@ void FileDialog::take_listing() {
 
 namespace {
 
-/// Reads the lesson, if there is one, and writes it with one step more, beside the window.
+/// Reads the lesson, if the file exists, and writes it with one more step. Runs in the background.
 void append_step(Session& session, const std::filesystem::path& file) {
     const std::string preset = session.preset() ? session.preset()->name : "";
     const auto work = [file, params = session.params, preset]() -> Status {
@@ -121,7 +121,7 @@ void append_step(Session& session, const std::filesystem::path& file) {
         return write_file(file, *lesson);
     };
     session.write(work,
-                  say("the state is the last step of {file}: its texts are to be filled in", "file"_a = file.string()));
+                  say("the state was added to {file} as the last step: fill in its texts", "file"_a = file.string()));
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ bool FileDialog::confirm(Session& session) {
     const bool replaces = purpose_ == Purpose::save || purpose_ == Purpose::save_answers;
     if (replaces && can_replace_files() && std::filesystem::exists(file, ignored) && to_replace_ != file) {
         to_replace_ = file;
-        error_ = say("{file} exists: save once more to replace it", "file"_a = file.filename().string());
+        error_ = say("{file} already exists: save again to replace it", "file"_a = file.filename().string());
         return false;
     }
     error_.clear();
@@ -173,7 +173,7 @@ bool FileDialog::ends_with_outcome(Session& session) {
     waits_ = false;
     if (*outcome) return true;
     error_ = outcome->error();
-    session.message = {};  // it is said here
+    session.message = {};  // the dialog shows the error instead
     takes_keyboard_ = true;
     return false;
 }
@@ -191,8 +191,8 @@ void FileDialog::draw(Session& session) {
     static constexpr const char* titles[] = {
         marked("Open a state (.json, .png, .svg, .pdf), a flight (.json) or a mesh (.obj)"), marked("Save the state"),
         marked("Save the state as the last step of a lesson"), marked("Open answers to exercises (.json)"),
-        marked("Save the answers to be handed in")};
-    title(titles[static_cast<std::size_t>(purpose_)]);
+        marked("Save the answers to hand in")};
+    dialog_title(titles[static_cast<std::size_t>(purpose_)]);
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);
     ImGui::BeginChild("entries", {0.0F, -below}, true);
@@ -220,13 +220,13 @@ void FileDialog::draw(Session& session) {
     if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
     chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(), "choose or type a name first");
     ImGui::SameLine();
-    const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool canceled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (chosen && !waits_ && !is_done) {
         is_done = confirm(session);
-        takes_keyboard_ = !is_done;  // Enter took it from the field, and the next one is the answer
+        takes_keyboard_ = !is_done;  // Enter took the focus from the field: return it, so that the next Enter confirms
     }
-    if (cancelled && waits_ && purpose_ == Purpose::open) session.cancel_loading();
-    if (is_done || cancelled) {
+    if (canceled && waits_ && purpose_ == Purpose::open) session.cancel_loading();
+    if (is_done || canceled) {
         waits_ = false;
         is_open_ = false;
         ImGui::CloseCurrentPopup();
@@ -243,9 +243,9 @@ void draw_permission(Session& session) {
         ImGui::CloseCurrentPopup();
         return ImGui::EndPopup();
     }
-    title(marked("Read a file outside the state's folder?"));
+    dialog_title(marked("Read a file outside the state's folder?"));
     ImGui::BeginChild("question", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
-    widgets::Note(say("{state} names a file that lies neither in its own folder nor in the sandbox's:",
+    widgets::Note(say("{state} names a file that is neither in its own folder nor in the sandbox's:",
                       "state"_a = printable(asked->named_by))
                       .c_str());
     ImGui::PushTextWrapPos(0.0F);
@@ -253,76 +253,14 @@ void draw_permission(Session& session) {
     ImGui::PopTextWrapPos();
     widgets::Record("file");
     widgets::Note(
-        tr("A yes holds for all files of that folder until the window is closed. Say no if you do not know "
-           "whose state this is."));
+        tr("Yes allows every file in that folder until the window is closed. Choose No if you do not know whose state "
+           "this is."));
     ImGui::EndChild();
     const bool yes = widgets::Button("Yes, read it");
     ImGui::SameLine();
     const bool no = widgets::Button("No") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (yes || no) {
         session.answer(yes);
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
-void draw_help(bool& open) {
-    struct Line {
-        const char* keys;
-        const char* what;
-    };
-    static constexpr Line lines[] = {
-        {"W S", marked("forward, back")},
-        {"A D", marked("strafe left, right (fly) · turn (orbit)")},
-        {"R F", marked("up, down (fly)")},
-        {"← → ↑ ↓", marked("turn and look (walk: pan only)")},
-        {"Q E", marked("roll (fly)")},
-        {"Shift", marked("slow")},
-        {marked("mouse drag"), marked("look · orbit")},
-        {marked("right drag"), marked("shift the picture (fly, orbit)")},
-        {marked("wheel"), marked("nearer, farther; Ctrl: speed (fly, walk)")},
-        {marked("click"), marked("follow the nearest vertex; the background: none")},
-        {"Home  G", marked("where it began · all in the picture")},
-        {"L", marked("level: no roll")},
-        {"X  Y  Z", marked("look along an axis; again: from behind")},
-        {"", ""},
-        {marked("drag a number"), marked("change it; Shift ×10, Alt ÷100")},
-        {marked("double-click it"), marked("type; right-click resets")},
-        {"Ctrl+Z  Ctrl+Shift+Z", marked("undo, redo")},
-        {"Ctrl+C  Ctrl+V", marked("copy, paste the whole state")},
-        {"Ctrl+O  Ctrl+S", marked("open, save")},
-        {"", ""},
-        {"F1", marked("these keys")},
-        {"F2  F3", marked("fold the controls, the matrices")},
-        {"M", marked("maximise the view under the pointer")},
-        {"N", marked("next navigation mode")},
-        {"H", marked("handles and labels on, off")},
-        {"C", marked("fold the preset's sentence, unfold it")},
-        {"Ctrl+P", marked("the presets; type to search")},
-        {marked("Page up  Page down"), marked("the preset before, the next one")},
-        {"Ctrl+plus  Ctrl+minus  Ctrl+0", marked("larger, smaller, as at first")},
-        {"F9", marked("record a flight, end it; Esc ends one that plays")},
-        {"F11", marked("full screen")},
-        {"F12", marked("snapshot of the camera view")},
-    };
-    const widgets::Group group("keys");
-    if (open) ImGui::OpenPopup("keys");
-    if (!begin_dialog("keys", {px(540.0F), px(580.0F)})) return;
-    title(marked("Keys"));
-    ImGui::Dummy({0.0F, px(2.0F)});
-    ImGui::BeginChild("table", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
-    for (const Line& line : lines) {
-        if (*line.keys == '\0') {
-            ImGui::Dummy({0.0F, px(4.0F)});
-            continue;
-        }
-        widgets::ValueText(tr(line.keys), widgets::Role::camera);
-        ImGui::SameLine(px(200.0F));
-        ImGui::TextUnformatted(tr(line.what));
-    }
-    ImGui::EndChild();
-    if (widgets::Button("Close") || !open || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-        open = false;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

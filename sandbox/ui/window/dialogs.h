@@ -1,4 +1,4 @@
-// What opens over the window: choosing a file, the keys (F1).
+// Dialogs over the window: to choose a file, and to allow reading one.
 #pragma once
 
 #include <filesystem>
@@ -12,26 +12,32 @@
 
 namespace viewing {
 
-/// A file to open or a name to save under; nothing is read or written before Enter or the button.
+/// Begins a popup in the middle of the window, with the given size if that fits.
+bool begin_dialog(const char* name, ImVec2 size);
+
+/// Draws the dialog's heading.
+void dialog_title(const char* text);
+
+/// Chooses a file to open or a name to save under. Reads and writes nothing before Enter or the button.
 class FileDialog {
 public:
     enum class Purpose { open, save, save_step, open_answers, save_answers };
     void show(Purpose purpose);
-    /// For a file that is no state: `use` is told which one was chosen.
+    /// For files other than states: `use` receives the chosen file.
     using Use = std::function<void(const std::filesystem::path& file)>;
     void show(Purpose purpose, const std::string& name, Use use);
-    /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
+    /// Draws the dialog while it is open. Opens or saves through the session, whose message reports the outcome.
     void draw(Session& session);
     bool is_open() const { return requested_ || is_open_; }
-    /// What it shows of others: names of files, what is typed.
+    /// Collects the characters of file names and typed text for the fonts.
     void want(Syllables& korean) const;
 
 private:
     void list_folder();
     void take_listing();
-    /// What was chosen in a dialog of the surroundings.
+    /// Uses a file chosen in the platform's own dialog.
     void take_chosen(Session& session);
-    /// Whether the dialog has nothing left to do.
+    /// Opens or saves. Returns true if the dialog is done.
     bool confirm(Session& session);
     bool ends_with_outcome(Session& session);
 
@@ -45,7 +51,7 @@ private:
     };
     Purpose purpose_ = Purpose::open;
     bool requested_ = false, is_open_ = false;
-    bool takes_keyboard_ = false;  ///< the name's field does, in the next frame
+    bool takes_keyboard_ = false;  ///< focuses the name field in the next frame
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
     BackgroundTask<Listing> listing_;
@@ -53,14 +59,11 @@ private:
     Use use_;
     bool opens() const { return purpose_ == Purpose::open || purpose_ == Purpose::open_answers; }
     std::string error_;
-    bool waits_ = false;                ///< for what comes of opening or saving
-    std::filesystem::path to_replace_;  ///< exists and was asked about: the next Save replaces it
+    bool waits_ = false;                ///< for the outcome of opening or saving
+    std::filesystem::path to_replace_;  ///< exists; the user was warned, so Save replaces it now
 };
 
-/// Asks for a yes while a state waits to read a file that lies outside its folder.
+/// Asks for permission while a state waits to read a file outside its folder.
 void draw_permission(Session& session);
-
-/// The table of keys; `open` becomes false when it is closed.
-void draw_help(bool& open);
 
 }  // namespace viewing

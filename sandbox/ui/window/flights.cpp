@@ -1,4 +1,4 @@
-// How flights are recorded and played in the window. Read session/flight_recorder.h and session/replay.h first.
+// Recording and playing flights in the window. Read session/flight_recorder.h and session/replay.h first.
 #include "platform/file.h"
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
@@ -15,7 +15,7 @@ void Workbench::follow_flights(Session& session, double dt_s) {
 void Workbench::toggle_recording(Session& session) {
     if (recorder.is_recording()) return end_recording(session);
     recorder.begin();
-    session.message = {tr("a flight is being recorded: F9 ends it and writes its file"), false};
+    session.message = {tr("recording a flight: F9 stops it and writes the file"), false};
 }
 
 void Workbench::end_recording(Session& session) {
@@ -26,7 +26,7 @@ void Workbench::end_recording(Session& session) {
     const std::string seconds = fmt::format("{:.1f}", flight->seconds);
     session.write(
         [file, flight] { return write_file(file, write_flight(*flight)); },
-        was_full ? say("no more fits into one flight: its {seconds} s are in {file}", "seconds"_a = seconds,
+        was_full ? say("maximum flight length reached: {seconds} s written to {file}", "seconds"_a = seconds,
                        "file"_a = file.string())
                  : say("flight of {seconds} s written to {file}", "seconds"_a = seconds, "file"_a = file.string()));
 }

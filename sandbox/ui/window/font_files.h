@@ -1,5 +1,5 @@
-// The files of the program's fonts. All are part of the program; in a browser the Korean ones lie beside the page and
-// are fetched when they are wanted first.
+// The program's font files. All are embedded, except that in a browser the Korean ones are fetched from the page's
+// folder on first use.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace viewing {
 
-/// Empty while it is on its way, or if it cannot come.
+/// Returns the file's bytes; empty while it is loading or if it cannot be loaded.
 std::span<const std::byte> font_file(std::string_view name);
 
-/// How many have arrived since the program began: fonts are to be built anew when it counts up.
+/// Returns the number of files fetched so far. Rebuild the fonts when it increases.
 int arrived_font_files();
 
 }  // namespace viewing

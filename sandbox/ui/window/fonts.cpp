@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-// Latin with real signs; the rest of a formula's signs come from DejaVu Sans, merged below.
+// Latin and typographic signs. The remaining math signs come from DejaVu Sans, merged below.
 constexpr ImWchar text_ranges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0x2032, 0x2033, 0x2070, 0x208E, 0x20AC,
                                    0x20AC, 0x2190, 0x2193, 0x2212, 0x2212, 0x2260, 0x2265, 0};
 constexpr ImWchar sign_ranges[] = {0x0391, 0x03C9, 0x1D40, 0x1D47, 0x2113, 0x2113, 0x2070, 0x209C, 0x2190,
@@ -32,7 +32,7 @@ ImFont* add(const char* file, float size_px, const ImWchar* ranges, bool merge, 
                                                       static_cast<int>(bytes.size()), size_px, &config, ranges);
 }
 
-/// A font's file, and the one whose syllables have its weight.
+/// A font file, and the Korean file of the same weight.
 struct Face {
     const char *latin, *korean;
 };
@@ -59,7 +59,7 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, float small_type) {
         korean.has_any() && !font_file(regular.korean).empty() && !font_file(semibold.korean).empty();
     const ImWchar* const syllables =
         korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>());
-    // Inter's and JetBrains Mono's em is larger than their letters: 14 design pixels of type want a 16 pixel font.
+    // In Inter and JetBrains Mono, the em is larger than the letters: 14 design pixels of type need a 16 pixel font.
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);

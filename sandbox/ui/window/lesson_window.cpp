@@ -1,4 +1,4 @@
-// How a lesson takes part in the window: its strip, its keys, what it covers and points out, its pages.
+// Lessons in the window: the strip, the keys, covered and highlighted parts, the pages.
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -116,7 +116,7 @@ void Workbench::remember_opened(const Session& session) {
     if (!session.opening().empty()) {
         opening_ = session.opening();
     } else if (!opening_.empty()) {
-        // A preset's name is no file.
+        // A preset is opened by its name, which is not a file.
         if (!session.message.is_error && opening_.find('/') != std::string::npos) remember(opening_);
         opening_.clear();
     }
@@ -135,8 +135,9 @@ void Workbench::draw_lesson_button(Session& session) {
         else
             start_page.open();
     }
-    widgets::Tooltip("Lesson", waits ? marked("The step that was left, as it was written.")
-                                     : marked("The lessons of the lecture: each step asks before it shows."));
+    widgets::Tooltip("Lesson", waits
+                                   ? marked("Returns to the step you left, in its original state.")
+                                   : marked("The lessons of the lecture: each step asks before it shows the answer."));
 }
 
 void Workbench::go_to_exercise(const std::string& id, bool replays) {
@@ -156,7 +157,7 @@ void Workbench::follow_exercises(Session& session) {
         }
         wanted_exercise_.clear();
     }
-    // While an exercise's own state is on its way, what is there is no answer to it.
+    // While an exercise's own state is loading, the current state is not yet an answer.
     if (guide.is_shown() && guide.is_sheet() && !replay.is_playing() && !session.is_loading()) {
         const bool is_at_rest = !ImGui::IsAnyItemActive() && !session.is_moving() && !guide.is_revealing();
         exercises.follow(*guide.run(), session.params, is_at_rest, ImGui::GetTime());
@@ -172,7 +173,7 @@ void Workbench::draw_exercises(Session& session, const Pictures& pictures) {
 }
 
 void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
-    exercise_page.close();  // the dialog stands over the views
+    exercise_page.close();  // the dialog opens over the views
     if (purpose == FileDialog::Purpose::open_answers) {
         file_dialog_.show(purpose, "", [this](const std::filesystem::path& file) { exercises.open_hand_in(file); });
         return;
@@ -181,7 +182,7 @@ void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
     const std::string name = "answers" + (number.empty() ? "" : "-" + number) + ".json";
     file_dialog_.show(purpose, name, [this, &session](const std::filesystem::path& file) {
         session.write([file, text = hand_in_as_text(exercises.hand_in())] { return write_file(file, text); },
-                      say("the answers are in {file}", "file"_a = file.string()));
+                      say("answers saved to {file}", "file"_a = file.string()));
     });
 }
 
@@ -193,8 +194,8 @@ bool Workbench::paste_answer(Session& session) {
     const std::vector<double> numbers = numbers_in(text ? text : "");
     const int wanted = ask.rows * ask.columns;
     if (std::ssize(numbers) != wanted) {
-        session.message = {say("the clipboard has {count} numbers, the answer {wanted}", "count"_a = numbers.size(),
-                               "wanted"_a = wanted),
+        session.message = {say("the clipboard has {count} numbers; the answer needs {wanted}",
+                               "count"_a = numbers.size(), "wanted"_a = wanted),
                            true};
         return false;
     }

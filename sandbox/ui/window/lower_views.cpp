@@ -1,4 +1,4 @@
-// The two views below the camera's: each shows a topic, and its headline is the list of them.
+// The two views below the camera's. Each shows a topic; its header is the list of topics.
 #include <algorithm>
 #include <cfloat>
 
@@ -25,7 +25,7 @@ Slot other_than(Slot slot) {
     return slot == Slot::left ? Slot::right : Slot::left;
 }
 
-/// The headline: which topic it is, as a list of all of them; as its name alone where a room sees it.
+/// Draws the header: a list of all topics or, when presenting, only the name of the current one.
 void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect, bool is_alone) {
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
@@ -43,45 +43,45 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         choose_topic(params, slot, static_cast<Topic>(topic));
         want(slot);
     }
-    widgets::Tooltip(
-        "What this view shows",
-        "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
-        "stays; the depth buffer and what can be told of it: histogram, precision, codes, one pixel, a block of them, "
-        "depth fighting; the lecture's display(); shadow and mirror as the lecture derives and codes them, and four "
-        "ways to mirror; the frame "
-        "as GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
+    widgets::Tooltip("What this view shows",
+                     "Choose the camera seen from outside by the observer, or the light's view; the world moving while "
+                     "the camera stays; the depth buffer and its analysis: histogram, precision, codes, one pixel, a "
+                     "block of pixels, depth fighting; the lecture's display(); shadow and mirror as the lecture "
+                     "derives and codes them, and four ways to mirror; the frame as GL calls, pass by pass; or, for "
+                     "the hidden-surface methods, the tree, the drawing order and the cost growth.");
     ImGui::SameLine(0.0F, px(12.0F));
-    if (!offers_other) return;  // the list has it, too
+    if (!offers_other) return;  // the list also has that topic
     if (widgets::SmallButton(other)) want(other_than(slot));
-    widgets::Tooltip(other, "The other lower view, for which this window is too narrow.");
+    widgets::Tooltip(other, "Shows the other lower view; this window is too small for both.");
     ImGui::SameLine(0.0F, px(12.0F));
 }
 
-/// How a tree is read, as far as there is room.
+/// Draws the tree's legend, in the longest form that fits.
 void tree_legend(float right) {
     static constexpr const char* legends[] = {
-        marked("colour: the polygon's · + front, − back · small number: place in the walk · thick: the eye's side"),
-        marked("+ front, − back · small number: place in the walk · thick: the eye's side"),
+        marked("color: the polygon's color · + front, − back · small number: traversal order · thick: the eye's side"),
+        marked("+ front, − back · small number: traversal order · thick: the eye's side"),
         marked("+ front, − back · thick: the eye's side"), marked("+ front, − back")};
     const float left = ImGui::GetCursorScreenPos().x;
     const ImFont* font = widgets::CurrentContext().fonts.note;
     for (const char* legend : legends) {
         if (left + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, tr(legend)).x > right) continue;
         header_note(legend, right);
-        return widgets::Tooltip("How the tree is read",
-                                (std::string(tr(legends[0])) + "\n" +
-                                 tr("The tree does not depend on the eye, as the slide's \"according to the viewer "
-                                    "direction\" may sound: it "
-                                    "is built once, and only the walk through it goes by the eye."))
-                                    .c_str());
+        return widgets::Tooltip(
+            "How the tree is read",
+            (std::string(tr(legends[0])) + "\n" +
+             tr("The tree does not depend on the eye, although the slide's \"according to the viewer direction\" may "
+                "suggest it: it is built once, and only its traversal depends on the eye."))
+                .c_str());
     }
 }
 
-/// What the light sees: the picture with its sentence.
+/// Draws the light's view: the picture with a sentence.
 void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
     picture_item("light view", rect, picture);
-    const char* whole = tr("what the light sees: true shadows hide behind their casters, and one seen here is false");
-    const char* brief = tr("a shadow seen here is false");
+    const char* whole =
+        tr("the light's view: true shadows hide behind their casters, so any shadow seen here is false");
+    const char* brief = tr("any shadow seen here is false");
     if (derived.chosen_shadow().light_in_plane) {
         whole = tr("the light lies in the plane and sees it edge-on: there is no shadow");
         brief = tr("there is no shadow");
@@ -89,8 +89,8 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
     sentence_over_picture(ImGui::GetWindowDrawList(), rect, palette().light, whole, brief);
 }
 
-/// Over another picture of the camera, the last item: the camera's pixel there is told, and pinned by a click where
-/// something shows it.
+/// For another picture from the same camera, which must be the last item: reports the camera's pixel under the pointer.
+/// A click pins it if a view shows pinned pixels.
 void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     if (!ImGui::IsItemHovered()) return;
     state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);

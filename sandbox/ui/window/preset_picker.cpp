@@ -30,7 +30,7 @@ std::vector<const NamedFile*> found_by(std::span<const NamedFile> presets, const
     return found;
 }
 
-/// The first whose title alone has the words, else the first; `found` is not empty.
+/// The first preset whose title alone matches, otherwise the first one; `found` is not empty.
 const NamedFile& best_of(const std::vector<const NamedFile*>& found, const std::string& search) {
     const auto best = std::find_if(found.begin(), found.end(), [&](const NamedFile* preset) {
         return is_found({"", preset->title, "", "", "", {}}, search);
@@ -38,7 +38,7 @@ const NamedFile& best_of(const std::vector<const NamedFile*>& found, const std::
     return best == found.end() ? *found.front() : **best;
 }
 
-/// What the marked preset shows and says.
+/// Draws the marked preset's picture and text beside the list.
 void draw_beside(const NamedFile* preset, const PresetPicture& picture) {
     if (!preset) return;
     const float width = ImGui::GetContentRegionAvail().x, height = std::round(width * 9.0F / 16.0F);
@@ -115,7 +115,7 @@ const NamedFile* PresetPicker::draw_list(const std::vector<const NamedFile*>& fo
         if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) marked_ = preset->name;
         if (scroll && preset->name == marked_) ImGui::SetScrollHereY(0.5F);
     }
-    if (found.empty()) widgets::Note(marked("No preset has all of these words."));
+    if (found.empty()) widgets::Note(marked("No preset contains all these words."));
     return chosen;
 }
 
@@ -125,8 +125,8 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     wanted_picture_.clear();
     const bool clicked = widgets::ClosedList("##preset", shown.c_str(), width);
     widgets::Tooltip("Presets",
-                     "Whole states, in the order of the lecture (Ctrl+P). Page down and Page up go on to "
-                     "the next and back.");
+                     "Complete states in the order of the lecture (Ctrl+P). Page down and Page up go to the next and "
+                     "the previous one.");
     const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2.0F));
     const bool opens = clicked || std::exchange(requested_, false);
     if (opens) {

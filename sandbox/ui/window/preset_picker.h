@@ -1,5 +1,4 @@
-// The list of presets: in the order of the lecture, searched while one types, with a small picture and the sentence
-// beside it.
+// The list of presets in lecture order, with search as you type, and beside it a thumbnail and the preset's sentence.
 #pragma once
 
 #include <span>
@@ -13,19 +12,19 @@ namespace viewing {
 
 class PresetPicker {
 public:
-    /// Opens it in the next frame, as a click on the closed list does.
+    /// Opens the list in the next frame, like a click on the closed list.
     void open() { requested_ = true; }
     bool is_open() const { return is_open_; }
     const std::string& search() const { return search_; }
-    /// Nothing is typed that a key could be meant for.
+    /// Whether the list is open and its search is empty, so that keys cannot be meant for the text.
     bool has_empty_search() const { return is_open_ && search_.empty(); }
 
-    /// The closed list, which shows `shown`, and the open one below it. `current`: the open preset, may be null.
-    /// Returns the one that was chosen, else null.
+    /// Draws the closed list, which shows `shown`, and below it the open list. `current`: the open preset; may be null.
+    /// Returns the chosen preset, or null.
     const NamedFile* draw(std::span<const NamedFile> presets, const NamedFile* current, const std::string& shown,
                           float width, const PresetPicture& picture);
 
-    /// The preset whose picture stands beside the list; "" while it is closed.
+    /// Returns the preset whose picture the list shows; "" while it is closed.
     const std::string& wanted_picture() const { return wanted_picture_; }
 
 private:
@@ -33,13 +32,13 @@ private:
     bool draw_search(const std::vector<const NamedFile*>& found);
 
     std::string search_;
-    std::string marked_;  ///< the row that Enter takes
+    std::string marked_;  ///< the row that Enter chooses
     std::string wanted_picture_;
     bool requested_ = false, is_open_ = false;
 };
 
-/// Whether each word of `search` is found in the preset's title, sentence, name or topic, in English or in the language
-/// spoken now; capitals do not matter.
+/// Returns whether the preset's title, sentence, name or topic contains every word of `search`, in English or in the
+/// current language. Ignores case.
 bool is_found(const NamedFile& preset, std::string_view search);
 
 }  // namespace viewing

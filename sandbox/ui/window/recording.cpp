@@ -23,16 +23,16 @@ bool is_clear(ImU32 color) {
 
 // ---- glyphs --------------------------------------------------------------------------------------------------------
 
-/// One character as it was drawn.
+/// One character of the draw data.
 struct DrawnGlyph {
     GlyphFace face;
     char32_t character = 0;
-    float scale = 1.0F;  ///< of the font's own size
+    float scale = 1.0F;  ///< relative to the font's own size
     glm::vec2 origin{0.0F};
-    float advance = 0.0F, blank = 0.0F;  ///< to the next character, and of a blank; pixels
+    float advance = 0.0F, blank = 0.0F;  ///< distance to the next character, and width of a space; pixels
 };
 
-/// Finds characters by their place in the atlas.
+/// Finds characters by their place in the font atlas.
 class Glyphs {
 public:
     Glyphs() {
@@ -41,13 +41,13 @@ public:
                 if (glyph.Visible) places_.try_emplace({glyph.U0, glyph.V0}, Place{font, &glyph});
     }
 
-    /// Two triangles of four corners, the first of which is the upper left one.
+    /// `corners`: the four corners of two triangles, upper left first.
     std::optional<DrawnGlyph> at(const ImDrawVert* corners) const {
         const ImDrawVert &first = corners[0], &last = corners[2];
         const Place* const place = find(first.uv);
         if (!place) return std::nullopt;
         const ImFontGlyph& glyph = *place->glyph;
-        // Where a part of it is cut off, that part is missing in the atlas, too.
+        // A clipped glyph has clipped texture coordinates, too.
         const float scale = (last.pos.y - first.pos.y) / (last.uv.y - first.uv.y) * (glyph.V1 - glyph.V0) /
                             std::max(glyph.Y1 - glyph.Y0, 1e-6F);
         const float left =
@@ -67,7 +67,7 @@ private:
     struct Place {
         const ImFont* font;
         const ImFontGlyph* glyph;
-        mutable std::optional<GlyphFace> face = {};  ///< once it was looked for
+        mutable std::optional<GlyphFace> face = {};  ///< cached on first use
 
         const GlyphFace& face_once() const {
             if (!face) face = face_of(*font, static_cast<ImWchar>(glyph->Codepoint));
@@ -90,8 +90,8 @@ private:
 
 using Edge = std::pair<ImDrawIdx, ImDrawIdx>;
 
-/// What triangles cover: each goes round the same way, so that an edge between two is gone through in both directions
-/// and falls away.
+/// Outline of the area that triangles cover. All triangles get the same winding, so an edge shared by two is traversed
+/// in both directions and cancels.
 std::vector<Ring> outline(std::span<const ImDrawIdx> triangles, const std::map<ImDrawIdx, glm::vec2>& places) {
     std::map<Edge, int> edges;
     const auto add = [&edges](ImDrawIdx from, ImDrawIdx to) {
@@ -129,7 +129,7 @@ std::vector<Ring> outline(std::span<const ImDrawIdx> triangles, const std::map<I
     return rings;
 }
 
-/// The corners of some triangles that hang together, by their indices.
+/// The vertices of a group of connected triangles, by index.
 class Mesh {
 public:
     Mesh(std::span<const ImDrawIdx> triangles, const ImDrawVert* vertices) : vertices_(vertices) {
@@ -137,7 +137,7 @@ public:
         move_fringe(triangles);
         for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
             const std::span<const ImDrawIdx> triangle = triangles.subspan(i, 3);
-            // A triangle of the fringe alone has nothing of it to show.
+            // A triangle with only fringe vertices has no visible corner.
             if (std::any_of(triangle.begin(), triangle.end(), [&](ImDrawIdx at) { return !is_clear(color(at)); }))
                 triangles_.insert(triangles_.end(), triangle.begin(), triangle.end());
         }
@@ -148,7 +148,7 @@ public:
     ImU32 color(ImDrawIdx index) const { return vertices_[index].col; }
     const std::map<ImDrawIdx, glm::vec2>& places() const { return places_; }
 
-    /// Of the first corner that is seen.
+    /// The color of the first visible corner.
     ImU32 color() const {
         for (const ImDrawIdx index : triangles_)
             if (!is_clear(color(index))) return color(index);
@@ -161,11 +161,11 @@ public:
         return box;
     }
 
-    /// A rectangle of two triangles with a colour at each corner.
+    /// Returns the gradient of a rectangle of two triangles, if two opposite sides have a single color each.
     std::optional<Shade> shade() const {
         if (places_.size() != 4) return std::nullopt;
         const DrawingBox box = this->box();
-        std::map<std::pair<bool, bool>, ImU32> corners;  // right, lower
+        std::map<std::pair<bool, bool>, ImU32> corners;  // key: at the right, at the bottom
         for (const auto& [index, place] : places_) {
             if ((place.x != box.min.x && place.x != box.max.x) || (place.y != box.min.y && place.y != box.max.y))
                 return std::nullopt;
@@ -182,9 +182,9 @@ public:
     }
 
 private:
-    /// The fringe fades to nothing over a pixel: what is seen ends in its middle.
+    /// The fringe fades out over one pixel, so the outline runs along its middle.
     void move_fringe(std::span<const ImDrawIdx> triangles) {
-        if (places_.size() == 4) return;  // a rectangle that fades has none
+        if (places_.size() == 4) return;  // a gradient rectangle has no fringe
         std::map<ImDrawIdx, ImDrawIdx> partners;
         for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
             for (const ImDrawIdx outer : triangles.subspan(i, 3))
@@ -207,14 +207,14 @@ private:
 
 // ---- halos ---------------------------------------------------------------------------------------------------------
 
-/// From a text to a copy of it; none where it is another text.
+/// Offset from a text to its copy; empty if the two texts differ.
 std::optional<glm::vec2> shift_between(const Line& text, const Line& copy) {
     if (text.characters != copy.characters || text.face != copy.face) return std::nullopt;
     return glm::vec2(copy.lefts_px.front() - text.lefts_px.front(), copy.baseline_px - text.baseline_px);
 }
 
-/// The width of the rim that copies make around a text: each lies on its own side of it (widgets::halo_sides), as far
-/// as the first one, but for the whole pixels that Dear ImGui puts a text on. Equal numbers below each other make none.
+/// Width of the rim that copies form around a text. Each copy must be on its own side (widgets::halo_sides) and as far
+/// away as the first, apart from Dear ImGui's rounding to whole pixels. So equal numbers in a column are not a rim.
 std::optional<float> rim_px(std::span<const Line* const> copies, const Line& text) {
     constexpr float most_px = 16.0F, rounding_px = 1.01F;
     float rim = 0.0F, sum = 0.0F;
@@ -234,8 +234,8 @@ std::optional<float> rim_px(std::span<const Line* const> copies, const Line& tex
     return sum / static_cast<float>(copies.size());
 }
 
-/// The rims of the lines of a text whose copies begin at the first mark; none where they do not. Several faces make
-/// several lines.
+/// Rim widths for the lines of the text whose copies begin at the first mark; empty if there is no such text. A text in
+/// several typefaces has several lines.
 std::vector<float> rims_of_text(std::span<const Mark> marks) {
     constexpr std::size_t most_lines = 12, copies = std::size(widgets::halo_sides);
     for (std::size_t lines = 1; lines <= most_lines && (copies + 1) * lines <= marks.size(); ++lines) {
@@ -254,7 +254,7 @@ std::vector<float> rims_of_text(std::span<const Mark> marks) {
     return {};
 }
 
-/// A text with copies around it becomes one text with a rim.
+/// Replaces a text and the copies around it by one text with a rim.
 std::vector<Mark> with_rims(std::vector<Mark> marks) {
     std::vector<Mark> kept;
     constexpr std::size_t copies = std::size(widgets::halo_sides);
@@ -276,13 +276,13 @@ std::vector<Mark> with_rims(std::vector<Mark> marks) {
     return kept;
 }
 
-// ---- all of it -----------------------------------------------------------------------------------------------------
+// ---- recorder ------------------------------------------------------------------------------------------------------
 
 class Recorder {
 public:
     Recorder(const ImDrawData& data, const ReadTexture& read) : read_(read) {
         drawing_.size_px = point(data.DisplaySize);
-        for (int i = 0; i < data.CmdListsCount; ++i)  // an array or, from Dear ImGui 1.89.8 on, an ImVector
+        for (int i = 0; i < data.CmdListsCount; ++i)  // an array; an ImVector since Dear ImGui 1.89.8
             for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) take(*data.CmdLists[i], command);
     }
 
@@ -305,9 +305,10 @@ private:
         }
     }
 
-    /// Triangles hang together as long as each has a corner among those before. What is drawn at once has corners that
-    /// are numbered one after the other, so another piece begins where all of a triangle's lie above them, or below:
-    /// Dear ImGui draws a table column by column (ImDrawListSplitter), whose corners were made row by row.
+    /// Returns the end of the piece. Triangles belong together while each shares vertices with earlier ones. The
+    /// vertices from one ImDrawList call have consecutive indices, so a new piece begins at a triangle whose indices
+    /// are all above, or all below, the earlier ones: Dear ImGui draws a table column by column (ImDrawListSplitter),
+    /// but creates its vertices row by row.
     static std::size_t end_of_piece(std::span<const ImDrawIdx> indices, std::size_t begin) {
         ImDrawIdx least = indices[begin], most = indices[begin];
         std::size_t end = begin;
@@ -354,7 +355,7 @@ private:
             if (vertex.pos.x + vertex.pos.y > high->pos.x + high->pos.y) high = &vertex;
         }
         const auto texel = [&image](ImVec2 uv) {
-            // Rows of a texture begin at the bottom.
+            // Texture rows start at the bottom.
             return glm::vec2(uv.x * static_cast<float>(image->width),
                              (1.0F - uv.y) * static_cast<float>(image->height));
         };
@@ -378,7 +379,7 @@ private:
             return gap > -0.1F * em_px && gap < 2.5F * glyph.blank;
         };
         if (goes_on()) {
-            // Blanks are not drawn.
+            // The draw data has no spaces: fill the gap with as many as fit.
             for (; glyph.origin.x - pen_px_ > 0.6F * glyph.blank; pen_px_ += glyph.blank) put(U' ', pen_px_);
             if (line_->face != glyph.face.file || std::abs(line_->em_px - em_px) > 1e-3F) line_ = nullptr;
         } else {
@@ -397,7 +398,7 @@ private:
         line_->lefts_px.push_back(left_px);
     }
 
-    /// Whether nothing of it would be seen.
+    /// Whether no part of the box is visible.
     bool is_outside(const DrawingBox& box) const {
         const glm::vec2 min = glm::max(clip_.min, glm::vec2(0.0F)), max = glm::min(clip_.max, drawing_.size_px);
         return box.min.x >= max.x || box.min.y >= max.y || box.max.x <= min.x || box.max.y <= min.y;
@@ -412,8 +413,8 @@ private:
     Glyphs glyphs_;
     Drawing drawing_;
     DrawingBox clip_;
-    Line* line_ = nullptr;  ///< the one that the next character may belong to
-    float pen_px_ = 0.0F;   ///< where that would be
+    Line* line_ = nullptr;  ///< the line that the next character may continue
+    float pen_px_ = 0.0F;   ///< expected position of that character
     std::map<ImTextureID, std::shared_ptr<const Image>> pictures_;
 };
 

@@ -1,4 +1,4 @@
-// What Dear ImGui is about to draw, as shapes, text and pictures: one drawing serves the screen and vectors.
+// Converts Dear ImGui's draw data into shapes, text and images, so that vector output needs no separate drawing code.
 #pragma once
 
 #include <imgui.h>
@@ -10,14 +10,14 @@
 
 namespace viewing {
 
-/// The picture that a texture holds, top row first.
+/// Reads back a texture's pixels, top row first.
 using ReadTexture = std::function<std::shared_ptr<const Image>(ImTextureID)>;
 
 Ink ink_of(ImU32 color);
 
-/// Of the current ImGui context, whose fonts are those of load_fonts(). Glyphs become lines of characters, triangles
-/// that hang together their outline, without the fringe of half a pixel that smooths it on screen, and textured ones
-/// their picture. ImGuiStyle::AntiAliasedLinesUseTex has to be off, since lines would be pictures.
+/// Converts the current ImGui context's draw data; its fonts must be those of load_fonts(). Glyphs become lines of
+/// text; connected triangles become their outline, without the half-pixel fringe of anti-aliasing; textured ones become
+/// images. ImGuiStyle::AntiAliasedLinesUseTex must be off, otherwise lines would become images.
 Drawing recorded(const ImDrawData& data, const ReadTexture& read);
 
 }  // namespace viewing

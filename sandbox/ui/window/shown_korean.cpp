@@ -1,10 +1,10 @@
-// What others wrote in Korean, for the fonts: the catalogue's own texts are wanted with the language.
+// Collects Korean text that is not in the catalog, for the fonts. The catalog's own texts come with the language.
 #include "ui/window/workbench.h"
 
 namespace viewing {
 namespace {
 
-/// Every text of the lesson in the language that is spoken.
+/// Collects all texts of the lesson in the current language.
 void want_texts(const Lesson& lesson, Syllables& korean) {
     const auto want = [&korean](const LessonText& text) { korean.want(text.shown()); };
     want(lesson.title);

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Jamo, punctuation, compatibility jamo, syllables, wide signs.
+/// Jamo, punctuation, compatibility jamo, syllables, full-width signs.
 constexpr ImWchar blocks[][2] = {
     {0x1100, 0x11FF}, {0x3000, 0x303F}, {0x3131, 0x318E}, {0xAC00, 0xD7A3}, {0xFF01, 0xFF5E}};
 
@@ -24,7 +24,7 @@ void Syllables::want(ImWchar character) {
 }
 
 void Syllables::want(std::string_view text) {
-    // All of them have three bytes: 1110xxxx 10xxxxxx 10xxxxxx.
+    // All these characters have three bytes: 1110xxxx 10xxxxxx 10xxxxxx.
     for (std::size_t i = 0; i + 2 < text.size(); ++i) {
         if ((text[i] & 0xF0) != 0xE0 || !continues_character(text[i + 1]) || !continues_character(text[i + 2]))
             continue;

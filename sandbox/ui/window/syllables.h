@@ -1,5 +1,5 @@
-// Which characters of Korean the window shows: its fonts are built with these alone, since all 11,172 syllables would
-// be an atlas of a hundred megabytes. Where nothing is Korean there are none, and Korean fonts are not touched.
+// The Korean characters that the window shows. Fonts contain only these: all 11,172 syllables would need an atlas of a
+// hundred megabytes. Without Korean text the set is empty, and the Korean fonts stay unused.
 #pragma once
 
 #include <imgui.h>
@@ -14,16 +14,15 @@ namespace viewing {
 
 class Syllables {
 public:
-    /// Takes the syllables, letters, brackets and wide signs of a text in UTF-8.
+    /// Adds the syllables, letters, brackets and full-width signs of a UTF-8 text.
     void want(std::string_view text);
     void want(ImWchar character);
 
     bool has_any() const { return !characters_.empty(); }
-    /// Whether one has come that the ranges had not.
+    /// Returns whether there are characters that the last ranges() did not include.
     bool has_new() const { return characters_.size() != in_ranges_; }
-    /// All that were wanted and that a font's file has an outline for, as ImGui's font atlas takes them, there until
-    /// the next call; null where there are none. Fonts may map a syllable to an empty glyph, which would be shown as
-    /// nothing. Null with no file, too.
+    /// Returns the wanted characters for which the font file has an outline, as ranges for ImGui's font atlas; valid
+    /// until the next call. Skips empty glyphs, which would be invisible. Null if there are no characters or no file.
     const ImWchar* ranges(std::span<const std::byte> font_file);
 
 private:

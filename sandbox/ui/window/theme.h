@@ -1,4 +1,4 @@
-// The state's theme as the widgets know it: they know nothing of the state.
+// The palette of the state's theme. Widgets know nothing about the state.
 #pragma once
 
 #include "state/params.h"

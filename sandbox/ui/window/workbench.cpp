@@ -10,12 +10,12 @@
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
-#include "ui/window/telling.h"
+#include "ui/window/window_layout.h"
 
 namespace viewing {
 namespace {
 
-/// Held keys as motion, in the camera's own directions.
+/// Held keys as motion along the camera's own axes.
 MotionInput motion_of(const FrameInput& input) {
     const auto axis = [&](Key plus, Key minus) {
         return (input.is_down(plus) ? 1.0 : 0.0) - (input.is_down(minus) ? 1.0 : 0.0);
@@ -40,7 +40,7 @@ Arrangement Workbench::arranged(const Session& session) const {
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
     if (!arrangement.bare) arrange(now, session.params);
     const auto shows_code = [&](ViewName view, Slot slot) {
-        return now.maximised == view && topic_of(session.params, slot) == Topic::lecture_code;
+        return now.maximized == view && topic_of(session.params, slot) == Topic::lecture_code;
     };
     now.beside_matrices = !arrangement.bare && (shows_code(ViewName::lower_left, Slot::left) ||
                                                 shows_code(ViewName::lower_right, Slot::right));
@@ -68,12 +68,12 @@ const NamedFile* Workbench::open_preset(const Session& session) const {
 }
 
 const NamedFile* Workbench::preset_at(const Session& session, int places) const {
-    // One that is being read counts as open already: Page down twice goes two places on.
+    // A preset that is loading counts as open, so that pressing Page down twice advances by two.
     const OpenPreset* const open = session.preset();
     const std::string name = !session.opening().empty() ? session.opening() : open ? open->name : "";
     const auto at =
         std::find_if(presets_.begin(), presets_.end(), [&](const NamedFile& preset) { return preset.name == name; });
-    // Without an open one the first is next.
+    // Without an open preset, the first one is next.
     std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
     const auto preset = [&]() -> const NamedFile* {
         return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
@@ -144,22 +144,23 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 }
 
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
-    // WantTextInput alone still says yes in the frame after the typing has ended.
+    // WantTextInput stays true for one frame after typing ends.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool in_dialog = help_open_ || file_dialog_.is_open() || session.asks_to_read() != nullptr;
+    const bool in_dialog = help_.is_open() || file_dialog_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
-        if (arrangement.embedded) break;  // keys are the embedding page's
+        if (arrangement.embedded) break;  // the embedding page handles keys
         const Key key = press.key;
         const bool turns_page = key == Key::page_down || key == Key::page_up;
         if (!in_dialog && (!typing || turns_page) && take_lesson_key(press, session)) continue;
-        if (key == Key::f1) help_open_ = !help_open_;
+        if (key == Key::f1) help_.toggle();
         if (key == Key::f2) fold(session.params, "panel", !is_folded(session.params, "panel"));
         if (key == Key::f3) fold(session.params, "matrices", !is_folded(session.params, "matrices"));
         if (key == Key::f9) toggle_recording(session);
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
-        // A text field or a dialog has the keyboard; with nothing typed there is nothing else to be undone.
+        // Other keys belong to the text field or dialog, except undo in an empty search field, which has nothing of its
+        // own to undo.
         const bool can_undo = preset_picker_.has_empty_search() && (key == Key::z || key == Key::y);
         if ((typing && !can_undo) || in_dialog) continue;
         if (press.ctrl) handle_shortcut(press, session, requests);
@@ -244,7 +245,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     const bool is_alone = !layout.lower_fit;
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
-    if (arranged_now.maximised == ViewName::none && !layout.is_short) draw_splitters(layout, between);
+    if (arranged_now.maximized == ViewName::none && !layout.is_short) draw_splitters(layout, between);
     ImGui::End();
     widgets.targets.offered.reset();
 }
@@ -263,7 +264,7 @@ void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
         widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
     }
     if (!layout.lower_fit) return;
-    // Between the lower two the arrangement keeps a share, so that it fits windows of any width.
+    // The arrangement stores this split as a fraction, so that it fits windows of any width.
     const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets.scale;
     float left = arrangement.lower_split * whole;
     ImGui::SetCursorScreenPos({layout.lower_left.max.x + px(2.0F), layout.lower_left.min.y});
@@ -288,7 +289,7 @@ void Workbench::draw_loading(Session& session, const Layout& layout) {
 
 void Workbench::draw_message(Session& session, const Layout& layout) {
     if (!session.message.is_error) return;
-    // Where there is no status bar, in a presentation or an embed, at the lower edge of what is there.
+    // Without a status bar (when presenting or embedded), place the message above the strip or the window's edge.
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float bottom = !layout.status_bar.empty() ? layout.status_bar.min.y
                          : !layout.strip.empty()    ? layout.strip.min.y
@@ -342,11 +343,11 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_message(session, now);
     session.message.is_drawn = true;
     file_dialog_.draw(session);
-    draw_help(help_open_);
+    help_.draw();
     draw_permission(session);
     want_korean(session);
 
-    // What begins now has not been going on while the window slept.
+    // Ignore idle time when motion starts: the window may have slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
     const bool rests = !ImGui::IsAnyItemActive() && !widgets::MayBeTakenBack(widgets) && !session.is_moving() &&
                        !is_playing(views) && !replay.is_playing();

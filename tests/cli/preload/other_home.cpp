@@ -1,4 +1,4 @@
-// Loaded into the program before its libraries: whoever looks up a user's home is told $OTHER_HOME.
+// Loaded into the program before its libraries: every lookup of a user's home returns $OTHER_HOME.
 #include <dlfcn.h>
 #include <pwd.h>
 

@@ -1,12 +1,12 @@
-// A monkey may press Save anywhere: from here on nothing outside a folder can be written.
+// The monkey may press Save anywhere, so writing outside one folder is blocked.
 #pragma once
 
 #include <filesystem>
 
 namespace viewing::test {
 
-/// This process, and what it starts, may write below `folder` and to devices alone. False where the system cannot see
-/// to that (Linux's Landlock, since 5.13).
+/// Restricts this process and its children to writing below `folder` and to devices. Returns false if the system lacks
+/// support (Linux's Landlock, since 5.13).
 bool confine_to(const std::filesystem::path& folder);
 
 }  // namespace viewing::test

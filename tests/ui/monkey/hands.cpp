@@ -107,7 +107,7 @@ std::string in_window(const InputEvent& event, const std::string& id) {
         for (const fs::path& file : dropped->files) line += " " + file.string();
         return line;
     }
-    return "";  // the display has one window alone: it keeps the focus
+    return "";  // the display has only one window, which keeps the focus
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ void Hands::drag(Deed& deed, glm::vec2 from, glm::ivec2 size_px) {
     const int steps = 2 + static_cast<int>(pick(6));
     for (int i = 1; i <= steps; ++i)
         deed.touches.emplace_back(PointerMoved{from + way * (static_cast<float>(i) / static_cast<float>(steps))});
-    // Sometimes given up in the middle of it.
+    // Sometimes the hands give up halfway.
     if (chance(10)) tap(deed, "Escape");
     if (chance(20)) tap(deed, "z", true);
     deed.touches.emplace_back(ButtonChanged{button, false});
@@ -268,7 +268,7 @@ void Hands::use_clipboard(Deed& deed) {
 Deed Hands::next(const Items& items, glm::ivec2 size_px) {
     Deed deed;
     const std::size_t kind = pick(100);
-    if (kind < 62) {  // with the mouse
+    if (kind < 62) {  // by mouse
         std::string where;
         const glm::vec2 place = somewhere(items, size_px, where);
         deed.touches.emplace_back(PointerMoved{place});

@@ -1,6 +1,6 @@
-// A monkey's hands: seeded, they do what a person could do with mouse, keys, text, wheel, the window's size, dropped
-// files and the clipboard, mostly where something is. Whoever has a window carries it out: monkey.cpp without one,
-// where what is done and seen is in one program, and monkey_window with the real one. Read monkey.cpp next.
+// The monkey's hands: from a seed they choose actions that a user could perform with mouse, keys, text, wheel, window
+// size, dropped files and the clipboard, mostly on an item. The owner of a window performs them: monkey.cpp without a
+// window, acting and observing in one program, and monkey_window with a real one. Read monkey.cpp next.
 #pragma once
 
 #include <filesystem>
@@ -21,36 +21,36 @@ struct WindowResized {
     glm::ivec2 size_px{0};
 };
 struct ClipboardFilled {
-    std::filesystem::path file;  ///< with what it has in
+    std::filesystem::path file;  ///< its content goes to the clipboard
 };
 struct Paused {
     double seconds = 0.0;
 };
 using Touch = std::variant<InputEvent, Typed, WindowResized, ClipboardFilled, Paused>;
 
-/// One thing that is done, such as a double click.
+/// One action, such as a double-click.
 struct Deed {
     std::string what;
     std::vector<Touch> touches;
 };
 
-/// A key as the window system tells it. `name`: as xdotool takes it.
+/// A key as the window system reports it. `name` is the one xdotool takes.
 struct KeyOnBoard {
     const char* name;
-    std::size_t code;  ///< GLFW's
+    std::size_t code;  ///< GLFW's code
     KeyKind kind;
     std::optional<Key> key;
 };
-/// By its name; throws where there is none.
+/// Finds a key by name; throws if there is none.
 const KeyOnBoard& key_named(std::string_view name);
 KeyChanged changed(const KeyOnBoard& key, bool down, bool ctrl = false, bool shift = false);
 
 class Hands {
 public:
-    /// `things`: a folder with the files that make_things() made.
+    /// `things` is the folder with the files of make_things().
     Hands(std::uint32_t seed, std::filesystem::path things);
 
-    /// What is done next in a window of that size, where these items are.
+    /// Returns the next action in a window of that size with these items.
     Deed next(const std::vector<widgets::RecordedItem>& items, glm::ivec2 size_px);
     std::size_t pick(std::size_t count) { return random_() % count; }
 
@@ -73,10 +73,11 @@ private:
     std::vector<std::filesystem::path> things_;
 };
 
-/// States, scenes, meshes, figures, whole and broken ones, what is no file at all: all that is dropped and pasted.
+/// Creates everything that is dropped and pasted: states, scenes, meshes and figures, intact and broken ones, and files
+/// of no known kind.
 void make_things(const std::filesystem::path& folder);
 
-/// As the lines that monkey_window reads: commands of xdotool in the window `id`, or "resize W H", "clipboard FILE",
+/// Returns the lines that monkey_window reads: xdotool commands for the window `id`, or "resize W H", "clipboard FILE",
 /// "drop FILE…".
 std::string as_script(const Deed& deed, const std::string& id);
 

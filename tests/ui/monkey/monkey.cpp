@@ -1,15 +1,13 @@
-// A monkey at the whole window, without one: the studio and its queue of input, as the main loop drives them. After
-// each deed GL has complained of nothing and the state reads back equal; after each hundred, an episode, the camera's
-// picture is the snapshot of its state, undo leads to the start and redo to the end. Episodes begin in presets, lessons
-// and exercises; every second one has work beside the window, as on screen, the others wait for it and repeat exactly.
-//   monkey [--seed S] [--events N | --minutes N] [--episode K]    in the working folder, which it writes into
-//   monkey --script WIDTH HEIGHT WINDOW SEED COUNT STATE           deeds for monkey_window
+// A monkey for the whole interface, without a window: it drives the studio and its input queue as the main loop does.
+// After each action GL has reported no error and the state reads back equal. After each episode of a hundred actions,
+// the camera's picture equals the snapshot of its state, undo leads to the start and redo to the end. Episodes begin in
+// presets, lessons and exercises. Every second episode runs background work as on screen; the others wait for it and
+// repeat exactly.
+//   monkey [--seed S] [--events N | --minutes N] [--episode K]    writes into the working folder
+//   monkey --script WIDTH HEIGHT WINDOW SEED COUNT STATE           actions for monkey_window
 //   monkey --confined COMMAND…                                     writes only into the working folder
-// Exit status 1: something was found; what was done is at the end of monkey.log.
+// Exit status 1 if an error was found; monkey.log ends with the actions that led to it.
 #include <imgui.h>
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <unistd.h>
 
@@ -20,6 +18,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "app/desktop/imgui_window.h"
 #include "app/picture.h"
 #include "app/studio.h"
 #include "gl/debug.h"
@@ -43,7 +42,7 @@ void require(bool holds, const std::string& what) {
     if (!holds) throw Finding(what);
 }
 
-/// Fields that differ, for a message.
+/// The fields that differ, for a message.
 std::string difference(const Params& a, const Params& b) {
     std::string text;
     for (const std::string& path : differing_fields(a, b)) text += " " + path;
@@ -52,37 +51,12 @@ std::string difference(const Params& a, const Params& b) {
 
 constexpr int deeds_an_episode = 100;
 
-/// The keys that ImGui itself asks for, as its backend for GLFW has them.
-void map_keys() {
-    static constexpr std::pair<ImGuiKey, int> map[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
-                                                       {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
-                                                       {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-                                                       {ImGuiKey_UpArrow, GLFW_KEY_UP},
-                                                       {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
-                                                       {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-                                                       {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
-                                                       {ImGuiKey_Home, GLFW_KEY_HOME},
-                                                       {ImGuiKey_End, GLFW_KEY_END},
-                                                       {ImGuiKey_Delete, GLFW_KEY_DELETE},
-                                                       {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-                                                       {ImGuiKey_Space, GLFW_KEY_SPACE},
-                                                       {ImGuiKey_Enter, GLFW_KEY_ENTER},
-                                                       {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-                                                       {ImGuiKey_A, GLFW_KEY_A},
-                                                       {ImGuiKey_C, GLFW_KEY_C},
-                                                       {ImGuiKey_V, GLFW_KEY_V},
-                                                       {ImGuiKey_X, GLFW_KEY_X},
-                                                       {ImGuiKey_Y, GLFW_KEY_Y},
-                                                       {ImGuiKey_Z, GLFW_KEY_Z}};
-    for (const auto& [imgui, glfw] : map) ImGui::GetIO().KeyMap[imgui] = glfw;
-}
-
-/// A window that is nowhere: size, time, clipboard, input.
+/// A simulated window: size, time, clipboard, input.
 class Window {
 public:
     Window(Renderer& renderer, const LoadedState& state, bool waits, gl::DebugLog& log)
         : studio(renderer, opened(state)), renderer_(renderer), log_(log), waits_(waits) {
-        map_keys();
+        name_imgui_keys();
         ImGuiIO& io = ImGui::GetIO();
         io.ClipboardUserData = this;
         io.SetClipboardTextFn = [](void* window, const char* text) { static_cast<Window*>(window)->clipboard_ = text; };
@@ -97,7 +71,7 @@ public:
 
     const std::vector<RecordedItem>& items() const { return studio.workbench.widgets.recorded; }
 
-    /// `bursts`: all of it is there before the first frame, as on a busy machine.
+    /// With `bursts`, all events arrive before the first frame, as on a busy machine.
     void take(const Deed& deed, bool bursts) {
         for (const Touch& touch : deed.touches) {
             std::visit([this](const auto& one) { feel(one); }, touch);
@@ -119,7 +93,7 @@ public:
         drain();
     }
 
-    /// Out of everything that leads, asks, plays or moves, until nothing wants another frame.
+    /// Leaves lessons, dialogs, playback and motion, and runs until no frame is due.
     void come_to_rest() {
         feel(InputEvent(PointerMoved{}));
         feel(InputEvent(FocusChanged{false}));
@@ -189,7 +163,7 @@ private:
         ++events;
         std::ifstream file(filled.file, std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), {}};
-        clipboard_ = text.c_str();  // a clipboard ends with its first zero
+        clipboard_ = text.c_str();  // a clipboard ends at its first zero
     }
     void feel(const Paused& paused) {
         drain();
@@ -300,26 +274,26 @@ private:
 
     void check_picture(Window& window, const std::string& when) {
         Session& session = window.studio.session;
-        session.params.view.layout = {};  // the camera's view is among what is shown
+        session.params.view.layout = {};  // the layout must show the camera's view
         window.studio.workbench.arrangement = {};
         window.size_px = {800, 600};
         window.come_to_rest();
         const Image shown = window.camera_picture();
         const Result<Params> params = parse_state(session.text(), "state");
         require(static_cast<bool>(params), params ? "" : "the whole state cannot be read back: " + params.error());
-        // What is left of earlier frames is not in the state.
+        // Without a clear, the picture also depends on earlier frames, which the state does not contain.
         if (!params->depth.clear || !params->depth.write_while_clearing) return;
         const LoadedState state{*params, {}};
         const Result<Scene> scene = load_scene(params->scene, {}, params->coplanar);
         if (!scene) {
-            // A file that is gone or no mesh: what was there before stays on screen.
-            require(session.message.is_error, "the scene cannot be read, and nothing is said: " + scene.error());
+            // If the file is gone or not a mesh, the previous scene stays on screen.
+            require(session.message.is_error, "the scene cannot be read, and no message says so: " + scene.error());
             return;
         }
         const Result<Image> drawn =
             draw_picture(renderer_, state, *scene, {PictureView::camera, {shown.width, shown.height}, std::nullopt});
         if (!drawn) {
-            require(session.message.is_error, "the snapshot cannot be drawn, and nothing is said: " + drawn.error());
+            require(session.message.is_error, "the snapshot cannot be drawn, and no message says so: " + drawn.error());
             return;
         }
         if (!(shown == *drawn)) {
@@ -334,7 +308,7 @@ private:
     void check_history(Window& window, const Params& start) {
         Session& session = window.studio.session;
         const Params end = session.params;
-        constexpr int most_steps = 500;  // that the history keeps
+        constexpr int most_steps = 500;  // the size of the history
         int steps = 0;
         for (; session.can_undo() && steps <= most_steps; ++steps) {
             window.tap("z", true);
@@ -348,7 +322,7 @@ private:
             require(first == start, "undo does not lead to the start:" + difference(first, start));
             require_it_reads_back(session);
         }
-        for (int step = 0; step < steps; ++step) {  // no further: the last deed may have been an undo
+        for (int step = 0; step < steps; ++step) {  // not beyond: the last action may have been an undo
             window.tap("z", true, true);
             session.finish_loading();
         }
@@ -400,7 +374,7 @@ Wish wish_of(int argc, char** argv) {
 
 int live(const Wish& wish) {
     if (!confine_to(fs::current_path())) {
-        std::cout << "skipped: this system cannot keep the monkey from writing elsewhere (Landlock)\n";
+        std::cout << "skipped: this system cannot prevent the monkey from writing elsewhere (Landlock)\n";
         return 77;
     }
     gl::prefer_quick_start();
@@ -424,9 +398,9 @@ int live(const Wish& wish) {
         std::cout << "FOUND in episode " << episode - 1 << " of seed " << wish.seed << ": " << finding.what() << '\n';
         return 1;
     }
-    std::cout << "seed " << wish.seed << ": " << episode << " episodes, " << monkey.deeds << " deeds, " << monkey.events
-              << " events, " << monkey.frames << " frames, " << monkey.pictures << " pictures as their snapshots, "
-              << monkey.undone << " steps undone; nothing found\n";
+    std::cout << "seed " << wish.seed << ": " << episode << " episodes, " << monkey.deeds << " actions, "
+              << monkey.events << " events, " << monkey.frames << " frames, " << monkey.pictures
+              << " pictures equal to their snapshots, " << monkey.undone << " steps undone; nothing found\n";
     return 0;
 }
 
@@ -434,7 +408,7 @@ int write_script(char** argv) {
     const glm::ivec2 size_px(number<int>(argv[2]), number<int>(argv[3]));
     const auto seed = number<std::uint32_t>(argv[5]);
     const Result<LoadedState> state = load_state(argv[7]);
-    const bool is_whole = state && Session::make(*state);  // else a file that it names is gone
+    const bool is_whole = state && Session::make(*state);  // otherwise a file that it names is gone
     Desk desk({static_cast<float>(size_px.x), static_cast<float>(size_px.y)}, is_whole ? argv[7] : "opening");
     const fs::path things = fs::current_path() / "things";
     if (!fs::exists(things)) make_things(things);

@@ -1,5 +1,5 @@
-// Asks a window to close, as a window manager does when its cross is clicked: `close-window ID`. (xdotool can only
-// destroy it, which no program survives.)
+// Asks a window to close, as a window manager does when its close button is clicked: `close-window ID`. (xdotool can
+// only destroy a window, which no program survives.)
 #include <X11/Xlib.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Drops files onto a window, as a file manager does (XDND): `drop-files WINDOW FILE…`. Exit status 1 where the window
-// does not take them.
+// Drops files onto a window, as a file manager does (XDND): `drop-files WINDOW FILE…`. Exit status 1 if the window does
+// not accept them.
 #include <poll.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -43,7 +43,7 @@ private:
         XFlush(display_);
     }
 
-    /// Until the window answers; hands the files over when it asks for them.
+    /// Waits for the window's answer; hands the files over on request.
     bool hears(const char* what) {
         for (int waits = 0; waits < 60;) {
             if (XPending(display_) == 0) {

@@ -1,6 +1,6 @@
-// Where every control of the window is: `ui-where WIDTH HEIGHT [page | EXERCISE]` prints "x y label" lines, the middle
-// of each; of the opening window, the page of exercises, or an exercise. The window tests click there; the layout is
-// the same with a window as without.
+// Locates every control of the window: `ui-where WIDTH HEIGHT [page | EXERCISE]` prints "x y label" lines with the
+// center of each control of the opening window, the exercise page, or an exercise. The window tests click there; the
+// layout is the same with and without a window.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,5 +1,4 @@
-// Files that are part of the program: the assembler's way and the arrays that a browser's build has give the same bytes
-// as the files on disk have.
+// Embedded files: the assembler's way (.incbin) and the arrays of a browser build yield the bytes on disk.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,7 +17,7 @@ std::string bytes_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(Embed, BothWaysGiveTheBytesOfTheFile) {
+TEST(Embed, BothMethodsMatchTheFileOnDisk) {
     const std::filesystem::path pictures = std::filesystem::path(std::getenv("TEST_SOURCE_DIR")) / "golden";
     int compared = 0;
     for (const char* name : {"preset-projector.png", "preset-room.png", "update"}) {
@@ -31,7 +30,7 @@ TEST(Embed, BothWaysGiveTheBytesOfTheFile) {
     EXPECT_EQ(compared, 3);
 }
 
-TEST(Embed, AnUnknownNameGivesNothing) {
+TEST(Embed, UnknownNameYieldsNothing) {
     EXPECT_TRUE(embedded_test_array("preset-projecto.png").empty());
     EXPECT_TRUE(embedded_test_incbin("preset-projecto.png").empty());
 }

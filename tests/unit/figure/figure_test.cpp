@@ -1,4 +1,4 @@
-// Drawings written as SVG and PDF, fonts made smaller, and what is left of two grounds.
+// Drawings written as SVG and PDF, font subsets, and the removal of backgrounds.
 #include <cstring>
 #include <random>
 
@@ -45,7 +45,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-TEST(Svg, HoldsEachMarkOnceInItsOrder) {
+TEST(Svg, ContainsEachMarkOnceInOrder) {
     const std::string svg = as_svg(some_drawing(), {96.0, "A <title>", ""});
     EXPECT_NE(svg.find("width=\"2.0833in\" height=\"1.0417in\" viewBox=\"0 0 200 100\""), std::string::npos) << svg;
     EXPECT_NE(svg.find("<title>A &lt;title&gt;</title>"), std::string::npos);
@@ -58,16 +58,16 @@ TEST(Svg, HoldsEachMarkOnceInItsOrder) {
     ASSERT_NE(green, std::string::npos);
     EXPECT_LT(red, green);
     EXPECT_LT(green, svg.find("<text"));
-    // The second square alone goes beyond its clip.
+    // Only the second square goes beyond its clip.
     EXPECT_EQ(count_of(svg, "clip-path=\"url(#clip"), 1U);
     EXPECT_EQ(svg.find("metadata"), std::string::npos);
 }
 
-TEST(Svg, AnInchIsSoManyPixels) {
+TEST(Svg, AnInchHasTheGivenPixels) {
     EXPECT_NE(as_svg(some_drawing(), {100.0, "", ""}).find("width=\"2in\" height=\"1in\""), std::string::npos);
 }
 
-/// A picture of many pixels that is drawn smaller ends where its box does.
+/// A large picture drawn smaller ends at its box.
 TEST(Svg, PicturesFillTheirBox) {
     const int width = 3000;
     const auto image = std::make_shared<const Image>(Image{width, 1, std::vector<std::uint8_t>(4 * width, 255)});
@@ -110,7 +110,7 @@ protected:
     }
 };
 
-TEST_F(Notes, AreReadBackAsTheyWereWritten) {
+TEST_F(Notes, AreReadBackUnchanged) {
     std::mt19937 random(20261123);
     const std::vector<std::string> pieces = {"<", "&amp;", "]]>",         "\"",  "\\\"", "그림자",
                                              "(", ")",     "</metadata>", "a b", "7",    "é"};
@@ -119,15 +119,15 @@ TEST_F(Notes, AreReadBackAsTheyWereWritten) {
         for (int i = 0; i < 40; ++i) note += pieces[random() % pieces.size()];
         note += "\"}";
         EXPECT_EQ(read("note.svg", as_svg(some_drawing(), {96.0, "t", note})), note);
-        // Line breaks between the words of JSON are left out there.
+        // The PDF omits line breaks between JSON tokens.
         std::string one_line = note;
         one_line.erase(1, 3);
         EXPECT_EQ(read("note.pdf", text_of(as_pdf(some_drawing(), {96.0, "t", note}))), one_line);
     }
 }
 
-/// libxml2 refuses an element with a text of more than 10 million bytes.
-TEST_F(Notes, LongOnesAreSeveralElementsOfAnSvgDocument) {
+/// libxml2 refuses an element with more than 10 million bytes of text.
+TEST_F(Notes, LongOnesAreSplitIntoSeveralSvgElements) {
     for (const std::size_t size : {1'500'000U, 1U << 24U}) {
         std::string note;
         for (int i = 0; note.size() + 12 < size; ++i) note += "\"그<" + std::to_string(i) + "&";
@@ -143,7 +143,7 @@ TEST_F(Notes, LongOnesAreSeveralElementsOfAnSvgDocument) {
     EXPECT_EQ(read("long.pdf", text_of(as_pdf(some_drawing(), {96.0, "t", too_long}))), "");
 }
 
-TEST_F(Notes, AreEmptyWhereThereAreNoneOrBrokenOnes) {
+TEST_F(Notes, AreEmptyIfMissingOrBroken) {
     EXPECT_EQ(read("none.svg", as_svg(some_drawing(), {})), "");
     EXPECT_EQ(read("none.pdf", text_of(as_pdf(some_drawing(), {}))), "");
     EXPECT_EQ(read("cut.svg", "<svg><metadata id=\"viewing-sandbox-state\">{}"), "");
@@ -153,7 +153,7 @@ TEST_F(Notes, AreEmptyWhereThereAreNoneOrBrokenOnes) {
     EXPECT_FALSE(read_figure_note("/dev/stdin/x.pdf"));
 }
 
-TEST(Faces, HaveTheCharactersThatAreDrawnAndAreSmall) {
+TEST(Faces, HaveOnlyTheDrawnCharactersAndAreSmall) {
     for (const char* name :
          {"Inter-Regular.otf", "JetBrainsMono-Regular.ttf", "DejaVuSans.ttf", "NanumBarunGothic.ttf"}) {
         const std::vector<std::uint8_t> whole = subset(embedded_font(name), {});
@@ -162,7 +162,7 @@ TEST(Faces, HaveTheCharactersThatAreDrawnAndAreSmall) {
         EXPECT_LT(few.size(), 20'000U) << name;
         EXPECT_GT(few.size(), whole.size()) << name;
         EXPECT_GT(more.size(), few.size()) << name;
-        // A font file's table of tables: none that puts other glyphs in the place of these.
+        // The font file's table directory lists no table that substitutes glyphs.
         const std::string tables(few.begin(), few.begin() + 400);
         EXPECT_EQ(tables.find("GSUB"), std::string::npos) << name;
         EXPECT_NE(tables.find("cmap"), std::string::npos) << name;
@@ -170,7 +170,7 @@ TEST(Faces, HaveTheCharactersThatAreDrawnAndAreSmall) {
     EXPECT_EQ(utf8(U'S') + utf8(U'é') + utf8(U'Π') + utf8(U'그') + utf8(U'𝄞'), "SéΠ그𝄞");
 }
 
-TEST(Grounds, AreTakenAwayByWhatTwoOfThemShow) {
+TEST(Backgrounds, AreRemovedUsingTwoPictures) {
     std::mt19937 random(7);
     for (int round = 0; round < 2000; ++round) {
         std::uint8_t ink[4], on_black[3], on_white[3], cut[4];
@@ -182,7 +182,7 @@ TEST(Grounds, AreTakenAwayByWhatTwoOfThemShow) {
         }
         remove_ground(on_black, on_white, cut);
         EXPECT_NEAR(cut[3], ink[3], 1);
-        // On any ground it looks as the ink does.
+        // On any background it looks like the ink.
         for (int i = 0; i < 3; ++i) {
             const double ground = 90.0 * i, found = cut[3] / 255.0;
             EXPECT_NEAR(cut[i] * found + ground * (1.0 - found), ink[i] * alpha + ground * (1.0 - alpha), 2.0);
@@ -190,7 +190,7 @@ TEST(Grounds, AreTakenAwayByWhatTwoOfThemShow) {
     }
 }
 
-TEST(Grounds, AreTakenOutOfDrawings) {
+TEST(Backgrounds, AreRemovedFromDrawings) {
     const auto on = [](std::uint8_t ground) {
         Drawing drawing = some_drawing();
         const Ring whole{{0.0F, 0.0F}, {200.0F, 0.0F}, {200.0F, 100.0F}, {0.0F, 100.0F}};

@@ -1,5 +1,4 @@
-// What moves by itself: at its beginning nothing has moved, the tremor stays as small as it says, the light on its
-// circle.
+// Animation: it begins without motion, the jitter stays within its amplitude, and the light stays on its circle.
 #include "frame/animation.h"
 
 #include "unit/frame/frame_test.h"
@@ -7,14 +6,14 @@
 namespace viewing {
 namespace {
 
-/// After so long, in steps as a window makes them.
+/// Animates for this time in steps like those of a window.
 Params animated_after(const Params& params, double time_s) {
     Moment moment;
     for (int step = 0; step < 100; ++step) moment = advanced(moment, params, time_s / 100.0);
     return animated(params, moment);
 }
 
-TEST(Animation, BeginsAtTheParametersThemselves) {
+TEST(Animation, StartsFromTheParameters) {
     const Params still = testing::params_with({"camera.yaw=12"});
     EXPECT_FALSE(is_animated(still));
     EXPECT_EQ(animated_after(still, 3.7), still);
@@ -26,7 +25,7 @@ TEST(Animation, BeginsAtTheParametersThemselves) {
     EXPECT_EQ(animated(orbiting, {}), orbiting);
 }
 
-TEST(Animation, TremblesByAThousandthOfTheTargetsDistance) {
+TEST(Animation, JittersByAThousandthOfTheTargetDistance) {
     const Params params =
         testing::params_with({"camera.position=[0,0,50]", "camera.target=[0,0,0]", "animation.jiggle=true"});
     double farthest = 0.0;
@@ -41,8 +40,8 @@ TEST(Animation, TremblesByAThousandthOfTheTargetsDistance) {
     EXPECT_LT(farthest, 1.2e-3 * 50.0);
 }
 
-TEST(Animation, TurnsTheLightToTheLeftAboutTheWorldsY) {
-    // Seen from above, x to the right and z towards the onlooker: a quarter turn to the left leads from x to −z.
+TEST(Animation, RotatesTheLightLeftAboutTheWorldY) {
+    // Seen from above with x to the right and z toward the viewer, a quarter turn to the left takes x to −z.
     const Params quarter =
         testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true", "animation.light_speed=30"});
     const glm::dvec4 turned = animated_after(quarter, 3.0).lights.front().position;
@@ -52,7 +51,7 @@ TEST(Animation, TurnsTheLightToTheLeftAboutTheWorldsY) {
     EXPECT_LT(glm::length(animated_after(backwards, 3.0).lights.front().position - glm::dvec4(0, 5, 2, 1)), 1e-12);
 }
 
-TEST(Animation, TurnsTheChosenLightAlone) {
+TEST(Animation, RotatesOnlyTheChosenLight) {
     const Params params = testing::params_with({"light.position=[1,2,3,1]", "lights=[{\"position\":[2,5,0,1]}]",
                                                 "view.light=2", "animation.light_orbit=true"});
     const Params now = animated_after(params, 3.0);
@@ -60,7 +59,7 @@ TEST(Animation, TurnsTheChosenLightAlone) {
     EXPECT_EQ(now.lights[0], params.lights[0]);
 }
 
-TEST(Animation, KeepsTheLightOnItsCircleAndEverythingElse) {
+TEST(Animation, KeepsTheLightOnItsCircle) {
     for (const char* light :
          {"light.position=[2,5,-1,1]", "light.position=[-3,4,2,0]", "light.position=[1,-2,6,0.4]"}) {
         const Params params = testing::params_with(
@@ -73,14 +72,14 @@ TEST(Animation, KeepsTheLightOnItsCircleAndEverythingElse) {
             EXPECT_EQ(moved.w, start.w);
             EXPECT_NEAR(std::hypot(moved.x, moved.z), std::hypot(start.x, start.z), 1e-9);
             now.lights.front().position = start;
-            EXPECT_EQ(now, params) << "nothing else moves";
+            EXPECT_EQ(now, params) << "only the light moves";
         }
         EXPECT_LT(glm::length(animated_after(params, 360.0 / 77.5).lights.front().position - start), 1e-9)
-            << "a whole turn";
+            << "a full turn";
     }
 }
 
-TEST(Animation, AnotherSpeedGoesOnFromWhereTheLightIs) {
+TEST(Animation, NewSpeedContinuesFromTheCurrentLight) {
     Params params = testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true"});
     const Moment moment = advanced({}, params, 50.0);
     const glm::dvec4 before = animated(params, moment).lights.front().position;

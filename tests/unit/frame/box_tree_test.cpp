@@ -1,5 +1,5 @@
-// What boxes around a mesh's vertices and triangles tell is what looking at each of them tells: on random meshes,
-// planes, lights and views, and where everything lies exactly on the limit.
+// Boxes around a mesh's vertices and triangles give the same results as a test of each vertex and triangle: on random
+// meshes, planes, lights and views, and exactly at the limits.
 #include "frame/box_tree.h"
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::scene_of;
 
-/// Triangles at random places, or close to a ball; coordinates that are often equal. Some vertices are in no triangle.
+/// Makes triangles at random places or near a ball, with coordinates that are often equal. Some vertices are unused.
 Mesh random_mesh(Random& random, int triangles) {
     Mesh mesh;
     const bool is_ball = random.number(0, 1) < 0.5, is_coarse = random.number(0, 1) < 0.3;
@@ -69,7 +69,7 @@ std::string names_linear(const Scene& scene, IsSo is_so) {
     return names;
 }
 
-TEST(BoxTree, HoldsEveryItemOnceInBoxesThatHoldIt) {
+TEST(BoxTree, HoldsEveryItemOnceInAnEnclosingBox) {
     Random random(seed);
     for (const int triangles : {0, 1, 15, 16, 17, 5000}) {
         const Mesh mesh = random_mesh(random, triangles);
@@ -91,7 +91,7 @@ TEST(BoxTree, HoldsEveryItemOnceInBoxesThatHoldIt) {
     }
 }
 
-TEST(BoxTree, LooksIntoFewBoxesOfALargeMesh) {
+TEST(BoxTree, VisitsFewBoxesOfALargeMesh) {
     const Mesh ball = sphere_mesh(300, 150);
     const BoxTree tree = BoxTree::of_vertices(ball);
     int asked = 0;
@@ -104,7 +104,7 @@ TEST(BoxTree, LooksIntoFewBoxesOfALargeMesh) {
     EXPECT_LT(asked, static_cast<int>(ball.positions.size() / 20));
 }
 
-TEST(BoxTree, IsKeptAsLongAsItsMesh) {
+TEST(BoxTree, LivesAsLongAsItsMesh) {
     auto mesh = std::make_shared<const Mesh>(box_mesh());
     const std::weak_ptr<const BoxTree> tree = vertex_tree(mesh);
     EXPECT_EQ(tree.lock(), vertex_tree(mesh));
@@ -114,7 +114,7 @@ TEST(BoxTree, IsKeptAsLongAsItsMesh) {
     EXPECT_TRUE(tree.expired());
 }
 
-TEST(BoxForm, BoundsWhatIsComputedAtVertices) {
+TEST(BoxForm, BoundsTheValuesAtVertices) {
     Random random(seed + 1);
     for (int i = 0; i < 200; ++i) {
         const SceneObject object = placed("mesh", random_mesh(random, 20), random);
@@ -127,14 +127,14 @@ TEST(BoxForm, BoundsWhatIsComputedAtVertices) {
             ASSERT_LE(in_box.least(box), value);
             ASSERT_GE(in_box.greatest(box), value);
         }
-        for (const glm::vec3& vertex : object.mesh->positions) {  // of a single point it is the value
+        for (const glm::vec3& vertex : object.mesh->positions) {  // for a single point the bound is the value
             const Bounds point{vertex, vertex};
             ASSERT_NEAR(in_box.least(point), in_box.greatest(point), 1e-9 * width);
         }
     }
 }
 
-TEST(ObjectReach, SaysWhatLookingAtEveryVertexSays) {
+TEST(ObjectReach, MatchesATestOfEveryVertex) {
     Random random(seed + 2);
     int some = 0, across = 0;
     for (int i = 0; i < 300; ++i) {
@@ -165,7 +165,7 @@ TEST(ObjectReach, SaysWhatLookingAtEveryVertexSays) {
     EXPECT_GT(across, 50);
 }
 
-TEST(ObjectReach, LandsWhereEveryVertexIsSent) {
+TEST(ObjectReach, EnclosesTheImageOfEveryVertex) {
     Random random(seed + 3);
     int beyond = 0, inside = 0;
     for (int i = 0; i < 400; ++i) {
@@ -200,7 +200,7 @@ TEST(ObjectReach, LandsWhereEveryVertexIsSent) {
     }
 }
 
-/// What is left of a triangle on the positive side of a plane of view space. Source: Sutherland and Hodgman 1974.
+/// Clips a triangle to the positive side of a plane in view space. Source: Sutherland and Hodgman 1974.
 std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, const glm::dvec4& side) {
     std::vector<glm::dvec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -212,7 +212,7 @@ std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, const glm::d
     return kept;
 }
 
-TEST(SeenThings, AreThoseOfEveryTriangleCut) {
+TEST(SeenThings, MatchAClipOfEveryTriangle) {
     Random random(seed + 4);
     int seen_at_all = 0;
     for (int i = 0; i < 200; ++i) {

@@ -1,4 +1,4 @@
-// The chosen plane and light: whatever is told of them is what a state with only that plane and that light tells.
+// The chosen plane and light: all results equal those of a state with only that plane and that light.
 #include "frame/animation.h"
 #include "frame/planes/derivation.h"
 #include "unit/frame/frame_test.h"
@@ -11,7 +11,7 @@ struct Pair {
     Params both, only;
 };
 
-/// Two planes and two lights of which the second ones are chosen, and a state without the first ones.
+/// Returns two planes and two lights with the second ones chosen, and the same state without the first ones.
 Pair pair_of(Random& random) {
     Pair made;
     Params& only = made.only;
@@ -55,7 +55,7 @@ void expect_same_told(const Params& both, const Params& only) {
     EXPECT_EQ(plan_both.caster_side, plan_only.caster_side);
 }
 
-TEST(Chosen, SecondOnesAreToldLikeOnlyOnes) {
+TEST(Chosen, SecondOnesBehaveAsIfAlone) {
     Random random(seed);
     for (int trial = 0; trial < 50; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
@@ -73,7 +73,7 @@ TEST(Chosen, DerivedPointIsAboveTheChosenPlane) {
     EXPECT_EQ(derivation_point(derive(pair.both, scene, {})), derivation_point(derive(pair.only, scene, {})));
 }
 
-TEST(Chosen, MatricesByHandBelongToTheirPlaneAndLight) {
+TEST(Chosen, ManualMatricesBelongToTheirPlaneAndLight) {
     Random random(seed);
     Pair pair = pair_of(random);
     const glm::dmat4 shadow(2.0), mirror(3.0);
@@ -88,7 +88,7 @@ TEST(Chosen, MatricesByHandBelongToTheirPlaneAndLight) {
         EXPECT_FALSE(derived.planes[static_cast<std::size_t>(plane)].shadows[static_cast<std::size_t>(light)].by_hand);
 }
 
-TEST(Chosen, MatricesByHandComeFromTheFurtherOnesOfTheFile) {
+TEST(Chosen, ManualMatricesComeFromTheFilesAdditionalOverrides) {
     const std::string matrix = "[[1,2,3,4],[5,6,7,8],[9,10,11,12],[0,0,0,1]]";
     const Params params =
         testing::params_with({"planes=[{}]", "lights=[{}]",

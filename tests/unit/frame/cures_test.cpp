@@ -1,4 +1,4 @@
-// What is done against depth fighting: where near goes to, and which cures a scene has.
+// Cures for depth fighting: the new near distance, and the cures of a scene.
 #include "frame/depth/cures.h"
 
 #include "state/presets.h"
@@ -10,7 +10,7 @@ namespace {
 using testing::object;
 using testing::scene_of;
 
-/// A box of side 2 · scale with its centre at z, before the eye at the origin.
+/// Returns the cures for a box of side 2 · scale with its center at z, in front of the eye at the origin.
 std::vector<Cure> cures_with_box(double near, double z, double scale = 1.0) {
     Params params;
     params.camera.position = {0.0, 0.0, 0.0};
@@ -21,13 +21,13 @@ std::vector<Cure> cures_with_box(double near, double z, double scale = 1.0) {
     return cures(params, derive(params, scene, {}), scene);
 }
 
-TEST(Cures, MoveNearToNineTenthsOfWhatIsSeenWhereverItIs) {
+TEST(Cures, MoveNearToNineTenthsOfTheNearestDistance) {
     for (const double near : {0.001, 0.5, 3.6, 4.5})
         EXPECT_EQ(cures_with_box(near, -5.0).front().params.projection.near, 3.6) << near;
     EXPECT_EQ(cures_with_box(0.25, 0.0, 1e-4).front().params.projection.near, 0.25) << "the box reaches up to the eye";
 }
 
-TEST(Cures, AreForDecalsOnlyWhereThereAreSome) {
+TEST(Cures, IncludeDecalsOnlyIfThereAreAny) {
     const std::vector<Cure> without = cures_with_box(0.5, -5.0);
     ASSERT_EQ(without.size(), 4U);
     EXPECT_EQ(without.back().kind, CureKind::logarithmic);
@@ -38,7 +38,7 @@ TEST(Cures, AreForDecalsOnlyWhereThereAreSome) {
     for (std::size_t i = 0; i < with.size(); ++i) EXPECT_EQ(with[i].kind, static_cast<CureKind>(i));
 }
 
-TEST(Cures, PutRightWhatAReversedBufferNeeds) {
+TEST(Cures, RestoreTheSwitchesOfAReversedBuffer) {
     Params params;
     params.depth.reversed_clear = params.depth.reversed_zero_to_one = params.depth.reversed_offset = false;
     const Scene scene = testing::box_scene();

@@ -1,5 +1,5 @@
-// The histogram of a depth buffer against depths that are turned into distances one by one, in double precision and by
-// formulas written out here.
+// The histogram of a depth buffer against depths converted to distances one by one, in double precision and by formulas
+// written out here.
 #include "frame/depth/depth_counts.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t bins = 128;
 
-/// Where a window depth lies on the plan's scale: 0 at its beginning, 1 at its end.
+/// Returns the position of a window depth on the plan's scale: 0 at the start, 1 at the end.
 double place_of(double depth, const FramePlan& plan) {
     if (plan.depth_scale == DepthScale::window) return depth;
     const double n = plan.lens.near, f = plan.lens.far;
@@ -55,17 +55,17 @@ std::vector<CountCase> count_cases() {
     return all;
 }
 
-TEST(DepthCounts, AreThoseOfEveryDepthByItself) {
+TEST(DepthCounts, MatchEveryDepthByItself) {
     Random random(seed);
     for (const CountCase& each : count_cases()) {
         const double levels = std::exp2(each.read_as.bits) - 1.0;
         std::vector<std::uint32_t> stored;
         std::uint64_t unwritten = 0;
-        // What is surely in a bin, and what may be in it because it is as near to an edge as float32 is coarse.
+        // Depths surely in a bin, and depths possibly in it because they are within float32's precision of an edge.
         std::vector<std::uint32_t> least(bins, 0), most(bins, 0);
         for (int i = 0; i < 5000; ++i) {
             double depth = random.number(0.0, 1.0);
-            if (i % 3 == 1) depth = 1.0 - std::pow(10.0, -8.0 * depth);  // crowded towards 1, and towards 0
+            if (i % 3 == 1) depth = 1.0 - std::pow(10.0, -8.0 * depth);  // concentrated near 1 and near 0
             if (i % 3 == 2) depth = std::pow(10.0, -8.0 * depth);
             const std::uint32_t code = each.read_as.is_float ? std::bit_cast<std::uint32_t>(static_cast<float>(depth))
                                                              : static_cast<std::uint32_t>(std::lround(depth * levels));
@@ -107,7 +107,7 @@ TEST(DepthCounts, EndsBelongToTheFirstAndTheLastBin) {
     EXPECT_EQ(counts.counts.back(), 1U);
 }
 
-TEST(DepthCounts, TakeWhatIsNoDepthForAnEnd) {
+TEST(DepthCounts, CountInvalidDepthsAtAnEnd) {
     FramePlan plan;
     for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic})
         for (const DepthScale scale : {DepthScale::linear, DepthScale::window}) {
@@ -124,7 +124,7 @@ TEST(DepthCounts, TakeWhatIsNoDepthForAnEnd) {
         }
 }
 
-TEST(DepthCounts, OfNothingAreNone) {
+TEST(DepthCounts, AreEmptyWithoutDepths) {
     const DepthCounts counts = count_depths({}, {24, false}, FramePlan{});
     EXPECT_EQ(counts.counts, std::vector<std::uint32_t>(bins, 0));
     EXPECT_EQ(counts.unwritten, 0U);

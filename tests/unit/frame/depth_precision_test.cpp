@@ -1,4 +1,4 @@
-// Steps and codes between near and far against the worked numbers of the facts and against counting.
+// Steps and codes between near and far against worked examples and against counting.
 #include "frame/depth/depth_precision.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ PrecisionCurves curves_of(const Params& params) {
     return precision_curves(params, derive(params, scene, {}));
 }
 
-/// Between the two points around it.
+/// Interpolates between the two neighboring points.
 double value_at(const StepPoints& points, double z) {
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i].x >= z)
@@ -26,8 +26,8 @@ double value_at(const StepPoints& points, double z) {
     return 0.0;
 }
 
-TEST(PrecisionCurves, AreTheStepsOfTheFacts) {
-    // near, far, z and the step of 16 bits.
+TEST(PrecisionCurves, MatchWorkedSteps) {
+    // near, far, z and the step at 16 bits
     const double rows[][4] = {{20, 100, 60, 2.197e-3}, {1, 100, 10, 1.511e-3}, {0.1, 100, 10, 1.524e-2}};
     for (const auto& [near, far, z, step] : rows) {
         Params params = params_with({"depth.format=d16"});
@@ -62,13 +62,13 @@ TEST(PrecisionCurves, AddUpAndStayBetweenNearAndFar) {
     }
 }
 
-TEST(PrecisionCurves, FloatsArithmeticLimitsReversedDepthFarAway) {
+TEST(PrecisionCurves, FloatArithmeticLimitsReversedDepthFarAway) {
     const PrecisionCurves curves = curves_of(
         params_with({"depth.format=d32f", "depth.mapping=reversed", "projection.near=0.1", "projection.far=100"}));
     EXPECT_GT(curves.arithmetic.back().y, 100.0 * curves.quantisation.back().y);
 }
 
-TEST(DepthCodes, OfFewBitsAreAllOfThem) {
+TEST(DepthCodes, AreAllListedForFewBits) {
     const Lens lens{.near = 1.0, .far = 100.0};
     const DepthCodes codes = depth_codes(lens, DepthMapping::standard, {4, false}, 64);
     ASSERT_EQ(codes.codes.size(), 16U);
@@ -104,7 +104,7 @@ TEST(DepthCodes, RunFromNearToFarInEveryFormat) {
     EXPECT_EQ(depth_codes(lens, DepthMapping::standard, {24, false}, 0).codes.size(), 3U);
 }
 
-TEST(DepthCodes, HalfOfThemAreToldInASentence) {
+TEST(DepthCodes, SentenceSaysWhereHalfOfThemAre) {
     const Lens lens{.near = 1.0, .far = 3.0};
     EXPECT_EQ(codes_sentence(lens, DepthMapping::standard, {24, false}),
               "Half of all codes lie between near and z = 1.5.");  // 2nf/(n+f)
@@ -112,16 +112,17 @@ TEST(DepthCodes, HalfOfThemAreToldInASentence) {
               "Half of all codes lie between near and z = 1.5.");
     EXPECT_EQ(codes_sentence({.near = 1.0, .far = 100.0}, DepthMapping::logarithmic, {24, false}),
               "Half of all codes lie between near and z = 10.");
-    // At z = 2 standard depth is 0.75: half of the floats from 0.5 to 1 are beyond, 2²² of them.
-    EXPECT_EQ(codes_sentence(lens, DepthMapping::standard, {32, true}),
-              "Of the 1,065,353,216 floats from 0 to 1, 4,194,304 lie in the farther half of the way, beyond z = 2.");
-    // Reversed it is 0.25, the 125th of 127 powers of two.
+    // At z = 2 standard depth is 0.75: half of the floats from 0.5 to 1 are beyond it, 2²² of them.
+    EXPECT_EQ(
+        codes_sentence(lens, DepthMapping::standard, {32, true}),
+        "Of the 1,065,353,216 floats from 0 to 1, 4,194,304 lie in the farther half of the distance, beyond z = 2.");
+    // Reversed depth is 0.25 there, the 125th of 127 powers of two.
     EXPECT_EQ(codes_sentence(lens, DepthMapping::reversed, {32, true}),
-              "Of the 1,065,353,216 floats from 0 to 1, 1,048,576,000 lie in the farther half of the way, beyond z = "
-              "2.");
+              "Of the 1,065,353,216 floats from 0 to 1, 1,048,576,000 lie in the farther half of the distance, beyond "
+              "z = 2.");
 }
 
-TEST(Figures, AreAsInASentence) {
+TEST(Figures, MatchTheSentence) {
     EXPECT_EQ(figures(0.25), "0.25");
     EXPECT_EQ(figures(3456.0), "3500");
     EXPECT_EQ(figures(0.996), "1");

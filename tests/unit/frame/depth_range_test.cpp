@@ -1,5 +1,5 @@
-// The depth picture's contrast: from the nearest to the farthest corner of what there is, by hand for a camera that
-// looks along -z.
+// The depth picture's contrast: from the nearest to the farthest corner of the scene, computed by hand for a camera
+// that looks along −z.
 #include "frame/plan.h"
 #include "unit/frame/frame_test.h"
 
@@ -15,10 +15,10 @@ glm::dvec2 range_of(const std::vector<std::string>& settings, const Scene& scene
 }
 
 TEST(ContrastRange, SpansPatchAndObjects) {
-    // The box reaches from z = -1 to 1, the patch of the ground as far as its extent.
+    // The box reaches from z = −1 to 1, the ground patch to its extent.
     EXPECT_EQ(range_of({"plane.extent=4"}, box_scene()), glm::dvec2(6.0, 14.0));
     EXPECT_EQ(range_of({"plane.extent=0.5"}, box_scene()), glm::dvec2(9.0, 11.0));
-    EXPECT_EQ(range_of({"plane.extent=4"}, Scene{}), glm::dvec2(6.0, 14.0)) << "the patch alone";
+    EXPECT_EQ(range_of({"plane.extent=4"}, Scene{}), glm::dvec2(6.0, 14.0)) << "only the patch";
     EXPECT_EQ(range_of({"plane.extent=0.5", "camera.position=[0,1,30]"}, box_scene()), glm::dvec2(29.0, 31.0));
 }
 
@@ -26,10 +26,10 @@ TEST(ContrastRange, StaysBetweenNearAndFar) {
     EXPECT_EQ(range_of({"plane.extent=4", "projection.near=8"}, box_scene()), glm::dvec2(8.0, 14.0));
     EXPECT_EQ(range_of({"plane.extent=4", "projection.far=12"}, box_scene()), glm::dvec2(6.0, 12.0));
     EXPECT_EQ(range_of({"plane.extent=4", "camera.position=[0,1,-50]"}, box_scene()), glm::dvec2(1.0, 100.0))
-        << "nothing is in front of the eye";
+        << "the scene is behind the eye";
 }
 
-TEST(ContrastRange, IsTheOneThatWasAskedFor) {
+TEST(ContrastRange, UsesTheRequestedRange) {
     EXPECT_EQ(range_of({"view.depth_range=[3,5]"}, box_scene()), glm::dvec2(3.0, 5.0));
     EXPECT_EQ(range_of({"view.depth_range=[0.5,200]"}, box_scene()), glm::dvec2(1.0, 100.0));
 }

@@ -1,5 +1,5 @@
-// The derivations against the worked numbers of the facts, against geometry (lengths, ratios, planes) and against each
-// other: what the formulas promise for any plane, light and point.
+// The derivations against worked examples, against geometry (lengths, ratios, planes) and against each other, for any
+// plane, light and point.
 #include "frame/planes/derivation.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ glm::dvec4 random_plane(Random& random) {
     return {random.direction(), random.number(-3.0, 3.0)};
 }
 
-TEST(ShadowDerivation, WorkedNumbers) {
+TEST(ShadowDerivation, MatchesWorkedNumbers) {
     const ShadowDerivation point = derive_shadow(ground, {12, 20, 0, 1}, {0, 10, 0});
     ASSERT_TRUE(point.shadow_world);
     expect_point(*point.shadow_world, {-12, 0, 0}, 1e-12);
@@ -50,7 +50,7 @@ TEST(ShadowDerivation, WorkedNumbers) {
     expect_point(*tilted.shadow_world, {0.323760, 0.816581, 2.323760}, 1e-6);
 }
 
-TEST(ShadowDerivation, LiesInThePlaneOnTheRayAndDividesItByT) {
+TEST(ShadowDerivation, IsInThePlaneOnTheRayAndDividesItByT) {
     Random random(seed);
     int regular = 0;
     for (int i = 0; i < 500; ++i) {
@@ -63,7 +63,7 @@ TEST(ShadowDerivation, LiesInThePlaneOnTheRayAndDividesItByT) {
         const glm::dvec3 s = *found.shadow_world;
         const double size = 1.0 + glm::length(s) + glm::length(found.light_world);
         EXPECT_NEAR(glm::dot(glm::dvec3(plane), s) + plane.w, 0.0, 1e-12 * size);
-        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p to the light, parallel or not
+        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p to the light, point or parallel
         EXPECT_NEAR(glm::length(glm::cross(s - p, glm::normalize(towards))), 0.0, 1e-11 * size);
         if (!found.parallel_light && found.ray == ShadowRay::regular) {
             EXPECT_NEAR(found.t, found.light_to_shadow / found.light_to_point, 1e-11 * size);
@@ -76,7 +76,7 @@ TEST(ShadowDerivation, LiesInThePlaneOnTheRayAndDividesItByT) {
     EXPECT_GT(regular, 50);
 }
 
-TEST(ShadowDerivation, SlidesContinuouslyFromPointToParallel) {
+TEST(ShadowDerivation, ChangesContinuouslyFromPointToParallel) {
     glm::dvec3 before{0.0};
     for (int step = 0; step <= 1000; ++step) {
         const double w = 1.0 - step / 1000.0;
@@ -92,7 +92,7 @@ TEST(ShadowDerivation, SlidesContinuouslyFromPointToParallel) {
     expect_point(before, {1.0 - 1.5 / 2.0, 0.0, -0.5 - 1.5 * 2.2 / 5.2}, 1e-12);
 }
 
-TEST(ShadowDerivation, EverySpecialCaseIsDefinedAndSaid) {
+TEST(ShadowDerivation, DefinesAndReportsEverySpecialCase) {
     const struct {
         glm::dvec4 light;
         glm::dvec3 p;
@@ -119,8 +119,8 @@ TEST(ShadowDerivation, EverySpecialCaseIsDefinedAndSaid) {
     }
 }
 
-/// What the clipper sees: w against Π·L, as the facts have it.
-TEST(ShadowDerivation, TheAntiShadowIsWhereWHasTheOtherSign) {
+/// The clipper's view: w against Π·L.
+TEST(ShadowDerivation, AntiShadowIsWhereWChangesSign) {
     Random random(seed + 1);
     for (int i = 0; i < 300; ++i) {
         const glm::dvec4 plane = random_plane(random), light(random.vec3(6.0), 1.0);
@@ -148,16 +148,16 @@ TEST(ShadowForms, AreOneMatrix) {
     const ShadowForms parallel = shadow_forms(ground, {1, 2, 3, 0.5});
     EXPECT_FALSE(parallel.blinn || parallel.with_d);
     EXPECT_EQ(parallel.largest_difference, 0.0);
-    EXPECT_FALSE(shadow_forms(-ground, {1, 2, 3, 1}).blinn) << "its normal points up";
+    EXPECT_FALSE(shadow_forms(-ground, {1, 2, 3, 1}).blinn) << "Blinn's form needs a normal that points up";
 }
 
-TEST(MirrorDerivation, WorkedNumbers) {
+TEST(MirrorDerivation, MatchesWorkedNumbers) {
     const MirrorDerivation found = derive_mirror(slanted_plane(), {1, 2, 3});
     expect_point(found.mirrored_world, {-0.690599, 0.309401, 1.309401}, 1e-6);
     EXPECT_NEAR(found.k, 6.0 / std::sqrt(3.0) - 2.0, 1e-12);
 }
 
-TEST(MirrorDerivation, TheFootIsHalfWayAndTwiceLeadsBack) {
+TEST(MirrorDerivation, FootIsHalfwayAndTwiceIsTheIdentity) {
     Random random(seed + 3);
     for (int i = 0; i < 200; ++i) {
         const glm::dvec4 plane = random_plane(random);
@@ -175,7 +175,7 @@ TEST(MirrorDerivation, TheFootIsHalfWayAndTwiceLeadsBack) {
     }
 }
 
-TEST(MirrorDerivation, KnowsTheCoordinatePlanes) {
+TEST(MirrorDerivation, RecognizesTheCoordinatePlanes) {
     const glm::dvec3 q(1.0, 2.0, 3.0);
     const struct {
         glm::dvec4 plane;

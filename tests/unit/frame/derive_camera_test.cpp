@@ -1,5 +1,5 @@
-// derive's views: the camera with its slips, the projection as uploaded, the observer, the moving world, the frustum;
-// and that nothing which a person can set gives a number that is none.
+// The views of derive(): the camera with its mistakes, the uploaded projection, the observer, the moving world, the
+// frustum. Also that no possible setting yields a non-finite number.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,7 +18,7 @@ Derived derived_camera(const Params& params, bool clip_control = true) {
     return derive(params, box_scene(), Viewport{{160, 90}, clip_control});
 }
 
-/// C by the lecture's words: turn about y, then about the new x, then about the new z, and stand at the position.
+/// Computes C as in the lecture: rotate about y, then about the new x, then about the new z, and move to the position.
 glm::dmat4 lecture_camera(const CameraParams& camera) {
     glm::dmat4 made = glm::translate(glm::dmat4(1.0), camera.position);
     made = glm::rotate(made, glm::radians(camera.yaw), glm::dvec3(0, 1, 0));
@@ -40,7 +40,7 @@ glm::dvec3 divided(const glm::dvec4& point) {
     return glm::dvec3(point) / point.w;
 }
 
-TEST(DeriveCamera, ViewIsTheInverseOfTheLecturesCamera) {
+TEST(DeriveCamera, ViewIsTheInverseOfTheLectureCamera) {
     Random random(seed);
     for (int trial = 0; trial < 100; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
@@ -54,28 +54,28 @@ TEST(DeriveCamera, ViewIsTheInverseOfTheLecturesCamera) {
     }
 }
 
-TEST(DeriveCamera, ParallelLinesOfSightComeFromADirection) {
+TEST(DeriveCamera, ParallelViewHasADirectionAsEye) {
     Params params = params_with({"projection.type=orthographic", "camera.pitch=-30", "camera.yaw=0"});
     Derived derived = derived_camera(params);
     EXPECT_EQ(derived.eye_world.w, 0.0);
     EXPECT_NEAR(derived.eye_world.y, 0.5, 1e-12);
     EXPECT_NEAR(derived.eye_world.z, std::sqrt(0.75), 1e-12);
     EXPECT_NEAR(derived.planes[0].eye_side, 0.5, 1e-12);
-    // Looking up from above the plane shows its lower side, wherever the camera stands.
+    // Looking up from above the plane shows its lower side, wherever the camera is.
     params.camera.pitch = 30.0;
     derived = derived_camera(params);
     EXPECT_NEAR(derived.planes[0].eye_side, -0.5, 1e-12);
     EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.planes[0].eye_side));
 }
 
-TEST(DeriveCamera, SwappedOrderTurnsThePositionToo) {
+TEST(DeriveCamera, SwappedOrderRotatesThePositionToo) {
     Params params;
     params.camera.position = {1, 2, 3};
     params.camera.yaw = 90.0;
     params.camera.pitch = params.camera.roll = 0.0;
     params.slips.swapped_order = true;
     const glm::dvec3 eye = divided(derived_camera(params).world_from_view[3]);
-    EXPECT_NEAR(eye.x, 3.0, 1e-12);  // Ry(90°) sends z to x and x to −z
+    EXPECT_NEAR(eye.x, 3.0, 1e-12);  // Ry(90°) takes z to x and x to −z
     EXPECT_NEAR(eye.y, 2.0, 1e-12);
     EXPECT_NEAR(eye.z, -1.0, 1e-12);
 }
@@ -87,15 +87,15 @@ TEST(DeriveCamera, CameraAsViewUploadsC) {
         params.slips.camera_as_view = true;
         const Derived derived = derived_camera(params);
         EXPECT_LT(worst_difference(derived.view_from_world, lecture_camera(params.camera)), 1e-12);
-        // The eye is where the picture is taken from: the point that the uploaded matrix sends to the origin.
+        // The eye is the viewpoint of the picture: the point that the uploaded matrix takes to the origin.
         const glm::dvec4 eye_view = derived.view_from_world * derived.eye_world;
         EXPECT_LT(glm::length(glm::dvec3(eye_view)), 1e-12);
-        // The camera itself stays where it was put.
+        // The camera itself keeps its position.
         EXPECT_LT(glm::length(divided(derived.world_from_view[3]) - params.camera.position), 1e-12);
     }
 }
 
-TEST(DeriveProjection, NearAndFarLandOnTheClipRange) {
+TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
     struct Case {
         const char* mapping;
         bool clip_control;
@@ -120,7 +120,7 @@ TEST(DeriveProjection, NearAndFarLandOnTheClipRange) {
     }
 }
 
-TEST(DeriveProjection, MappingLeavesThePictureWhereItIs) {
+TEST(DeriveProjection, MappingKeepsScreenPositions) {
     const glm::dvec4 point(0.3, -0.7, -5.0, 1.0);
     const glm::dvec3 standard = divided(derived_camera(Params{}).clip_from_view * point);
     EXPECT_NEAR(standard.y, -0.7 / (5.0 * std::tan(glm::radians(20.0))), 1e-12);
@@ -142,7 +142,7 @@ TEST(DeriveFrustum, CornersProjectToTheCube) {
             params.projection = params_with({std::string("projection.type=") + type}).projection;
             const Derived derived = derived_camera(params);
             const auto corners = frustum_corners(params, derived);
-            // Near then far, each counter-clockwise from bottom left as the camera sees them.
+            // Near, then far, each counterclockwise from bottom left as seen by the camera.
             const glm::dvec2 order[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
             for (int corner = 0; corner < 8; ++corner) {
                 const glm::dvec3 ndc =
@@ -155,7 +155,7 @@ TEST(DeriveFrustum, CornersProjectToTheCube) {
     }
 }
 
-TEST(DeriveFrustum, ShowsTheCameraEvenWhileASlipBreaksTheView) {
+TEST(DeriveFrustum, ShowsTheCameraDespiteAViewMistake) {
     const Params right = params_with({"camera.position=[1,2,3]"});
     const Params broken = params_with({"camera.position=[1,2,3]", "slips.camera_as_view=true"});
     EXPECT_EQ(frustum_corners(right, derived_camera(right)), frustum_corners(broken, derived_camera(broken)));
@@ -177,11 +177,11 @@ TEST(DeriveObserver, LooksAtItsTargetFromItsDistance) {
         EXPECT_NEAR(glm::distance(divided(view.eye_world), observer.target), observer.distance, 1e-9);
         EXPECT_LT(worst_difference(view.view_from_world * view.world_from_view, glm::dmat4(1.0)), 1e-9);
         const glm::dvec4 above = view.clip_from_world * glm::dvec4(observer.target + glm::dvec3(0, 0.1, 0), 1.0);
-        EXPECT_GT(divided(above).y, 0.0);  // up is up
+        EXPECT_GT(divided(above).y, 0.0);  // up stays up
     }
 }
 
-TEST(DeriveMovingWorld, WhatIsFixedToTheCameraStays) {
+TEST(DeriveMovingWorld, CameraFixedPointsStay) {
     Random random(seed);
     const ObserverParams observer;
     const glm::dvec4 fixed_to_camera[] = {{0, 0, 0, 1}, {0, 0, -2, 1}, {0.4, -0.3, -1, 1}};
@@ -197,7 +197,7 @@ TEST(DeriveMovingWorld, WhatIsFixedToTheCameraStays) {
             EXPECT_LT(glm::length(there - here), 1e-9);
         }
         EXPECT_LT(glm::length(glm::dvec3(view.view_from_world * view.eye_world)), 1e-9);
-        // And the world moves: the origin is not where it was.
+        // The world moves: the origin is elsewhere.
         const glm::dvec3 origin = divided(view.view_from_world[3]), before = divided(first.view_from_world[3]);
         EXPECT_GT(glm::length(origin - before), 1e-3);
     }
@@ -214,7 +214,7 @@ bool is_finite(const glm::dvec3& vector) {
     return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-TEST(DeriveEverything, IsFiniteForWhateverCanBeSet) {
+TEST(DeriveEverything, IsFiniteForAnySetting) {
     constexpr unsigned first_seed = 7100;
     for (unsigned run = 0; run < 300; ++run) {
         SCOPED_TRACE("seed " + std::to_string(first_seed + run));

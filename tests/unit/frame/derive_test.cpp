@@ -1,5 +1,5 @@
-// derive against worked numbers and properties: shadow and mirror matrices, the followed point, facts, views, and the
-// sentences about what cannot be drawn. Read derive_camera_test.cpp next.
+// derive() against worked examples and properties: shadow and mirror matrices, the followed point, facts, views, and
+// the sentences about undrawable states. See also derive_camera_test.cpp.
 #include "frame/derive.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Derived derived_of(const Params& params, const Scene& scene = box_scene()) {
     return derive(params, scene, Viewport{});
 }
 
-/// A scene whose one triangle starts at `point`; follows that vertex.
+/// Makes a scene whose only triangle starts at `point`, and follows that vertex.
 Scene scene_at(const glm::dvec3& point) {
     return scene_of({object("marker", triangle_mesh({point, point + glm::dvec3(1, 0, 0), point + glm::dvec3(0, 1, 0)}),
                             glm::dvec3(0.0))});
@@ -71,7 +71,7 @@ TEST(DeriveShadow, TiltedPlane) {
                 {0.323760, 0.816581, 2.323760}, 1e-6);
 }
 
-TEST(DeriveShadow, GroundMatrixIsTheOneOnTheSlide) {
+TEST(DeriveShadow, GroundMatrixIsThatOfTheSlide) {
     const double x = 2.6, y = 5.2, z = 2.2;
     const Derived derived = derived_of(with_light_and_plane({x, y, z, 1}, {0, 1, 0, 0}));
     const glm::dmat4 slide_rows(y, -x, 0, 0,  //
@@ -131,7 +131,7 @@ TEST(DeriveMirror, PlanesOfTheSlide) {
         {2, 3, -4});
 }
 
-TEST(DeriveFacts, OfTheOpeningState) {
+TEST(DeriveFacts, DescribeTheOpeningState) {
     const Derived derived = derived_of(Params{});
     const Facts& facts = derived.facts;
     const CastShadow& cast = derived.planes[0].shadows[0];
@@ -143,7 +143,7 @@ TEST(DeriveFacts, OfTheOpeningState) {
     EXPECT_LT(shadow_residual(shadow, 5.2), 1e-12);
     EXPECT_LT(mirror_residual(mirror), 1e-12);
     EXPECT_LT(facts.view_residual, 1e-12);
-    // −z of the target in view space, by the angles alone: 3.9, 2.25 and 6.6 apart along the line of sight.
+    // −z of the target in view space from the angles alone; the eye is at (3.9, 2.25, 6.6) relative to the target.
     const double yaw = glm::radians(30.6), pitch = glm::radians(-16.4);
     const glm::dvec3 back(std::sin(yaw) * std::cos(pitch), -std::sin(pitch), std::cos(yaw) * std::cos(pitch));
     const double distance = glm::dot(back, glm::dvec3(3.9, 2.25, 6.6));
@@ -183,7 +183,7 @@ TEST(DeriveFacts, ResidualsAreMeasured) {
     EXPECT_GT(derived_of(params).facts.view_residual, 1.0);
 }
 
-TEST(DeriveFollowed, OnItsWayThroughBothMatrices) {
+TEST(DeriveFollowed, PassesThroughBothMatrices) {
     const Derived derived =
         derived_of(following(with_light_and_plane({5, 9, 7, 1}, tilted_plane)), scene_at({1, 2, 3}));
     ASSERT_TRUE(derived.followed);
@@ -201,11 +201,11 @@ TEST(DeriveFollowed, OnItsWayThroughBothMatrices) {
     expect_near(followed.mirrored_world, {-0.690599, 0.309401, 1.309401}, 1e-6);
 }
 
-TEST(DeriveFollowed, StandsWhereTheObjectIs) {
+TEST(DeriveFollowed, StartsAtTheObjectsPose) {
     ObjectDescription description;
     description.name = "marker";
     const Mesh mesh = triangle_mesh({glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)});
-    // A quarter turn about y sends x to −z; then scaled by 2 before and moved by (10, 0, 0) after.
+    // A quarter turn about y takes x to −z, after a scale of 2 and before a move by (10, 0, 0).
     const Scene scene{
         {{description, std::make_shared<const Mesh>(mesh), world_from_model({10, 0, 0}, {90, 0, 0}, {2, 2, 2})}}, {}};
     const Derived derived = derived_of(following(Params{}), scene);
@@ -222,7 +222,7 @@ TEST(DeriveFollowed, HasNoShadowAtTheHeightOfTheLight) {
     expect_near(derived.followed->mirrored_world, {-1, -5, 3});
 }
 
-TEST(DeriveFollowed, MissingVertexOrObjectIsSaid) {
+TEST(DeriveFollowed, ReportsAMissingVertexOrObject) {
     const Scene scene = scene_at({1, 2, 3});
     Params params = following(Params{});
     params.follow->vertex = 3;
@@ -233,7 +233,7 @@ TEST(DeriveFollowed, MissingVertexOrObjectIsSaid) {
     EXPECT_TRUE(says(params, "follow", "does not exist", scene));
 }
 
-TEST(DeriveProblems, NoneInTheOpeningState) {
+TEST(DeriveProblems, AreAbsentInTheOpeningState) {
     const std::vector<Problem> problems = problems_of(Params{}, box_scene());
     EXPECT_TRUE(problems.empty()) << problems.front().sentence;
 }
@@ -242,10 +242,10 @@ TEST(DeriveProblems, LightInThePlane) {
     Params params = params_with({"light.position=[3,0,-2,1]"});
     EXPECT_TRUE(derived_of(params).chosen_shadow().light_in_plane);
     EXPECT_TRUE(says(params, "light", "lies in the plane"));
-    EXPECT_FALSE(says(params, "light", "other side"));
+    EXPECT_FALSE(says(params, "light", "opposite sides"));
     params = params_with({"light.position=[3,0,-2,0]"});
     EXPECT_TRUE(derived_of(params).chosen_shadow().light_in_plane);
-    EXPECT_TRUE(says(params, "light", "runs along the plane"));
+    EXPECT_TRUE(says(params, "light", "run along the plane"));
     EXPECT_FALSE(derived_of(params_with({"light.position=[3,0.01,-2,1]"})).chosen_shadow().light_in_plane);
 }
 
@@ -255,7 +255,7 @@ TEST(DeriveProblems, LightAndEyeOnOppositeSides) {
             SCOPED_TRACE(std::string(setting) + " " + plane);
             const Params params = params_with({setting, plane});
             const Derived derived = derived_of(params);
-            EXPECT_TRUE(says(params, "light", "other side of the plane"));
+            EXPECT_TRUE(says(params, "light", "opposite sides of the plane"));
             EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.planes[0].eye_side));
             EXPECT_TRUE(derived.planes[0].shadows[0].reaches(-derived.planes[0].eye_side));
         }
@@ -267,7 +267,7 @@ TEST(DeriveProblems, EyeInThePlane) {
     EXPECT_EQ(derived_of(inside).chosen_plane().eye_side, 0.0);
     EXPECT_TRUE(says(inside, "plane", "the eye lies in the plane"));
     const Params along = params_with({"camera.pitch=0", "projection.type=orthographic"});
-    EXPECT_TRUE(says(along, "plane", "lines of sight run along the plane"));
+    EXPECT_TRUE(says(along, "plane", "lines of sight are parallel to the plane"));
 }
 
 TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
@@ -284,8 +284,8 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
     EXPECT_EQ(problem_with_light_at(7.01), "");
 }
 
-TEST(DeriveProblems, CasterBelowTheLightThoughItsBoundsAreNot) {
-    // Turned by 45°, a box around the sphere sticks out above the light; the sphere does not.
+TEST(DeriveProblems, CasterBelowTheLightDespiteItsBounds) {
+    // Rotated by 45°, the box around the sphere extends above the light, but the sphere does not.
     SceneObject ball = object("ball", sphere_mesh(), {0, 1, 0});
     ball.world_from_model = world_from_model({0, 1, 0}, {0, 45, 45}, {1, 1, 1});
     EXPECT_TRUE(problems_of(with_light_and_plane({3, 2.1, 0, 1}, {0, 1, 0, 0}), scene_of({ball})).empty());
@@ -294,21 +294,21 @@ TEST(DeriveProblems, CasterBelowTheLightThoughItsBoundsAreNot) {
 TEST(DeriveProblems, ParallelLightHasNothingBeyondIt) {
     const Scene scene = scene_of({object("high", sphere_mesh(), {0, 600, 0})});
     for (const Problem& problem : problems_of(with_light_and_plane({2.6, 5.2, 2.2, 0}, {0, 1, 0, 0}), scene))
-        EXPECT_EQ(problem.group, "view") << problem.sentence;  // it is above the picture
+        EXPECT_EQ(problem.group, "view") << problem.sentence;  // the box is above the picture
 }
 
-TEST(DeriveProblems, OverridesAreUsedAndSaid) {
+TEST(DeriveProblems, OverridesAreUsedAndReported) {
     const Params params = params_with({"overrides.shadow_from_world=[[1,2,3,4],[5,6,7,8],[9,10,11,12],[0,0,0,1]]",
                                        "overrides.mirror_from_world=[[1,0,0,7],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"});
     const Derived derived = derived_of(params);
     EXPECT_EQ(derived.planes[0].shadows[0].shadowed_world_from_world[3][0], 4.0);  // row 0, column 3
     EXPECT_EQ(derived.planes[0].shadows[0].shadowed_world_from_world[0][1], 5.0);
     EXPECT_EQ(derived.planes[0].mirrored_world_from_world[3][0], 7.0);
-    EXPECT_TRUE(says(params, "shadow", "S is overridden"));
-    EXPECT_TRUE(says(params, "reflection", "R is overridden"));
+    EXPECT_TRUE(says(params, "shadow", "S is entered by hand"));
+    EXPECT_TRUE(says(params, "reflection", "R is entered by hand"));
 }
 
-TEST(DeriveProblems, MethodsAndPicturesAreNone) {
+TEST(DeriveProblems, MethodsAndPicturesCauseNone) {
     for (const char* drawn : {"visibility.method=bsp", "visibility.method=ray_cast", "visibility.step=3",
                               "view.shows=overdraw", "view.shows=difference"})
         EXPECT_TRUE(problems_of(params_with({drawn}), box_scene()).empty()) << drawn;

@@ -1,4 +1,4 @@
-// The lecture's display(): the code is read back as a compiler would read it, and its matrices multiplied.
+// The lecture's display(): its code is parsed as by a compiler, and its matrices are multiplied.
 #include "frame/display_code.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::string code_of(const Params& params, const Derived& derived) {
     return code;
 }
 
-/// The numbers between a word and the closing bracket.
+/// Returns the numbers between a word and the closing parenthesis.
 std::vector<double> arguments(const std::string& code, const std::string& function) {
     const std::size_t at = code.find(function + "(");
     EXPECT_NE(at, std::string::npos) << function << " in\n" << code;
@@ -40,7 +40,7 @@ glm::dmat4 projection_in(const std::string& code) {
     return glm::orthoRH_NO(n.at(0), n.at(1), n.at(2), n.at(3), n.at(4), n.at(5));
 }
 
-/// The factors of W from left to right.
+/// Multiplies the factors of W from left to right.
 glm::dmat4 world_in(const std::string& code) {
     const std::regex factor(R"(rotate\(radians\((-?[0-9.]+)\), ([xyz])\)|translate\((\S+), (\S+), (\S+)\))");
     glm::dmat4 product(1.0);
@@ -64,7 +64,7 @@ double largest_difference(const glm::dmat4& a, const glm::dmat4& b) {
     return largest;
 }
 
-TEST(DisplayCode, MakesTheMatricesOfTheStateWithEverySlip) {
+TEST(DisplayCode, MakesTheMatricesOfTheStateWithEveryMistake) {
     const std::vector<std::string> camera = {"camera.position=[1.25,-2,3.5]", "camera.yaw=40.5", "camera.pitch=-12",
                                              "camera.roll=7.5", "projection.aspect=1.5"};
     const std::vector<std::vector<std::string>> cases = {
@@ -85,7 +85,7 @@ TEST(DisplayCode, MakesTheMatricesOfTheStateWithEverySlip) {
     }
 }
 
-TEST(DisplayCode, SaysRadiansUnlessTheSlipLeavesThemOut) {
+TEST(DisplayCode, ConvertsToRadiansUnlessTheMistakeOmitsIt) {
     Params params;
     const auto has_radians = [&] {
         return code_of(params, derive(params, testing::box_scene(), {})).find("perspective(radians(") !=
@@ -96,7 +96,7 @@ TEST(DisplayCode, SaysRadiansUnlessTheSlipLeavesThemOut) {
     EXPECT_FALSE(has_radians());
 }
 
-TEST(DisplayCode, FitsTheMatricesColumn) {
+TEST(DisplayCode, FitsTheMatrixColumn) {
     for (const char* const setting : {"camera.position=[-123.456,-100,-99.99]", "camera.yaw=-123.4",
                                       "projection.type=orthographic", "projection.far=100000"}) {
         const Params params = testing::params_with({setting});

@@ -1,4 +1,4 @@
-// A frame's draw calls in GL's order, and the way back through them triangle by triangle.
+// The draw calls of a frame in GL's order, and the way back through them triangle by triangle.
 #include "frame/draw_calls.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<std::string> names(const FramePlan& frame, const Scene& scene) {
     return all;
 }
 
-TEST(DrawCalls, AreOneForEachObjectOfEachPass) {
+TEST(DrawCalls, HaveOneForEachObjectOfEachPass) {
     const Scene scene = two_boxes_and_a_decal();
     const FramePlan frame = planned({"reflection.enabled=false"}, scene);
     EXPECT_EQ(names(frame, scene),
@@ -59,7 +59,7 @@ TEST(DrawCalls, OfAPassAreItsChosenObjects) {
     EXPECT_EQ(counted, 3);
 }
 
-TEST(DrawCalls, AreNoneWhereAMethodFindsTheSurfaces) {
+TEST(DrawCalls, AreEmptyIfAMethodFindsTheSurfaces) {
     const Scene scene = two_boxes_and_a_decal();
     FramePlan frame = planned({}, scene);
     for (const Subject subject : {Subject::ordered, Subject::pixels}) {
@@ -79,7 +79,7 @@ TEST(DrawLimits, StopWithinTheirCall) {
     EXPECT_EQ(triangles_drawn({-1, 5}, 4, 12), 12);
 }
 
-/// How many triangles of all calls a limit lets through.
+/// Counts the triangles of all calls that a limit admits.
 int drawn(const DrawLimit& limit, const std::vector<DrawCall>& calls) {
     int sum = 0;
     for (std::size_t i = 0; i < calls.size(); ++i)
@@ -87,7 +87,7 @@ int drawn(const DrawLimit& limit, const std::vector<DrawCall>& calls) {
     return sum;
 }
 
-TEST(DrawLimits, GoBackOneTriangleAtATime) {
+TEST(DrawLimits, StepBackOneTriangleAtATime) {
     const std::vector<DrawCall> calls = {{0, -1, 2}, {1, 0, 0}, {1, 1, 3}, {1, 2, 0}, {1, 3, 0}, {2, 0, 1}, {2, 1, 0}};
     for (const DrawLimit last : {DrawLimit{}, DrawLimit{6, -1}, DrawLimit{99, 4}, DrawLimit{5, 1}, DrawLimit{5, 80}}) {
         DrawLimit limit = last;
@@ -98,7 +98,7 @@ TEST(DrawLimits, GoBackOneTriangleAtATime) {
         EXPECT_EQ(limit, (DrawLimit{0, 0}));
         EXPECT_EQ(step_before(limit, calls), (DrawLimit{0, 0}));
     }
-    EXPECT_EQ(step_before({2, 1}, calls), (DrawLimit{0, 2})) << "the last one of the call before that has any";
+    EXPECT_EQ(step_before({2, 1}, calls), (DrawLimit{0, 2})) << "the last triangle of the previous call that has any";
     EXPECT_EQ(step_before({2, 0}, calls), (DrawLimit{0, 1}));
     EXPECT_EQ(step_before({3, -1}, calls), (DrawLimit{2, 2}));
     EXPECT_EQ(step_before({}, {}), (DrawLimit{0, 0}));

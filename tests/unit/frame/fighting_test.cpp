@@ -1,5 +1,5 @@
-// Which objects make a pair that can fight, and from which gap on the formulas say so: worked numbers of the facts, and
-// properties that hold for any lens.
+// Pairs of objects that can fight and the gap where the formulas predict it: worked examples, and properties of any
+// lens.
 #include "frame/depth/fighting.h"
 
 #include "frame/depth/pair_prediction.h"
@@ -14,7 +14,7 @@ using testing::object;
 using testing::params_with;
 using testing::scene_of;
 
-/// A square of side 2 in the plane y = height, moved along x.
+/// Makes a square of side 2 in the plane y = height, moved along x.
 SceneObject square(double height, double x = 0.0) {
     return object("square", quad_mesh(), {x, height, 0.0});
 }
@@ -24,7 +24,7 @@ SceneObject turned(SceneObject square, const Angles& angles) {
     return square;
 }
 
-TEST(FightingPairs, OfTheSceneCoplanarAreItsSixNeighbours) {
+TEST(FightingPairs, OfCoplanarAreItsSixNeighbors) {
     const Result<Scene> scene = load_scene("coplanar", "");
     ASSERT_TRUE(scene) << scene.error();
     const std::vector<FlatPair> pairs = near_coplanar_pairs(*scene);
@@ -38,15 +38,15 @@ TEST(FightingPairs, OfTheSceneCoplanarAreItsSixNeighbours) {
     }
 }
 
-TEST(FightingPairs, AreParallelNearAndOverlapping) {
+TEST(FightingPairs, AreParallelCloseAndOverlapping) {
     const auto pairs_of = [](const SceneObject& other) {
         return near_coplanar_pairs(scene_of({square(0.0), other})).size();
     };
     EXPECT_EQ(pairs_of(square(0.15)), 1U);
     EXPECT_EQ(pairs_of(square(0.25)), 0U) << "an eighth of the side apart";
     EXPECT_EQ(pairs_of(square(0.1, 1.9)), 1U);
-    EXPECT_EQ(pairs_of(square(0.1, 2.1)), 0U) << "beside each other";
-    EXPECT_EQ(pairs_of(square(0.0, 2.0)), 0U) << "an edge in common";
+    EXPECT_EQ(pairs_of(square(0.1, 2.1)), 0U) << "side by side";
+    EXPECT_EQ(pairs_of(square(0.0, 2.0)), 0U) << "a shared edge";
     EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 0.5, 0.0})), 1U);
     EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 2.0, 0.0})), 0U);
     EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 180.0, 0.0})), 1U) << "back to back";
@@ -54,7 +54,7 @@ TEST(FightingPairs, AreParallelNearAndOverlapping) {
     EXPECT_EQ(pairs_of(object("corner", triangle_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}}), {0.0, 0.05, 0.0})), 1U);
 }
 
-TEST(FightingPairs, KnowWhatLiesOnWhat) {
+TEST(FightingPairs, KnowWhichSquareIsOnTop) {
     const auto pair_of = [](const SceneObject& first, const SceneObject& second) {
         const std::vector<FlatPair> pairs = near_coplanar_pairs(scene_of({first, second}));
         EXPECT_EQ(pairs.size(), 1U);
@@ -64,7 +64,7 @@ TEST(FightingPairs, KnowWhatLiesOnWhat) {
     EXPECT_NEAR(pair_of(square(0.1), square(0.0)).offset, -0.1, 1e-12);
     EXPECT_NEAR(pair_of(square(0.0), turned(square(0.1), {0.0, 180.0, 0.0})).offset, 0.1, 1e-12);
     const glm::dvec3 center = pair_of(square(0.0), square(0.1, 1.0)).center_world;
-    EXPECT_NEAR(glm::distance(center, {0.5, 0.0, 0.0}), 0.0, 1e-9) << "of the first, where the second covers it";
+    EXPECT_NEAR(glm::distance(center, {0.5, 0.0, 0.0}), 0.0, 1e-9) << "the center of the overlap on the first";
     EXPECT_EQ(pair_of(square(0.0), square(0.0)).offset, 0.0);
     EXPECT_FALSE(pair_of(square(0.0), square(0.0)).first_lies_on_top());
     SceneObject decal = square(0.0);
@@ -73,8 +73,8 @@ TEST(FightingPairs, KnowWhatLiesOnWhat) {
     EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
-/// Of C sent as V the picture is that of a camera at the opposite place, and so is what fights in it.
-TEST(PairPredictions, GoByTheMatrixThatIsUploaded) {
+/// With C uploaded as V the picture is that of a camera at the opposite place, and its fighting is too.
+TEST(PairPredictions, UseTheUploadedMatrix) {
     const Scene scene = scene_of({turned(square(0.0), {0.0, 90.0, 0.0}), turned(square(0.006), {0.0, 90.0, 0.0})});
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
     ASSERT_EQ(pairs.size(), 1U);
@@ -94,8 +94,8 @@ TEST(PairPredictions, GoByTheMatrixThatIsUploaded) {
     EXPECT_NEAR(slip.wrong_share->most, right.wrong_share->most, 1e-9);
 }
 
-TEST(FightingOnset, IsAboutAStepWhereCodesAreWide) {
-    // The table of the facts: near, far, z and the step of 16 bits.
+TEST(FightingOnset, IsAboutAStepForWideCodes) {
+    // The table: near, far, z and the step at 16 bits.
     const double rows[][4] = {{20, 100, 60, 2.197e-3},
                               {1, 100, 10, 1.511e-3},
                               {1, 100, 100, 1.511e-1},
@@ -112,7 +112,7 @@ TEST(FightingOnset, IsAboutAStepWhereCodesAreWide) {
 }
 
 TEST(FightingOnset, IsArithmeticAtTheFarEndOfReversedFloats) {
-    // The facts: the code is as narrow as 1e-9 there, and float32 arithmetic limits the result to about 1e-5.
+    // The code is as narrow as 1e-9 there, but float32 arithmetic limits the result to about 1e-5.
     for (const double near : {1.0, 0.1, 0.001}) {
         const DepthCoding coding{{.near = near, .far = 100.0}, DepthMapping::reversed, {32, true}, true};
         const FightingOnset onset = fighting_onset(coding, 99.99);
@@ -122,7 +122,7 @@ TEST(FightingOnset, IsArithmeticAtTheFarEndOfReversedFloats) {
     }
 }
 
-TEST(FightingOnset, IsExactlyOneCodeTowardsTheEye) {
+TEST(FightingOnset, IsExactlyOneCodeTowardTheEye) {
     Random random(seed);
     for (int trial = 0; trial < 500; ++trial) {
         const double n = std::exp(random.number(std::log(1e-3), std::log(10.0)));
@@ -143,11 +143,11 @@ TEST(FightingOnset, IsExactlyOneCodeTowardsTheEye) {
     }
 }
 
-TEST(FightingOnset, OfDistancesOutsideIsThatOfTheNearestInside) {
+TEST(FightingOnset, OutsideTheRangeEqualsTheNearestInside) {
     const DepthCoding coding{{.near = 1.0, .far = 100.0}, DepthMapping::standard, {24, false}, false};
     EXPECT_EQ(fighting_onset(coding, 500.0).gap(), fighting_onset(coding, 100.0).gap());
     EXPECT_EQ(fighting_onset(coding, -5.0).gap(), fighting_onset(coding, 1.0).gap());
-    EXPECT_FALSE(fighting_onset(coding, 1.0).is_reachable) << "nothing is nearer than near";
+    EXPECT_FALSE(fighting_onset(coding, 1.0).is_reachable) << "no surface is nearer than near";
 }
 
 TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
@@ -164,9 +164,9 @@ TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
     expect(share_of_random_codes(0.5, 0.5, 3.0, true), 0.0, 1.0);
 }
 
-/// What share a simulation of rounding finds: depths that are spread over some codes, the farther one behind by `gap`,
-/// both moved at random by arithmetic.
-TEST(FightingShare, HoldsWhateverArithmeticDoes) {
+/// Compares the share with a simulation of rounding: depths spread over some codes, the farther one behind by `gap`,
+/// both perturbed at random by the arithmetic.
+TEST(FightingShare, BoundsAnyArithmetic) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {
         const double gap = random.number(0.0, 1.5), most = random.number(0.0, 0.6), bias = random.number(-most, most);
@@ -175,7 +175,7 @@ TEST(FightingShare, HoldsWhateverArithmeticDoes) {
         int reversed = 0, not_nearer = 0;
         constexpr int samples = 4000;
         for (int i = 0; i < samples; ++i) {
-            const double farther = 0.6180339887 * i;  // every phase of a code
+            const double farther = 0.6180339887 * i;  // every phase within a code
             const long code = std::lround(farther), nearer = std::lround(farther - gap + bias);
             reversed += nearer > code ? 1 : 0;
             not_nearer += nearer >= code ? 1 : 0;
@@ -193,8 +193,8 @@ std::optional<ShareInterval> share_of(const Scene& scene, const Params& params) 
         .wrong_share;
 }
 
-TEST(FightingPrediction, CountsTiesAsWrongWhereTheWrongOneWinsThem) {
-    // Seen from above, from 20 units; 8 bits, so that a gap of 0.1 is far below a code, and all of it has the same one.
+TEST(FightingPrediction, CountsTiesAsWrongIfTheWrongSurfaceWins) {
+    // Seen from 20 units above at 8 bits: a gap of 0.1 is far below a code, and every pixel has the same one.
     const auto share_with = [](const Scene& scene, const char* setting) {
         return share_of(scene, params_with({"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0",
                                             "depth.format=d8", "projection.far=100", setting}));
@@ -208,8 +208,8 @@ TEST(FightingPrediction, CountsTiesAsWrongWhereTheWrongOneWinsThem) {
         EXPECT_FALSE(share_with(back_first, undecided)) << undecided;
 }
 
-/// A poster on a wall, seen from above, from 20 units, or with a pitch of its own; 8 bits unless the settings say
-/// otherwise. −1 where nothing is said, −2 where it is said no better than to a fifth.
+/// Returns the share of wrong pixels of a poster on a wall, seen from 20 units above unless the settings change the
+/// camera, at 8 bits by default. −1 without a prediction, −2 if it is no better than to a fifth.
 double share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
     std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",
                                  "projection.far=100"};
@@ -221,26 +221,26 @@ double share_of_decal(const std::vector<std::string>& settings, double height = 
     return share->most - share->least > 0.2 ? -2.0 : 0.5 * (share->least + share->most);
 }
 
-TEST(FightingPrediction, OfDecalsKnowsTheCures) {
+TEST(FightingPrediction, KnowsTheCuresOfDecals) {
     EXPECT_EQ(share_of_decal({}), 1.0);
     EXPECT_EQ(share_of_decal({"depth.decals=equal"}), -1.0);
     EXPECT_EQ(share_of_decal({"depth.decals=stencil"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, 0.1), 0.0);
-    EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, -0.1), 1.0) << "painted over the wall that hides it";
+    EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, -0.1), 1.0) << "painted over the wall in front";
 }
 
-TEST(FightingPrediction, OfAnOffsetIsThatOfItsCodes) {
-    // Of 8 bits the sandbox moves depth by itself: a unit is a code.
+TEST(FightingPrediction, CountsTheCodesOfAnOffset) {
+    // At 8 bits the sandbox itself applies the offset: a unit is a code.
     const auto seen_aslant = [](const char* units) {  // over some twenty codes
         return share_of_decal({"camera.position=[0,1.2,3.2]", "camera.pitch=-20", units});
     };
     EXPECT_NEAR(seen_aslant("depth.offset.units=-0.25"), 0.75, 0.05);
     EXPECT_NEAR(seen_aslant("depth.offset.units=-0.75"), 0.25, 0.05);
-    EXPECT_EQ(share_of_decal({"depth.offset.units=-0.25"}), -1.0) << "all of it has the same code";
+    EXPECT_EQ(share_of_decal({"depth.offset.units=-0.25"}), -1.0) << "every pixel has the same code";
     EXPECT_EQ(share_of_decal({"depth.offset.units=-1"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.offset.units=1"}), 1.0);
-    EXPECT_EQ(share_of_decal({"depth.offset.factor=-1"}), -1.0) << "which goes by the slope";
-    // GL leaves open how many codes a unit is, at least one.
+    EXPECT_EQ(share_of_decal({"depth.offset.factor=-1"}), -1.0) << "depends on the slope";
+    // GL does not fix how many codes a unit is, only that it is at least one.
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-0.5"}), -1.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=2"}), 1.0);
@@ -248,10 +248,10 @@ TEST(FightingPrediction, OfAnOffsetIsThatOfItsCodes) {
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2", "depth.mapping=reversed",
                               "depth.reversed_offset=false"}),
               1.0);
-    EXPECT_EQ(share_of_decal({"depth.format=d24", "depth.offset.units=-1"}), -1.0) << "rounding may take it away";
+    EXPECT_EQ(share_of_decal({"depth.format=d24", "depth.offset.units=-1"}), -1.0) << "rounding may undo it";
 }
 
-TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
+TEST(FightingPrediction, IsAbsentWithoutAFormula) {
     for (const std::vector<std::string>& settings :
          std::vector<std::vector<std::string>>{{"depth.format=d24"},
                                                {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"},
@@ -264,9 +264,9 @@ TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
     EXPECT_EQ(share_of_decal({"depth.mapping=reversed"}), 1.0);
 }
 
-TEST(FightingPrediction, MeasuresAlongTheLineOfSight) {
+TEST(FightingPrediction, MeasuresAlongTheViewRay) {
     const Scene scene = scene_of({square(0.0), square(0.1)});
-    // 45° above the horizon: the same gap is √2 as long along the line of sight.
+    // 45° above the horizon the same gap is √2 times as long along the view ray.
     const Params params = params_with({"camera.position=[0,10,10]", "camera.pitch=-45", "camera.yaw=0"});
     const PairPrediction predicted =
         predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}), Viewport{}.size_px);

@@ -1,4 +1,4 @@
-// No state within the fields' limits reaches an entry that is not finite, so the matrices are spoilt by hand.
+// No state within the limits of the fields yields a non-finite entry, so the test corrupts the matrices by hand.
 #include "frame/finite.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-TEST(Finite, EachMatrixIsLookedAt) {
+TEST(Finite, ChecksEachMatrix) {
     const Derived derived = derive(Params{}, Scene{}, Viewport{{640, 360}});
     EXPECT_TRUE(check_finite(derived));
     ASSERT_FALSE(derived.planes.empty());

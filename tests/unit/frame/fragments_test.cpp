@@ -1,5 +1,5 @@
-// The fragments of a pixel without GL: worked depths, the depth test against a simulation by distance, culling, ties,
-// edges that two triangles share, and the same triangles as a ray in world space meets.
+// The fragments of a pixel without GL: depths computed by hand, the depth test against a distance-based simulation,
+// culling, ties, edges shared by two triangles, and the same triangles hit by a ray in world space.
 #include "frame/depth/fragments.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::vector<std::string> at_origin(std::vector<std::string> more = {}) {
     return settings;
 }
 
-/// A square that faces the eye at that distance, or turns its back to it.
+/// Makes a square at that distance that is front-facing or back-facing.
 SceneObject facing_quad(const std::string& name, double distance, bool back = false) {
     SceneObject quad = object(name, quad_mesh(), {0, 0, 0});
     quad.world_from_model = world_from_model({0, 0, -distance}, {0, back ? -90.0 : 90.0, 0}, glm::dvec3(30.0));
@@ -47,7 +47,7 @@ std::vector<Fragment> fragments_of(const std::vector<std::string>& settings, con
 }
 
 TEST(Fragments, HaveTheDepthsOfTheFormulas) {
-    // near 1, far 100, z = 10: the row of the table of facts.
+    // near 1, far 100, z = 10: a row of the table.
     const Scene scene = scene_of({facing_quad("far", 60), facing_quad("near", 10)});
     const auto code = [&](const char* format, const char* mapping) {
         const std::vector<Fragment> found =
@@ -72,8 +72,8 @@ TEST(Fragments, HaveTheDepthsOfTheFormulas) {
     EXPECT_NEAR(found[1].step, 1.511e-3, 1e-6);
 }
 
-TEST(Fragments, ComeAsTheyAreDrawn) {
-    // The patch first, then objects as in the scene, the nearest last here: each passes and is drawn over.
+TEST(Fragments, ComeInDrawOrder) {
+    // The patch is first, then objects in the scene's order, here the nearest last: each passes and is overdrawn.
     const Params params = params_with({"camera.position=[0,5,0]", "camera.pitch=-90", "camera.yaw=0"});
     SceneObject low = object("low", quad_mesh(), {0, 1, 0}), high = object("high", quad_mesh(), {0, 2, 0});
     std::vector<Fragment> found = fragments_of(params, scene_of({low, high}));
@@ -86,7 +86,7 @@ TEST(Fragments, ComeAsTheyAreDrawn) {
     EXPECT_FALSE(found[2].tie);
 }
 
-/// The eight comparisons, told by how much nearer the new one is.
+/// Returns whether the comparison passes if the new fragment is nearer by this much.
 bool lets_through(const std::string& func, int nearer) {
     static const std::map<std::string, std::string> passing{{"never", ""},    {"less", "+"},    {"equal", "0"},
                                                             {"lequal", "+0"}, {"greater", "-"}, {"notequal", "+-"},
@@ -94,7 +94,7 @@ bool lets_through(const std::string& func, int nearer) {
     return passing.at(func).find(nearer > 0 ? '+' : nearer < 0 ? '-' : '0') != std::string::npos;
 }
 
-TEST(Fragments, PassAsASimulationByDistanceHasIt) {
+TEST(Fragments, PassLikeADistanceBasedSimulation) {
     Random random(seed);
     int passed = 0, ties = 0;
     for (const char* const func : {"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"})
@@ -104,7 +104,7 @@ TEST(Fragments, PassAsASimulationByDistanceHasIt) {
                 std::vector<SceneObject> quads;
                 std::vector<double> distances;
                 for (int i = 0; i < 7; ++i) {
-                    distances.push_back(std::floor(random.number(2, 8)));  // some are equal, all are far apart in codes
+                    distances.push_back(std::floor(random.number(2, 8)));  // some equal, all others far apart in codes
                     quads.push_back(facing_quad("quad", distances.back()));
                 }
                 const std::vector<Fragment> found =
@@ -114,7 +114,7 @@ TEST(Fragments, PassAsASimulationByDistanceHasIt) {
                                   std::string("depth.clear=") + (clear ? "true" : "false")},
                                  scene_of(quads));
                 ASSERT_EQ(found.size(), distances.size());
-                double kept = 1e9;  // as cleared: farther than all
+                double kept = 1e9;  // cleared: farther than all
                 for (int frame = clear ? 1 : 0; frame < 2; ++frame)
                     for (std::size_t i = 0; i < distances.size(); ++i) {
                         const int nearer = kept > distances[i] ? 1 : kept < distances[i] ? -1 : 0;
@@ -147,7 +147,7 @@ TEST(Fragments, AreCulledByFacing) {
     EXPECT_EQ(culled("front", "ccw"), std::pair(false, true));
     EXPECT_EQ(culled("back", "cw"), std::pair(false, true));
     EXPECT_EQ(culled("front_and_back", "ccw"), std::pair(true, true));
-    // What is culled is compared with nothing and writes no depth: the farther one passes behind it.
+    // A culled fragment takes no depth test and writes no depth: the farther one passes behind it.
     EXPECT_FALSE(
         fragments_of({"cull.enabled=true"}, scene_of({facing_quad("a", 5), facing_quad("b", 5, true)}))[1].tie);
     EXPECT_TRUE(fragments_of({"cull.enabled=true"}, scene)[1].drawn);
@@ -166,15 +166,15 @@ TEST(Fragments, OfDecalsAreOffset) {
     };
     EXPECT_EQ(difference({}), 0);
     EXPECT_EQ(difference({"depth.offset.units=-3"}), -3);
-    EXPECT_EQ(difference({"depth.offset.units=-3", "depth.mapping=reversed"}), 3);  // nearer is greater there
+    EXPECT_EQ(difference({"depth.offset.units=-3", "depth.mapping=reversed"}), 3);  // nearer is greater when reversed
     EXPECT_EQ(difference({"depth.offset.units=-3", "depth.format=d32f"}), -3);
     EXPECT_EQ(difference({"depth.offset.units=-3", "depth.format=d16", "depth.mapping=logarithmic"}), -3);
-    EXPECT_EQ(difference({"depth.offset.factor=-3"}), 0);  // it faces the eye: no slope
+    EXPECT_EQ(difference({"depth.offset.factor=-3"}), 0);  // front-parallel: no slope
 }
 
 TEST(Fragments, OfDecalsAreOffsetByTheirSlope) {
-    // The plane y = −1 seen from the origin, fovy 90: a row's distance is z = 1 / Y for the slope Y below the horizon,
-    // so window depth f/(f−n) − f n Y/(f−n) changes by f n/(f−n) times 2/height from row to row.
+    // The plane y = −1 seen from the origin, fovy 90: a row at slope Y below the horizon is at distance z = 1 / Y, so
+    // window depth f/(f−n) − f n Y/(f−n) changes by f n/(f−n) times 2/height from row to row.
     SceneObject decal = object("decal", quad_mesh(), {0, -1, 0}, {50, 1, 50});
     decal.description.decal = true;
     const Scene scene = scene_of({decal});
@@ -189,7 +189,7 @@ TEST(Fragments, OfDecalsAreOffsetByTheirSlope) {
 }
 
 TEST(Fragments, OfAClosedSurfaceComeInPairs) {
-    // Wherever edges run through pixel centres, as they do here by symmetry, one of two triangles is met.
+    // Edges run through pixel centers here by symmetry; exactly one of two triangles is hit.
     const Params params = params_with(at_origin());
     const std::vector<Mesh> meshes{box_mesh(), sphere_mesh(16, 8), torus_mesh(16, 8), cylinder_mesh(12), cone_mesh(12)};
     for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -212,7 +212,7 @@ TEST(Fragments, OfAClosedSurfaceComeInPairs) {
         }
 }
 
-TEST(Fragments, AreWhatARayInTheWorldMeets) {
+TEST(Fragments, MatchARayInTheWorld) {
     Random random(seed);
     int met = 0;
     for (int trial = 0; trial < 800; ++trial) {
@@ -245,7 +245,7 @@ TEST(Fragments, AreWhatARayInTheWorldMeets) {
             const auto hit = intersect_triangle(ray, corners);
             if (!hit) continue;
             const double eye_z = (derived.view_from_world * glm::dvec4(ray.at(hit->t), 1.0)).z;
-            if (-eye_z <= params.projection.far) expected.push_back(eye_z);  // the ray begins at near
+            if (-eye_z <= params.projection.far) expected.push_back(eye_z);  // the ray starts at near
         }
         const std::vector<Fragment> found = fragments_of(params, scene, pixel);
         ASSERT_EQ(found.size(), expected.size()) << "seed " << seed << " trial " << trial;
@@ -256,7 +256,8 @@ TEST(Fragments, AreWhatARayInTheWorldMeets) {
 }
 
 TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
-    // A grid of separate squares at known places: boxes of runs must lose none, whatever the order of the triangles.
+    // A grid of separate squares at known places: the boxes around runs of triangles must lose none, in any order of
+    // triangles.
     Random random(seed);
     constexpr int side = 60;
     Mesh grid;
@@ -273,7 +274,7 @@ TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
     grid.normals.resize(grid.positions.size(), glm::vec3(0, 0, 1));
     const Scene scene = scene_of({object("grid", grid, {0, 0, -20}), object("again", grid, {0, 0, -25})});
     const Params params = params_with(at_origin());
-    constexpr glm::ivec2 odd(65, 49);  // the middle row and column run along edges
+    constexpr glm::ivec2 odd(65, 49);  // edges pass through the middle row and column
     const FramePlan frame = plan(params, derive(params, scene, {odd, true}));
     const FragmentFinder finder(scene);
     for (int y = 0; y < odd.y; ++y)
@@ -285,9 +286,8 @@ TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
         }
 }
 
-TEST(Fragments, OfThePatchNeedTheMirrorSMask) {
-    // The mask is drawn with the depth function, the patch over it with ALWAYS: where there is no mask there is no
-    // patch.
+TEST(Fragments, OfThePatchNeedTheMirrorMask) {
+    // The mask is drawn with the depth function, the patch over it with ALWAYS: without the mask there is no patch.
     const Scene scene = testing::box_scene();
     const auto of_patch = [&](const std::vector<std::string>& settings) {
         std::vector<std::string> all{"camera.position=[3,4,0]", "camera.yaw=0", "camera.pitch=-90"};
@@ -305,17 +305,17 @@ TEST(Fragments, OfThePatchNeedTheMirrorSMask) {
     }
 }
 
-TEST(Fragments, NothingGivesNothing) {
+TEST(Fragments, AreEmptyWithoutASurface) {
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({})).empty());
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({object("empty", Mesh{}, {0, 0, -3})})).empty());
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({facing_quad("behind", -3)})).empty());
     EXPECT_TRUE(fragments_of({"projection.near=4"}, scene_of({facing_quad("too near", 3)})).empty());
     EXPECT_TRUE(fragments_of({"projection.far=2"}, scene_of({facing_quad("too far", 3)})).empty());
-    // Seen edge-on: the plane y = 0 from y = 0.
+    // Edge-on: the plane y = 0 seen from y = 0.
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({object("edge", quad_mesh(), {0, 0, -3})})).empty());
 }
 
-TEST(Fragments, WithoutTheDepthTestAllAreDrawn) {
+TEST(Fragments, AreAllDrawnWithoutTheDepthTest) {
     const Scene scene = scene_of({facing_quad("near", 3), facing_quad("far", 6)});
     for (const char* const setting : {"depth.test=false", "visibility.method=none", "visibility.method=painter"})
         for (const Fragment& fragment : fragments_of({setting}, scene)) EXPECT_TRUE(fragment.drawn && !fragment.tie);

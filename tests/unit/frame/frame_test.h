@@ -1,5 +1,5 @@
-// What the tests of derive and plan share: scenes without files, presets with theirs, states from settings, and the
-// members in which two frame plans differ, none left out.
+// Shared by the tests of derive() and plan(): scenes without files, presets with their scenes, states from settings,
+// and the complete list of members in which two frame plans can differ.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 
 namespace viewing::testing {
 
-/// An object without files.
+/// Makes an object without files.
 inline SceneObject object(const std::string& name, Mesh mesh, const glm::dvec3& position,
                           const glm::dvec3& scale = glm::dvec3(1.0)) {
     ObjectDescription description;
@@ -38,12 +38,12 @@ inline Scene scene_of(std::vector<SceneObject> objects) {
     return scene;
 }
 
-/// A unit box from y = 0 to y = 2, its vertices known from shapes.cpp only by their position.
+/// Returns a unit box from y = 0 to y = 2; its vertices are known only by position.
 inline Scene box_scene() {
     return scene_of({object("box", box_mesh(), {0.0, 1.0, 0.0})});
 }
 
-/// The opening state with settings as on the command line.
+/// Applies command-line settings to the opening state.
 inline Params params_with(const std::vector<std::string>& settings) {
     const Result<Params> params = apply_settings(Params{}, settings);
     EXPECT_TRUE(params) << params.error();
@@ -81,12 +81,12 @@ inline bool says(const std::vector<Problem>& problems, std::string_view group, c
     });
 }
 
-/// Some members of a pass or of a plan under a name.
+/// A named group of members of a pass or a plan.
 template <typename Whole>
 struct Member {
     std::string name;
     std::function<bool(const Whole&, const Whole&)> is_same;
-    std::function<void(Whole&, const Whole&)> take;  ///< the first one's from the second one
+    std::function<void(Whole&, const Whole&)> take;  ///< copies these members from the second to the first
 };
 
 template <typename Whole, typename... Type>
@@ -95,7 +95,7 @@ Member<Whole> member(std::string name, Type Whole::*... members) {
             [=](Whole& to, const Whole& from) { ((to.*members = from.*members), ...); }};
 }
 
-/// All members of a pass but its name.
+/// Lists all members of a pass except its name.
 inline const std::vector<Member<Pass>>& pass_members() {
     static const std::vector<Member<Pass>> members = {
         member("reason", &Pass::reason),
@@ -128,7 +128,7 @@ inline const std::vector<Member<Pass>>& pass_members() {
     return members;
 }
 
-/// All members of a plan but its passes.
+/// Lists all members of a plan except its passes.
 inline const std::vector<Member<FramePlan>>& plan_members() {
     static const std::vector<Member<FramePlan>> members = {
         member("background", &FramePlan::background),
@@ -160,8 +160,8 @@ inline const std::vector<Member<FramePlan>>& plan_members() {
     return members;
 }
 
-/// What of `a` has to be taken from `b` to make the whole of it equal to `b`: "frame.samples", "Shadow.stencil", or
-/// "frame.passes" where they are not the same ones by name.
+/// Returns the members that must be copied from `b` to `a` to make both equal: "frame.samples", "Shadow.stencil", or
+/// "frame.passes" if the names of the passes differ.
 inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b) {
     std::set<std::string> differing;
     FramePlan changed = a;
@@ -183,7 +183,7 @@ inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b)
             each.take(pass, b.passes[index]);
         }
     }
-    EXPECT_TRUE(changed == b) << "a member of Pass or FramePlan is missing in the lists of frame_test.h";
+    EXPECT_TRUE(changed == b) << "the lists of frame_test.h lack a member of Pass or FramePlan";
     return differing;
 }
 

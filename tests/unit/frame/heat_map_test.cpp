@@ -1,5 +1,5 @@
-// The table that the heat map's shader reads, against the formulas of frame/depth/fighting.h and the facts, and its
-// colours.
+// The table that the heat map's shader reads, against the formulas of frame/depth/fighting.h and worked examples; its
+// colors.
 #include "frame/depth/heat_map.h"
 
 #include "frame/depth/fighting.h"
@@ -23,8 +23,8 @@ double lightness(const Color& color) {
     return std::cbrt(0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b));
 }
 
-TEST(HeatMap, OnsetIsTheStepOfTheFactsAt16Bits) {
-    // Δz = z² (f − n) / (f n (2¹⁶ − 1)), with float32's arithmetic far below it.
+TEST(HeatMap, OnsetIsTheWorkedStepAt16Bits) {
+    // Δz = z² (f − n) / (f n (2¹⁶ − 1)); the error of float32 arithmetic is far smaller.
     const HeatMap map = map_of({"projection.near=0.5", "projection.far=200", "depth.format=d16"});
     EXPECT_NEAR(map.distance_of(0), 0.5, 1e-12);
     EXPECT_NEAR(map.distance_of(HeatMap::entry_count - 1), 200.0, 1e-9);
@@ -34,7 +34,7 @@ TEST(HeatMap, OnsetIsTheStepOfTheFactsAt16Bits) {
     }
 }
 
-TEST(HeatMap, LiesNearTheFormulaBetweenItsEntriesToo) {
+TEST(HeatMap, IsCloseToTheFormulaBetweenEntries) {
     Random random(seed);
     for (const char* const format : {"depth.format=d8", "depth.format=d16", "depth.format=d24", "depth.format=d32f"}) {
         for (const char* const mapping : {"standard", "reversed", "logarithmic"}) {
@@ -66,13 +66,13 @@ TEST(HeatMap, IsPositiveAndFiniteForAnyLens) {
             }
 }
 
-TEST(HeatMap, LeavesNoRoomWhereNoGapIsWideEnough) {
-    // With four bits the first codes reach far: just behind near nothing before a surface has another code.
+TEST(HeatMap, NoGapIsWideEnoughJustBehindNear) {
+    // At four bits the first codes span a wide range: just behind near, no surface in front has another code.
     const HeatMap map = map_of({"projection.near=1", "projection.far=100", "depth.format=d4"});
     for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(map.onset_at(z), z - 1.0) << z;
 }
 
-TEST(HeatMap, GivesEachObjectItsNarrowestGap) {
+TEST(HeatMap, GivesEachObjectItsSmallestGap) {
     const auto square = [](double height) { return object("square", quad_mesh(), {0.0, height, 0.0}); };
     const Scene scene = scene_of({square(0.0), square(0.1), square(0.13), object("box", box_mesh(), {5.0, 0.0, 0.0})});
     const HeatMap map = map_of({"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0"}, scene);
@@ -84,7 +84,7 @@ TEST(HeatMap, GivesEachObjectItsNarrowestGap) {
     EXPECT_NEAR(std::abs(map.gap_of_object[0]->normal_view.z), 1.0, 1e-9) << "seen from above";
 }
 
-TEST(HeatMap, ColorsAreInOrderWithoutColor) {
+TEST(HeatMap, ColorsIncreaseInLightness) {
     double before = 0.0;
     for (const double ratio : {0.0, 0.2, 0.5, 0.7, 0.99, 1.0, 1.5, 2.0, 3.0, 4.0}) {
         const double now = lightness(heat_color(ratio));
@@ -95,7 +95,7 @@ TEST(HeatMap, ColorsAreInOrderWithoutColor) {
     EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
     EXPECT_EQ(heat_color(0.5), heat_colors[1]);
     EXPECT_EQ(heat_color(2.0), heat_colors[4]);
-    EXPECT_GT(lightness(heat_color(1.0)), lightness(heat_color(0.9999)) + 0.05) << "an edge where fighting begins";
+    EXPECT_GT(lightness(heat_color(1.0)), lightness(heat_color(0.9999)) + 0.05) << "a clear edge where fighting begins";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Scenes and requests for the tests of hidden surfaces: the random polygons of the visibility tests as objects of a
-// scene, and states that look at them. Read hidden_surfaces_test.cpp next.
+// Scenes and requests for the hidden-surface tests: the random polygons of the visibility tests as objects of a scene,
+// and states that look at them. See also hidden_surfaces_test.cpp.
 #pragma once
 
 #include "frame/hidden/hidden_surfaces.h"
@@ -10,7 +10,7 @@ namespace viewing::testing {
 
 inline constexpr glm::ivec2 hidden_px(48, 36);
 
-/// Flat triangles; every polygon becomes a fan.
+/// Makes flat triangles: every polygon becomes a fan.
 inline Mesh mesh_of(std::span<const Polygon> polygons) {
     Mesh mesh;
     for (const Polygon& polygon : polygons) {
@@ -25,7 +25,7 @@ inline Mesh mesh_of(std::span<const Polygon> polygons) {
     return mesh;
 }
 
-/// Random polygons that run through one another, as two objects of different colours.
+/// Returns random interpenetrating polygons as two objects of different colors.
 inline Scene random_scene(Random& random) {
     const std::vector<Polygon> polygons = random_polygons(random);
     const auto half = static_cast<std::ptrdiff_t>(polygons.size() / 2);
@@ -36,7 +36,7 @@ inline Scene random_scene(Random& random) {
     return scene;
 }
 
-/// A state that looks at the origin from a random place, one in five from within the scene.
+/// Returns a state that looks at the origin from a random place, one in five from inside the scene.
 inline Params random_view(Random& random) {
     Params params;
     const double distance = random.number(0, 1) < 0.2 ? random.number(0.2, 1.5) : random.number(4.0, 9.0);

@@ -1,4 +1,4 @@
-// The methods step by step, as the frame shows them. Read plan_hidden_test.cpp next.
+// The methods step by step, as the frame shows them. See also plan_hidden_test.cpp.
 #include <algorithm>
 #include <set>
 
@@ -12,7 +12,7 @@ using testing::random_scene;
 using testing::request_of;
 using testing::with_method;
 
-/// A scene and a view in which every method has something to do.
+/// A scene and a view with work for every method.
 class HiddenSteps : public ::testing::Test {
 protected:
     HiddenSteps() {
@@ -51,7 +51,7 @@ TEST_F(HiddenSteps, OfThePainterDrawOnePolygonEach) {
         EXPECT_EQ(result->drawn, step);
         EXPECT_EQ(result->order, whole->order);
         const RasterResult painted =
-            rasterise(*whole->fragments, std::span(whole->order.data(), static_cast<std::size_t>(step)),
+            rasterize(*whole->fragments, std::span(whole->order.data(), static_cast<std::size_t>(step)),
                       request.viewpoint.clip_from_world(),
                       {.rule = PaintRule::overwrite, .width = hidden_px.x, .height = hidden_px.y});
         EXPECT_EQ(result->image.ids, painted.image.ids);
@@ -63,15 +63,15 @@ TEST_F(HiddenSteps, OfThePainterDrawOnePolygonEach) {
     }
 }
 
-TEST_F(HiddenSteps, OfNewellAreRungsOfTheLadder) {
+TEST_F(HiddenSteps, OfNewellAreTestsOfTheLadder) {
     const auto whole = at(VisibilityMethod::newell, -1);
     ASSERT_EQ(whole->newell->steps_left_out, 0);
     EXPECT_EQ(whole->step_count, static_cast<int>(whole->newell->steps.size()));
-    EXPECT_GT(whole->counters.splits, 0) << "or the scene is too easy";
+    EXPECT_GT(whole->counters.splits, 0) << "the scene is too easy";
     int drawn = 0;
     for (int step = 0; step < whole->step_count; ++step) {
         const auto result = at(VisibilityMethod::newell, step);
-        EXPECT_EQ(result->newell, whole->newell) << "the order is found once for all steps";
+        EXPECT_EQ(result->newell, whole->newell) << "all steps share one order";
         EXPECT_EQ(result->drawn, drawn);
         const NewellAction action = whole->newell->steps[static_cast<std::size_t>(step)].action;
         drawn += action == NewellAction::draws || action == NewellAction::forces;
@@ -128,10 +128,10 @@ TEST_F(HiddenSteps, OfTheTreeShareOneTreeForEveryEye) {
 TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     const auto whole = at(VisibilityMethod::software_depth_buffer, -1);
     const auto& polygons = *whole->fragments;
-    std::vector<IdImage> alone;  // what each polygon covers, by itself
+    std::vector<IdImage> alone;  // the coverage of each polygon alone
     std::vector<int> tested{0};  // before each polygon
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        alone.push_back(rasterise(std::span(&polygons[i], 1), request.viewpoint.clip_from_world(),
+        alone.push_back(rasterize(std::span(&polygons[i], 1), request.viewpoint.clip_from_world(),
                                   {.width = hidden_px.x, .height = hidden_px.y})
                             .image);
         const auto covered = std::ranges::count_if(alone.back().ids, [](int id) { return id >= 0; });
@@ -161,7 +161,8 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     }
 }
 
-/// The polygons that a ray meets, by its plane and the side of every edge; false where that is a matter of rounding.
+/// Returns false if rounding decides; otherwise `meets_it` says whether the ray hits the polygon, by its plane and the
+/// side of every edge.
 bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it) {
     const double slope = glm::dot(glm::dvec3(polygon.plane), ray.direction);
     if (std::abs(slope) < 1e-9) return false;
@@ -179,7 +180,7 @@ bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it)
     return true;
 }
 
-TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllThatItMeets) {
+TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllItsHits) {
     const auto whole = at(VisibilityMethod::ray_cast, -1);
     EXPECT_EQ(whole->step_count, hidden_px.x * hidden_px.y);
     EXPECT_FALSE(whole->traced);

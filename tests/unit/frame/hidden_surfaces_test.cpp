@@ -1,5 +1,5 @@
-// The methods as the frame uses them: what an order and a counter mean, what is kept between requests, and input that
-// is nearly nothing. That the methods are right is tested in unit/visibility. Read hidden_steps_test.cpp next.
+// The methods as the frame uses them: the meaning of an order and a counter, caching between requests, and nearly empty
+// input. unit/visibility tests that the methods are right. See also hidden_steps_test.cpp.
 #include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <numeric>
@@ -25,7 +25,7 @@ using testing::with_method;
 constexpr std::array software_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                       VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
 
-/// What is the same when two results are, but for times.
+/// Expects two results that are equal except for times.
 void expect_same(const HiddenResult& a, const HiddenResult& b) {
     EXPECT_EQ(a.order, b.order);
     EXPECT_EQ(a.drawn, b.drawn);
@@ -52,7 +52,7 @@ void expect_same(const HiddenResult& a, const HiddenResult& b) {
     EXPECT_EQ(counters(a.counters), counters(b.counters));
 }
 
-/// Every index of a list once.
+/// Expects every index exactly once.
 void expect_permutation(std::vector<int> order, std::size_t count) {
     std::sort(order.begin(), order.end());
     std::vector<int> all(count);
@@ -94,7 +94,7 @@ TEST(HiddenOrders, DrawEveryPolygonOrFragmentOnce) {
     }
 }
 
-TEST(HiddenOrders, ReachTheSamePictureAsRayCasting) {
+TEST(HiddenOrders, MatchThePictureOfRayCasting) {
     for (unsigned run = 0; run < 40; ++run) {
         SCOPED_TRACE("seed " + std::to_string(seed + run));
         Random random(seed + run);
@@ -112,7 +112,7 @@ TEST(HiddenOrders, ReachTheSamePictureAsRayCasting) {
     }
 }
 
-/// As OpenGL 3.3, 3.6.1 has it: the area's sign on the screen, for triangles before the near plane.
+/// As in OpenGL 3.3, section 3.6.1: the sign of the area on the screen, for triangles in front of the near plane.
 bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -131,14 +131,14 @@ bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
     }
 }
 
-TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
+TEST(HiddenCulling, MatchesTheScreenAndTheMirror) {
     int culled = 0, kept = 0;
     for (unsigned run = 0; run < 60; ++run) {
         SCOPED_TRACE("seed " + std::to_string(seed + run));
         Random random(seed + run);
         const Scene scene = random_scene(random);
         Params params = random_view(random);
-        params.camera.position *= 6.0 / glm::length(params.camera.position);  // all of it before the near plane
+        params.camera.position *= 6.0 / glm::length(params.camera.position);  // all in front of the near plane
         params.cull = {true, static_cast<CullFace>(run % 3), static_cast<FrontFace>(run / 3 % 2)};
         params.reflection.flip_winding = run % 5 != 0;
         params.planes.front().equation = glm::dvec4(random.direction(), 2.6);
@@ -153,7 +153,7 @@ TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
             for (const Polygon& polygon : solver.surface()->polygons)
                 for (const glm::dvec3& vertex : polygon.vertices)
                     all_before_near_plane &= asked.viewpoint.distance(vertex) > params.projection.near;
-            if (!all_before_near_plane) continue;  // half of the mirrored eyes
+            if (!all_before_near_plane) continue;  // true for half of the mirrored eyes
             for (const Polygon& polygon : solver.surface()->polygons) {
                 EXPECT_EQ(!left.contains(polygon.source), is_culled_by_area(polygon, asked));
                 ++(left.contains(polygon.source) ? kept : culled);
@@ -166,7 +166,7 @@ TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
     EXPECT_GT(kept, 300);
 }
 
-TEST(HiddenSolver, GivesWhatAFreshOneGives) {
+TEST(HiddenSolver, MatchesAFreshSolver) {
     Random random(seed + 3);
     const Scene scene = random_scene(random);
     const std::array views{random_view(random), random_view(random)};
@@ -188,25 +188,24 @@ TEST(HiddenSolver, GivesWhatAFreshOneGives) {
     }
 }
 
-TEST(HiddenSolver, SaysThatItWasCancelledAndForgetsIt) {
+TEST(HiddenSolver, ReportsCancellationAndForgetsIt) {
     Random random(seed + 4);
     const Scene scene = random_scene(random);
     const HiddenRequest request = request_of(random_view(random), scene, hidden_px);
     HiddenSurfaceSolver solver(scene);
     for (const VisibilityMethod method : software_methods) {
         WorkProgress progress;
-        progress.cancelled = true;
-        const auto cancelled = solver.solve(with_method(request, method), &progress);
-        EXPECT_TRUE(cancelled->problem.ends_with(".")) << cancelled->problem;
+        progress.canceled = true;
+        const auto canceled = solver.solve(with_method(request, method), &progress);
+        EXPECT_TRUE(canceled->problem.ends_with(".")) << canceled->problem;
         expect_same(*solver.solve(with_method(request, method)),
                     *HiddenSurfaceSolver(scene).solve(with_method(request, method)));
         EXPECT_EQ(solver.solve(with_method(request, method))->problem, "");
     }
 }
 
-/// Of a scene of few polygons the picture is drawn whole, of one of many what was made until then; none of them stands
-/// beside a sentence that says otherwise.
-TEST(HiddenSolver, CancelledItDrawsWhatIsQuicklyMade) {
+/// After cancellation a small scene is drawn completely, a large one in part, and the sentence says so.
+TEST(HiddenSolver, DrawsPartOfALargeSceneWhenCanceled) {
     Random random(seed + 5);
     Scene scene;
     scene.objects.push_back({{}, std::make_shared<const Mesh>(sphere_mesh(200, 101)), glm::dmat4(1.0)});
@@ -217,7 +216,7 @@ TEST(HiddenSolver, CancelledItDrawsWhatIsQuicklyMade) {
     ASSERT_GT(whole->drawn, 32'768);
     WorkProgress progress;
     EXPECT_FALSE(hidden_drawing(*whole, &progress).is_cut);
-    progress.cancelled = true;
+    progress.canceled = true;
     const HiddenDrawing cut = hidden_drawing(*whole, &progress);
     EXPECT_TRUE(cut.is_cut);
     EXPECT_EQ(cut.triangles.size(), 3U * 32'768);
@@ -225,15 +224,15 @@ TEST(HiddenSolver, CancelledItDrawsWhatIsQuicklyMade) {
     EXPECT_EQ(cut.runs.front().vertex_count, 3 * 32'768);
 
     const HiddenAnswer answer = answer_hidden_question(solver, {.camera = request}, &progress);
-    EXPECT_EQ(answer.camera->drawn, whole->drawn) << "known already";
-    EXPECT_EQ(answer.problem(), "The method was cancelled: the picture is not finished.");
+    EXPECT_EQ(answer.camera->drawn, whole->drawn) << "already known";
+    EXPECT_EQ(answer.problem(), "The method was canceled: the picture is not finished.");
     EXPECT_EQ(answer_hidden_question(solver, {.camera = request}).problem(), "");
 
     const HiddenSurfaceSolver begun(scene, &progress);
     EXPECT_TRUE(begun.surface()->polygons.empty());
 }
 
-TEST(HiddenSurface, NormalsAreThoseThatGlInterpolates) {
+TEST(HiddenSurface, NormalsMatchThoseThatGlInterpolates) {
     for (unsigned run = 0; run < 200; ++run) {
         SCOPED_TRACE("seed " + std::to_string(seed + run));
         Random random(seed + run);
@@ -257,11 +256,11 @@ TEST(HiddenSurface, NormalsAreThoseThatGlInterpolates) {
         const glm::dvec3 expected = glm::normalize(glm::inverseTranspose(glm::dmat3(placed.world_from_model)) * normal);
         const glm::dvec3 found =
             glm::normalize(normal_at(surface, source, glm::dvec3(placed.world_from_model * glm::dvec4(point, 1.0))));
-        EXPECT_NEAR(std::abs(glm::dot(found, expected)), 1.0, 1e-9);  // the shader turns it towards the eye
+        EXPECT_NEAR(std::abs(glm::dot(found, expected)), 1.0, 1e-9);  // the shader flips it toward the eye
     }
 }
 
-TEST(HiddenDegenerate, AnEmptySceneHasEmptyPictures) {
+TEST(HiddenDegenerate, EmptySceneHasEmptyPictures) {
     const Scene empty = scene_of({});
     HiddenSurfaceSolver solver(empty);
     for (int step = -1; step < 3; ++step)
@@ -276,7 +275,7 @@ TEST(HiddenDegenerate, AnEmptySceneHasEmptyPictures) {
         }
 }
 
-TEST(HiddenDegenerate, TrianglesWithoutAreaAreLeftOutAndKeepTheirNumbers) {
+TEST(HiddenDegenerate, TrianglesWithoutAreaAreSkippedAndKeepTheirNumbers) {
     Mesh mesh = box_mesh();
     mesh.indices.insert(mesh.indices.begin(), {0, 0, 1, 2, 2, 2});
     const Scene scene = scene_of({object("box", mesh, {0, 1, 0})});
@@ -294,7 +293,7 @@ TEST(HiddenDegenerate, TrianglesWithoutAreaAreLeftOutAndKeepTheirNumbers) {
     }
 }
 
-TEST(HiddenDegenerate, AnObjectTurnedInsideOutIsDrawnByEveryMethod) {
+TEST(HiddenDegenerate, InsideOutObjectIsDrawnByEveryMethod) {
     const Scene scene = scene_of({object("mirrored", box_mesh(), {0, 1, 0}, {-1.0, 0.8, 1.2}),
                                   object("plain", box_mesh(), {1.2, 0.7, 0.4}, {0.7, 0.7, 0.7})});
     HiddenSurfaceSolver solver(scene);
@@ -309,7 +308,7 @@ TEST(HiddenDegenerate, AnObjectTurnedInsideOutIsDrawnByEveryMethod) {
     }
 }
 
-TEST(HiddenDegenerate, AMirrorMadeByHandIsNoEyeForAMethod) {
+TEST(HiddenDegenerate, ManualMirrorHasNoMirroredEye) {
     const Scene scene = testing::box_scene();
     const auto asks_for_mirrored = [&](const std::vector<std::string>& settings) {
         const Params params = params_with(settings);
@@ -321,7 +320,7 @@ TEST(HiddenDegenerate, AMirrorMadeByHandIsNoEyeForAMethod) {
         {"visibility.method=bsp", "overrides.mirror_from_world=[[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,0]]"}));
 }
 
-TEST(HiddenRays, MeetExactCurvesUnlessASideIsLeftOut) {
+TEST(HiddenRays, HitExactCurvesUnlessCulled) {
     SceneObject ball = object("ball", sphere_mesh(8, 4), {0, 1, 0});
     ball.description.shape = ShapeKind::sphere;
     const Scene scene = scene_of({ball, object("box", box_mesh(), {1.5, 0.6, 0}, glm::dvec3(0.6))});
@@ -348,7 +347,7 @@ TEST(HiddenRays, MeetExactCurvesUnlessASideIsLeftOut) {
     }
 }
 
-/// Large triangles that all run through one another: cutting explodes.
+/// Makes large interpenetrating triangles: the number of cuts explodes.
 Scene explosive_scene(int count) {
     Random random(seed);
     std::vector<Polygon> polygons;
@@ -366,7 +365,7 @@ TEST(HiddenBudgetSlowTest, EndsWithASentenceAndAWholePicture) {
         const auto result = solver.solve(request);
         EXPECT_TRUE(result->problem.ends_with(".")) << result->problem;
         const double clipped = result->newell ? result->newell->clipped_area : 0.0;
-        EXPECT_NEAR(area_of_order(*result) + clipped, whole, 1e-9 * whole) << "nothing is lost";
+        EXPECT_NEAR(area_of_order(*result) + clipped, whole, 1e-9 * whole) << "no area is lost";
     }
 }
 

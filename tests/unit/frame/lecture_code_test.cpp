@@ -1,5 +1,5 @@
-// The lecture's code is executed: a small reader of C expressions runs every line into an array of sixteen numbers,
-// which is then read as GL reads it, column by column, and compared with S and R as defined by what they do to points.
+// Runs the lecture's code: a small parser of C expressions executes every line into an array of sixteen numbers, which
+// is read column by column as in GL and compared with the S and R defined by their effect on points.
 #include "frame/planes/lecture_code.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ double factor_of(const std::string& word, const Arguments& arguments) {
     return word.substr(0, bracket) == "plane" ? arguments.plane[index] : arguments.light[index];
 }
 
-/// A sum of products of words with blanks between.
+/// Evaluates a sum of products of words separated by blanks.
 double evaluate(const std::string& expression, const Arguments& arguments) {
     std::istringstream words(expression);
     double sum = 0.0, product = 1.0, sign = 1.0;
@@ -45,7 +45,7 @@ double evaluate(const std::string& expression, const Arguments& arguments) {
     return sum + sign * product;
 }
 
-/// The array after the function has run, as the matrix that GL reads from it; NaN where no line has filled it.
+/// Returns the array after the function as the matrix that GL reads; NaN for entries that no line sets.
 glm::dmat4 read_by_gl(const CodeLines& lines, const Arguments& arguments) {
     std::array<double, 16> array;
     array.fill(std::nan(""));
@@ -56,7 +56,7 @@ glm::dmat4 read_by_gl(const CodeLines& lines, const Arguments& arguments) {
     return matrix;
 }
 
-/// What a line says of its entry: its place in GL's matrix, and the value.
+/// Expects the place in GL's matrix and the value that each line states for its entry.
 void expect_entries(const CodeLines& lines, const glm::dmat4& matrix) {
     for (int index = 0; index < 16; ++index) {
         const CodeLine& line = lines[static_cast<std::size_t>(index)];
@@ -80,7 +80,7 @@ TEST(LectureCode, IsThatOfTheSlides) {
     EXPECT_EQ(mirror_code(plane, false)[12].expression, "- 2 * plane[0] * plane[3]");
 }
 
-TEST(LectureCode, ShadowMatrixThrowsPointsAlongTheirRayOntoThePlane) {
+TEST(LectureCode, ShadowMatrixProjectsPointsAlongTheirRays) {
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
         const glm::dvec4 plane(random.direction(), random.number(-5, 5));
@@ -88,7 +88,7 @@ TEST(LectureCode, ShadowMatrixThrowsPointsAlongTheirRayOntoThePlane) {
         const CodeLines lines = shadow_code(plane, arguments.light);
         const glm::dmat4 read = read_by_gl(lines, arguments);
         expect_entries(lines, read);
-        // S² = (Π·L) S, S L = 0, and points of the plane stay: no other matrix does all of it.
+        // S² = (Π·L) S, S L = 0, and points of the plane stay: only one matrix satisfies all three.
         EXPECT_LT(worst_difference(read * read, arguments.dot * read), 1e-9);
         EXPECT_LT(glm::length(read * arguments.light), 1e-9);
         const glm::dvec3 foot = -plane.w * glm::dvec3(plane);
@@ -110,7 +110,7 @@ TEST(LectureCode, ReflectionMatrixByColumnsReflects) {
     }
 }
 
-TEST(LectureCode, AsPrintedGlReadsTheTranspose) {
+TEST(LectureCode, GlReadsTheTransposeOfThePrintedCode) {
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
         const double d = i % 5 == 0 ? 0.0 : random.number(-5, 5);
@@ -123,7 +123,7 @@ TEST(LectureCode, AsPrintedGlReadsTheTranspose) {
         EXPECT_EQ(printed, glm::transpose(right));
         const bool is_right = worst_difference(printed, right) < 1e-12;
         EXPECT_EQ(is_right, d == 0.0) << "d = " << d;
-        // The translation stands in the bottom row: w is no longer 1.
+        // The translation is in the bottom row: w is no longer 1.
         const glm::dvec4 point(random.vec3(6.0), 1.0);
         EXPECT_NEAR((printed * point).w, 1.0 - 2.0 * d * glm::dot(glm::dvec3(plane), glm::dvec3(point)), 1e-12);
     }

@@ -1,4 +1,4 @@
-// What the light sees: every shadow is hidden behind its caster, and nothing that a slider can reach breaks the view.
+// The light's view: the caster hides every shadow, and no slider value breaks the view.
 #include <cmath>
 
 #include "unit/frame/frame_test.h"
@@ -31,7 +31,7 @@ TEST(LightView, HidesEveryShadowBehindItsCaster) {
         const ObserverView view = light_view(light, plane);
         ASSERT_TRUE(is_finite_view(view));
         const glm::dvec3 n = glm::dvec3(plane);
-        // A caster on the way from the light to a point of the plane.
+        // A caster between the light and a point of the plane.
         const glm::dvec3 across = glm::cross(n, random.vec3(2.0));
         const glm::dvec3 shadow = -plane.w / glm::dot(n, n) * n + across;
         const glm::dvec3 to_light = light.w == 0.0 ? glm::dvec3(light) : glm::dvec3(light) / light.w - shadow;
@@ -41,12 +41,12 @@ TEST(LightView, HidesEveryShadowBehindItsCaster) {
         if (a.w <= 1e-3 || b.w <= 1e-3) continue;
         ++seen;
         EXPECT_LT(glm::length(glm::dvec2(a) / a.w - glm::dvec2(b) / b.w), 1e-8) << "case " << i;
-        EXPECT_LT(a.z / a.w, b.z / b.w) << "the caster is the nearer one";
+        EXPECT_LT(a.z / a.w, b.z / b.w) << "the caster is nearer";
     }
     EXPECT_GT(seen, 300);
 }
 
-TEST(LightView, IsFramedOnWhatCastsWhereverTheLightIs) {
+TEST(LightView, IsFramedOnTheCastersForAnyLight) {
     const Scene scene = testing::box_scene();
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
@@ -65,12 +65,12 @@ TEST(LightView, IsFramedOnWhatCastsWhereverTheLightIs) {
                 farthest = std::max({farthest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
                 ASSERT_LT(std::abs(clip.z), clip.w) << "case " << i;
             }
-        EXPECT_LE(farthest, 1.0) << "case " << i << ": cut off";
-        EXPECT_GT(farthest, 0.4) << "case " << i << ": lost in the picture";
+        EXPECT_LE(farthest, 1.0) << "case " << i << ": the casters are cut off";
+        EXPECT_GT(farthest, 0.4) << "case " << i << ": the casters are too small";
     }
 }
 
-TEST(LightView, IsDefinedWhereverASliderLeads) {
+TEST(LightView, IsDefinedForAnySliderValue) {
     const glm::dvec4 ground(0, 1, 0, 0), tilted(0.3, 1, 0.15, 0.5);
     const glm::dvec4 lights[] = {{0, 5, 0, 1},    {0, -5, 0, 1},   {0, 1, 0, 0},   {0, -1, 0, 0},   {3, 0, 2, 1},
                                  {3, 0, 2, 0},    {0, 0, 0, 1},    {2, 5, 1, .5},  {2, 5, 1, 1e-3}, {2, 5, 1, 1e-7},

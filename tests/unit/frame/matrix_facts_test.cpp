@@ -1,4 +1,4 @@
-// What is measured of a matrix, on matrices whose measures are known.
+// Measures of matrices, on matrices with known values.
 #include "frame/matrix_facts.h"
 
 #include <gtest/gtest.h>
@@ -6,14 +6,14 @@
 namespace viewing {
 namespace {
 
-TEST(MatrixFacts, TheSameMapUpToAFactorIsNoDifference) {
+TEST(MatrixFacts, SameMapUpToAFactorHasNoDifference) {
     const glm::dmat4 shadow{{5.2, 0, 0, 0}, {-2.6, 0, -2.2, -1}, {0, 0, 5.2, 0}, {0, 0, 0, 5.2}};
     for (const double factor : {1.0, 2.0, -1.0, 1e-6, -3e5})
         EXPECT_LT(largest_difference_up_to_scale(factor * shadow, shadow), 1e-12) << factor;
     glm::dmat4 wrong = shadow;
     wrong[3][0] += 1.0;
     EXPECT_GT(largest_difference_up_to_scale(wrong, shadow), 0.9);
-    EXPECT_EQ(largest_difference_up_to_scale(glm::dmat4(0.0), shadow), 5.2) << "nothing is no factor of it";
+    EXPECT_EQ(largest_difference_up_to_scale(glm::dmat4(0.0), shadow), 5.2) << "zero is not a factor of a matrix";
 }
 
 TEST(MatrixFacts, RankCountsIndependentColumns) {

@@ -1,4 +1,4 @@
-// The text of a matrix: which way round it is, that no digit is lost, and what has no digits.
+// The text of a matrix: its row order, full precision, and values without digits.
 #include "frame/matrix_text.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Entry of row r and column c is 10 r + c + 1 / 2 (rows and columns from 1), so that a transpose shows.
+/// The entry in row r and column c (from 1) is 10 r + c + 1 / 2, so a transpose shows.
 glm::dmat4 numbered() {
     glm::dmat4 matrix;
     for (int row = 0; row < 4; ++row)
@@ -74,7 +74,7 @@ TEST(MatrixText, NumpyAndMatlabListRows) {
               "     41.5, 42.5, 43.5, 44.5];\n");
 }
 
-TEST(MatrixText, WholeNumbersHaveAPointWhereTheLanguageNeedsIt) {
+TEST(MatrixText, WholeNumbersHaveADecimalPointWhereNeeded) {
     const glm::dmat4 matrix(1.0);
     EXPECT_NE(matrix_text("m", matrix, MatrixFormat::glsl).find("1.0, 0.0, 0.0, 0.0"), std::string::npos);
     EXPECT_NE(matrix_text("m", matrix, MatrixFormat::matlab).find("1, 0, 0, 0"), std::string::npos);
@@ -96,7 +96,7 @@ TEST(MatrixText, LatexHasPowersOfTen) {
     EXPECT_NE(text.find("2.5 \\cdot 10^{-7} & -3 \\cdot 10^{21} &"), std::string::npos) << text;
 }
 
-TEST(MatrixText, NanAndInfinityAreWhatTheLanguageHas) {
+TEST(MatrixText, NanAndInfinityFollowTheLanguage) {
     glm::dmat4 matrix(1.0);
     matrix[0][0] = std::numeric_limits<double>::quiet_NaN();
     matrix[1][0] = std::numeric_limits<double>::infinity();

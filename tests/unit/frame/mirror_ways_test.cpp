@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-TEST(MirrorWay, SaysHowTheImageIsMadeAndNothingElse) {
+TEST(MirrorWay, ChangesOnlyHowTheImageIsMade) {
     struct Expected {
         MirrorWay way;
         MirrorClip clip;
@@ -34,7 +34,7 @@ TEST(MirrorWay, SaysHowTheImageIsMadeAndNothingElse) {
             EXPECT_EQ(mirrored_in(before, expected.way), wanted) << name_of(expected.way);
         }
     }
-    EXPECT_EQ(mirrored_in(Params{}, MirrorWay::clip_distance), Params{}) << "the way that is right by default";
+    EXPECT_EQ(mirrored_in(Params{}, MirrorWay::clip_distance), Params{}) << "the correct default";
 }
 
 TEST(MirrorWay, HasAName) {

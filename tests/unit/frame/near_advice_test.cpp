@@ -1,4 +1,4 @@
-// What is in view against random points on the triangles, and when near should be another.
+// Distances in view against random points on the triangles, and the advice to change near.
 #include "frame/depth/near_advice.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using testing::object;
 using testing::scene_of;
 
-/// From the origin along −z, with the plane out of sight.
+/// Looks from the origin along −z, with the plane out of view.
 Params looking_from(double near, double far = 100.0) {
     Params params;
     params.camera.position = {0.0, 0.0, 0.0};
@@ -23,7 +23,7 @@ Params looking_from(double near, double far = 100.0) {
     return params;
 }
 
-/// A unit box: its front face is `z` before the eye.
+/// Makes a unit box with its front face `z` in front of the eye.
 SceneObject box_at(double z, double x = 0.0, const std::string& name = "box") {
     return object(name, box_mesh(), {x, 0.0, -z - 1.0});
 }
@@ -32,7 +32,7 @@ std::optional<NearAdvice> advice(const Params& params, const Scene& scene) {
     return near_advice(params, derive(params, scene, {}), scene);
 }
 
-TEST(SeenThings, ReachAsFarAsWhatIsInView) {
+TEST(SeenThings, ReachOnlyAsFarAsTheView) {
     const Params params = looking_from(0.1);
     const Scene scene = scene_of({box_at(4.0), box_at(-9.0, 0.0, "behind"), box_at(4.0, 30.0, "beside"),
                                   box_at(120.0, 0.0, "beyond far"), box_at(99.0, 0.0, "across far")});
@@ -46,20 +46,20 @@ TEST(SeenThings, ReachAsFarAsWhatIsInView) {
     EXPECT_NEAR(seen[1].farthest, 100.0, 1e-9);
 }
 
-TEST(SeenThings, OfThePlaneIsItsPatch) {
+TEST(SeenThings, OfThePlaneAreThoseOfItsPatch) {
     Params params = looking_from(0.1);
     params.projection.fovy = 90.0;
-    params.planes.front() = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind to 10 before it
+    params.planes.front() = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind it to 10 in front
     const Scene scene;
     const std::vector<SeenThing> seen = seen_things(params, derive(params, scene, {}), scene);
     ASSERT_EQ(seen.size(), 1U);
     EXPECT_TRUE(seen[0].is_plane);
-    EXPECT_NEAR(seen[0].nearest, 2.0, 1e-9) << "where the lower edge of a view of 90° meets it";
+    EXPECT_NEAR(seen[0].nearest, 2.0, 1e-9) << "at the lower edge of a 90° view";
     EXPECT_NEAR(seen[0].farthest, 10.0, 1e-9);
 }
 
-/// Points of the triangles that the picture shows, and the nearest and farthest of them.
-TEST(SeenThings, HoldEveryPointOfTheirTrianglesInView) {
+/// Samples points of the triangles in the picture and finds the nearest and the farthest.
+TEST(SeenThings, EncloseEveryVisiblePointOfTheirTriangles) {
     Random random(seed);
     for (int trial = 0; trial < 60; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
@@ -83,11 +83,11 @@ TEST(SeenThings, HoldEveryPointOfTheirTrianglesInView) {
             farthest = std::max(farthest, -point.z);
         }
         const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-        if (nearest > farthest) continue;  // too little of it in view for points at random
+        if (nearest > farthest) continue;  // too little in view for random points
         ASSERT_EQ(seen.size(), 1U);
         EXPECT_LE(seen[0].nearest, nearest + 1e-6);
         EXPECT_GE(seen[0].farthest, farthest - 1e-6);
-        EXPECT_NEAR(seen[0].nearest, nearest, 0.6) << "and not much more";
+        EXPECT_NEAR(seen[0].nearest, nearest, 0.6) << "not much farther than the sampled points";
         EXPECT_NEAR(seen[0].farthest, farthest, 0.6);
     }
 }
@@ -97,7 +97,7 @@ TEST(DistanceMarks, AreGroupedWhereTheyAreClosest) {
         {"d", 40.0, 41.0}, {"a", 1.0, 2.0}, {"b", 1.01, 2.0}, {"c", 10.0, 11.0}, {"e", 50.0, 60.0, true}};
     const std::vector<DistanceMark> four = distance_marks(seen, 8);
     ASSERT_EQ(four.size(), 4U);
-    EXPECT_EQ(four[0].label, "a +1") << "told apart by nobody";
+    EXPECT_EQ(four[0].label, "a +1") << "too close to distinguish";
     EXPECT_EQ(four[0].z, 1.0);
     EXPECT_EQ(four[3].label, "e");
     EXPECT_TRUE(four[3].is_plane);
@@ -109,20 +109,20 @@ TEST(DistanceMarks, AreGroupedWhereTheyAreClosest) {
     EXPECT_TRUE(distance_marks({}, 8).empty());
 }
 
-TEST(NearAdvice, SaysWhatIsToBeWon) {
+TEST(NearAdvice, QuantifiesTheGain) {
     const std::optional<NearAdvice> found = advice(looking_from(0.01), scene_of({box_at(4.0), box_at(78.0)}));
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
-    EXPECT_EQ(found->sentence.rfind("Nothing is nearer than 4: with near = 3.6 the safe gap at z = 80 would be ", 0),
+    EXPECT_EQ(found->sentence.rfind("Nothing is nearer than 4: with near = 3.6, the safe gap at z = 80 would be ", 0),
               0U);
-    // The step goes by 1/n − 1/f: 99.99 against 0.2678.
+    // The step is proportional to 1/n − 1/f: 99.99 against 0.2678.
     const std::size_t end = found->sentence.find(" times finer.");
     ASSERT_NE(end, std::string::npos) << found->sentence;
     EXPECT_NEAR(std::stod(found->sentence.substr(found->sentence.rfind(' ', end - 1))), 373.4, 0.05 * 373.4);
 }
 
-TEST(NearAdvice, IsNoneWhereNearIsFine) {
+TEST(NearAdvice, IsAbsentIfNearIsFine) {
     const Scene scene = scene_of({box_at(4.0)});
     EXPECT_FALSE(advice(looking_from(3.0), scene));
     EXPECT_FALSE(advice(looking_from(2.0), scene)) << "a factor 2";
@@ -135,36 +135,36 @@ TEST(NearAdvice, IsNoneWhereNearIsFine) {
     EXPECT_FALSE(advice(params, scene));
     params = looking_from(0.001);
     params.depth.mapping = DepthMapping::logarithmic;
-    EXPECT_FALSE(advice(params, scene)) << "near costs little";
+    EXPECT_FALSE(advice(params, scene)) << "a small near costs little";
     params.projection.near = 5.0;
-    EXPECT_TRUE(advice(params, scene)) << "but it can still be too large";
+    EXPECT_TRUE(advice(params, scene)) << "near can still be too large";
     params.projection.near = 0.001;
     params.depth.mapping = DepthMapping::reversed;
     params.depth.format = DepthFormat::d32f;
-    EXPECT_FALSE(advice(params, scene)) << "near costs nothing";
+    EXPECT_FALSE(advice(params, scene)) << "a small near costs nothing";
     params.depth.reversed_zero_to_one = false;
-    EXPECT_TRUE(advice(params, scene)) << "but in a clip range of −1 to 1 it does";
+    EXPECT_TRUE(advice(params, scene)) << "in a clip range of −1 to 1 it does";
 }
 
-TEST(NearAdvice, SaysWhatIsCut) {
+TEST(NearAdvice, ReportsCutObjects) {
     const std::optional<NearAdvice> found = advice(looking_from(5.0), scene_of({box_at(4.0)}));
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
-    EXPECT_EQ(found->sentence.substr(0, 52), "near = 5 cuts into box, which comes as near as 4: ne");
+    EXPECT_EQ(found->sentence.substr(0, 52), "near = 5 cuts into box, whose nearest point is at 4:");
     EXPECT_NE(found->sentence.find("1.4 times coarser."), std::string::npos) << found->sentence;
 
     const std::optional<NearAdvice> inside = advice(looking_from(0.5), scene_of({box_at(-1.0)}));
-    EXPECT_FALSE(inside) << "in the middle of a box all of its faces are a step away";
+    EXPECT_FALSE(inside) << "inside a box all faces are one unit away";
     const std::optional<NearAdvice> through =
         advice(looking_from(0.5), scene_of({object("wall", box_mesh(), {1, 0, 0})}));
     ASSERT_TRUE(through);
     EXPECT_FALSE(through->near);
     EXPECT_EQ(through->sentence,
-              "near = 0.5 cuts into wall, which reaches up to the eye: no near would keep it whole.");
+              "near = 0.5 cuts into wall, which reaches up to the eye: no near plane would keep it whole.");
 }
 
-TEST(NearAdvice, NeverCutsWhatIsInView) {
+TEST(NearAdvice, NeverCutsVisibleObjects) {
     Random random(seed);
     int given = 0;
     for (int trial = 0; trial < 300; ++trial) {
@@ -185,7 +185,7 @@ TEST(NearAdvice, NeverCutsWhatIsInView) {
         EXPECT_LT(*found->near, params.projection.far);
         EXPECT_EQ(found->cuts, *found->near < params.projection.near);
         for (const SeenThing& thing : seen_things(params, derived, scene)) EXPECT_LT(*found->near, thing.nearest);
-        // Followed, it is content.
+        // A state that follows the advice gets no more advice.
         params.projection.near = *found->near;
         EXPECT_FALSE(near_advice(params, derive(params, scene, {}), scene));
     }

@@ -1,4 +1,4 @@
-// The steps of depth in an image whose near plane is the mirror, against small moves along each line of sight.
+// Depth steps in an image whose near plane is the mirror, against small moves along each view ray.
 #include "frame/planes/oblique_depth.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double window_depth(const glm::dmat4& clip_from_world, const glm::dvec3& at_worl
     return 0.5 * clip.z / clip.w + 0.5;
 }
 
-TEST(ObliqueDepth, IsHowMuchLessDepthChangesAlongALineOfSight) {
+TEST(ObliqueDepth, MatchesTheDepthChangeAlongAViewRay) {
     const Scene scene = scene_of({object("box", box_mesh(), {0.4, 1, 0.3}), object("far", box_mesh(), {-1, 1.2, -2})});
     Random random(seed);
     int seen = 0;
@@ -62,7 +62,7 @@ TEST(ObliqueDepth, IsHowMuchLessDepthChangesAlongALineOfSight) {
     EXPECT_GT(seen, 100);
 }
 
-TEST(ObliqueDepth, IsNothingWhereNothingIsSeenOrDepthIsWrittenByTheShader) {
+TEST(ObliqueDepth, IsAbsentWithoutAnImageOrWithShaderDepth) {
     const Scene scene = testing::box_scene();
     const auto depth_of = [&](const std::vector<std::string>& settings) {
         const Params params = params_with(settings);
@@ -78,7 +78,7 @@ TEST(ObliqueDepth, IsNothingWhereNothingIsSeenOrDepthIsWrittenByTheShader) {
     const std::optional<ObliqueDepth> by_camera = oblique_depth(camera, derived, scene, plan(camera, derived)),
                                       by_scene = depth_of({"reflection.clip=oblique"});
     ASSERT_TRUE(by_camera && by_scene);
-    EXPECT_NEAR(by_camera->least, by_scene->least, 1e-9 * by_scene->least) << "whichever is mirrored";
+    EXPECT_NEAR(by_camera->least, by_scene->least, 1e-9 * by_scene->least) << "the same for either mirroring";
 }
 
 }  // namespace

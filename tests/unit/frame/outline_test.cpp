@@ -1,4 +1,4 @@
-// The outline that a light sees: worked boxes, then by brute force that no shadow of a vertex lies outside it.
+// The outline that a light sees: worked boxes, then by brute force that it contains the shadow of every vertex.
 #include "frame/planes/outline.h"
 
 #include "unit/frame/frame_test.h"
@@ -11,8 +11,8 @@ using testing::object;
 
 const glm::dvec4 level(0, 1, 0, 0);
 
-/// Where the line from the light through a point meets the plane, by solving n·(l + t (p − l)) + d = 0; nothing when
-/// the point is not between the two.
+/// Intersects the line from the light through a point with the plane by solving n·(l + t (p − l)) + d = 0; empty if the
+/// point is not between light and plane.
 std::optional<glm::dvec3> shadow_of(const glm::dvec3& point, const glm::dvec4& plane, const glm::dvec4& light) {
     const glm::dvec3 n(plane), way = light.w == 0.0 ? -glm::dvec3(light) : point - glm::dvec3(light) / light.w;
     const double side = glm::dot(plane, light) > 0.0 ? 1.0 : -1.0;
@@ -25,7 +25,8 @@ glm::dvec3 world_vertex(const SceneObject& placed, std::size_t vertex) {
     return glm::dvec3(placed.world_from_model * glm::dvec4(placed.mesh->positions[vertex], 1.0));
 }
 
-/// How far a point of the plane lies outside a convex outline: 0 inside. By the signed distance to each of its edges.
+/// Returns the distance of a point of the plane outside a convex outline, 0 inside, by the signed distance to each
+/// edge.
 double outside(const std::vector<OutlineVertex>& outline, const glm::dvec3& point, const glm::dvec3& normal) {
     glm::dvec3 middle(0.0);
     for (const OutlineVertex& corner : outline) middle += corner.shadow_world / static_cast<double>(outline.size());
@@ -47,25 +48,25 @@ TEST(Outline, OfABoxUnderALightStraightAboveIsItsTop) {
     ASSERT_EQ(outline.size(), 4U);
     for (const OutlineVertex& corner : outline) {
         EXPECT_NEAR(corner.vertex_world.y, 2.0, 1e-12);
-        EXPECT_NEAR(std::abs(corner.shadow_world.x), 1.5, 1e-12);  // 6 / (6 − 2) times the half width
+        EXPECT_NEAR(std::abs(corner.shadow_world.x), 1.5, 1e-12);  // 6 / (6 − 2) times half the width
         EXPECT_NEAR(std::abs(corner.shadow_world.z), 1.5, 1e-12);
     }
     EXPECT_EQ(shadow_outline(box, level, {0, 1, 0, 0}).size(), 4U);
 }
 
-TEST(Outline, OfABoxInSlantingLightHasSixCorners) {
+TEST(Outline, OfABoxInSlantedLightHasSixCorners) {
     const SceneObject box = object("box", box_mesh(), {0, 1, 0});
     EXPECT_EQ(shadow_outline(box, level, {1, 2, 1.3, 0}).size(), 6U);
-    EXPECT_EQ(shadow_outline(box, -level, {1, 2, 1.3, 0}).size(), 6U) << "the plane's other sign";
-    EXPECT_EQ(shadow_outline(box, level, {1, 0, 1.3, 0}).size(), 0U) << "the light lies in the plane";
+    EXPECT_EQ(shadow_outline(box, -level, {1, 2, 1.3, 0}).size(), 6U) << "opposite sign of the plane";
+    EXPECT_EQ(shadow_outline(box, level, {1, 0, 1.3, 0}).size(), 0U) << "the light is in the plane";
 }
 
-TEST(Outline, LeavesOutWhatIsNotBetweenLightAndPlane) {
+TEST(Outline, IgnoresPartsNotBetweenLightAndPlane) {
     const SceneObject high = object("high", box_mesh(), {0, 9, 0}), low = object("low", box_mesh(), {0, -3, 0});
     EXPECT_TRUE(shadow_outline(high, level, {0, 5, 0, 1}).empty());
     EXPECT_TRUE(shadow_outline(low, level, {0, 5, 0, 1}).empty());
-    EXPECT_EQ(shadow_outline(low, level, {0.4, -7, 0.3, 1}).size(), 4U) << "a light below has its own side";
-    // A box that reaches through the light's own plane: the upper half throws no shadow.
+    EXPECT_EQ(shadow_outline(low, level, {0.4, -7, 0.3, 1}).size(), 4U) << "a light below acts on its own side";
+    // A box that crosses the plane through the light: the upper half casts no shadow.
     for (const OutlineVertex& corner : shadow_outline(object("tall", box_mesh(), {3, 2, 0}), level, {0, 2.5, 0, 1}))
         EXPECT_LT(corner.vertex_world.y, 2.5);
     SceneObject nothing = high;
@@ -75,7 +76,7 @@ TEST(Outline, LeavesOutWhatIsNotBetweenLightAndPlane) {
     EXPECT_TRUE(shadow_outline(nothing, level, {0, 12, 0, 1}).empty());
 }
 
-TEST(Outline, HoldsEveryShadowOfEveryVertex) {
+TEST(Outline, ContainsTheShadowOfEveryVertex) {
     Random random(seed);
     const Mesh meshes[] = {box_mesh(), sphere_mesh(), torus_mesh()};
     std::size_t outlines = 0, shadows = 0;

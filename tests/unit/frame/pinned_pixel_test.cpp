@@ -1,5 +1,5 @@
-// Pins by object and by fraction hit the same thing at every size of the picture. Judged by rays against the objects'
-// boxes, which know nothing of fragments.
+// Pins by object and by fraction hit the same object at every picture size. Rays against the boxes of the objects,
+// independent of fragments, decide.
 #include "frame/pinned_pixel.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using testing::scene_of;
 
 constexpr glm::ivec2 sizes[] = {{64, 48}, {426, 520}, {800, 600}, {1187, 611}, {1920, 1080}};
 
-/// From the origin along −z: a box that looks over another one, and one at the right.
+/// Looks from the origin along −z at a box that sticks out over another one, and one at the right.
 Params looking() {
     return params_with({"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "shadow.enabled=false",
                         "reflection.enabled=false", "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});
@@ -29,7 +29,7 @@ Scene boxes() {
                      object("right", box_mesh(), {1.2, 0.3, -6})});
 }
 
-/// Where a ray enters a unit box that is only moved; infinity where it misses.
+/// Returns where a ray enters a unit box that is only translated; infinity for a miss.
 double entry(const Ray& ray, const SceneObject& box) {
     const glm::dvec3 middle(box.world_from_model[3]);
     const Bounds bounds = bounds_of(*box.mesh);
@@ -68,7 +68,7 @@ TEST(PinnedPixel, NothingIsPinnedByDefault) {
     EXPECT_EQ(none.why_none, "");
 }
 
-TEST(PinnedPixel, APixelByItsNumbersIsItselfOrOutside) {
+TEST(PinnedPixel, PixelByCoordinatesIsItselfOrOutside) {
     Params params = looking();
     params.view.pixel = glm::ivec2(60, 40);
     EXPECT_EQ(resolved(params, boxes(), {64, 48}).pixel, glm::ivec2(60, 40));
@@ -77,7 +77,7 @@ TEST(PinnedPixel, APixelByItsNumbersIsItselfOrOutside) {
     EXPECT_NE(outside.why_none.find("outside"), std::string::npos);
 }
 
-TEST(PinnedPixel, AFractionOfTheViewIsTheSamePlaceAtEverySize) {
+TEST(PinnedPixel, FractionOfTheViewIsTheSamePlaceAtEverySize) {
     Params params = looking();
     for (const glm::ivec2 size : sizes) {
         params.view.pin = Pin{"", glm::dvec2(0.25, 0.75)};
@@ -87,7 +87,7 @@ TEST(PinnedPixel, AFractionOfTheViewIsTheSamePlaceAtEverySize) {
     }
 }
 
-TEST(PinnedPixel, AnObjectIsPinnedWhereItIsSeen) {
+TEST(PinnedPixel, ObjectIsPinnedWhereItIsVisible) {
     Params params = looking();
     const Scene scene = boxes();
     for (const glm::ivec2 size : sizes)
@@ -99,7 +99,7 @@ TEST(PinnedPixel, AnObjectIsPinnedWhereItIsSeen) {
         }
 }
 
-TEST(PinnedPixel, AFractionOfAnObjectsBoxLiesInIt) {
+TEST(PinnedPixel, FractionOfAnObjectsBoxIsInsideIt) {
     Params params = looking();
     const Scene scene = boxes();
     for (const glm::ivec2 size : sizes) {
@@ -119,20 +119,20 @@ TEST(PinnedPixel, AFractionOfAnObjectsBoxLiesInIt) {
     }
 }
 
-TEST(PinnedPixel, WhatIsNotSeenIsSaidInASentence) {
+TEST(PinnedPixel, ReportsInvisibleObjectsInASentence) {
     Params params = looking();
     const Scene behind_wall =
         scene_of({object("hidden", box_mesh(), {0, 0, -20}), object("front", box_mesh(), {0, 0, -3})});
     params.view.pin = Pin{"hidden", {}};
-    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "Nothing is seen of the pinned object hidden.");
+    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "No part of the pinned object hidden is visible.");
     params.camera.yaw = 180.0;
     params.view.pin = Pin{"front", {}};
-    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "Nothing is seen of the pinned object front.");
+    EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "No part of the pinned object front is visible.");
     params.view.pin = Pin{"nobody", {}};
     EXPECT_EQ(resolved(params, behind_wall, sizes[1]).why_none, "The scene has no object nobody to pin.");
 }
 
-TEST(PinnedPixel, WhereTheFrameStopsDoesNotMoveIt) {
+TEST(PinnedPixel, DoesNotDependOnTheLastDrawCall) {
     Params params = looking();
     params.view.pin = Pin{"right", {}};
     const std::optional<glm::ivec2> whole = resolved(params, boxes(), sizes[2]).pixel;

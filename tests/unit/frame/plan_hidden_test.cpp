@@ -1,5 +1,5 @@
-// Hidden-surface methods as passes: who draws, in what order with the patch, and what the overdraw and difference views
-// make of it. Read tests/gl/hidden_test.cpp for the pictures.
+// Hidden-surface methods as passes: the subjects drawn, their order relative to the patch, and the overdraw and
+// difference views. See tests/gl/hidden_test.cpp for the pictures.
 #include <algorithm>
 
 #include "frame/hidden/hidden_views.h"
@@ -17,7 +17,7 @@ using testing::scene_of;
 constexpr glm::ivec2 size_px(32, 24);
 constexpr std::array methods_by_hand{"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"};
 
-/// A box on the ground, and one that reaches through it.
+/// Returns a box on the ground and one that crosses it.
 Scene scene_above() {
     return scene_of({object("box", box_mesh(), {0, 1, 0})});
 }
@@ -35,7 +35,7 @@ FramePlan plan_by(std::vector<std::string> settings, const Scene& scene, const s
     return plan(params, derived, answer_hidden_question(solver, *question).pictures);
 }
 
-/// What GL is sent in order is not tested; pixels that a method found pass always, and leave its depth.
+/// Fragments sent in order take no depth test; pixels found by a method always pass and write their depth.
 TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
     for (const Scene& scene : {scene_above(), scene_through()})
         for (const char* method : methods_by_hand)
@@ -52,10 +52,10 @@ TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
     for (const Pass& pass : plan_by({}, scene_above(), "depth_buffer").passes) EXPECT_TRUE(pass.depth.test);
 }
 
-TEST(PlanHidden, TheSceneIsDividedByThePatchOnlyWhereItReachesBeyond) {
+TEST(PlanHidden, PatchSplitsTheSceneOnlyIfObjectsCrossIt) {
     const Names plain{"Mirror mask", "Mirror image", "Patch", "Shadow", "Objects"};
-    const Names divided{"Mirror mask", "Objects beyond the plane", "Mirror image", "Patch",
-                        "Shadow",      "Objects before the plane"};
+    const Names divided{"Mirror mask", "Objects beyond the plane",     "Mirror image", "Patch",
+                        "Shadow",      "Objects in front of the plane"};
     for (const char* method : methods_by_hand) {
         SCOPED_TRACE(method);
         EXPECT_EQ(names_of_passes(plan_by({}, scene_above(), method)), plain);
@@ -65,12 +65,12 @@ TEST(PlanHidden, TheSceneIsDividedByThePatchOnlyWhereItReachesBeyond) {
         EXPECT_EQ(names_of_passes(plan_by({}, scene_through(), method)), plain) << method;
     const FramePlan mirrors = plan_by({}, scene_through());
     EXPECT_EQ(mirrors.passes.at(1).stencil, (StencilState{true, CompareFunc::notequal, 1, StencilOp::keep}))
-        << "the mirror lets its image through, not what stands behind it";
+        << "the mirror shows its image, not objects behind it";
     EXPECT_EQ(names_of_passes(plan_by({"reflection.enabled=false"}, scene_through())).front(),
               "Objects beyond the plane");
 }
 
-TEST(PlanHidden, WhatLiesBeyondIsWhatTheEyeHasBehindThePlane) {
+TEST(PlanHidden, ObjectsBeyondAreBehindThePlaneForTheEye) {
     for (const double height : {4.0, -4.0}) {
         for (const double sign : {1.0, -2.0}) {
             const FramePlan frame = plan_by({"camera.position=[0," + std::to_string(height) + ",7]",
@@ -78,7 +78,7 @@ TEST(PlanHidden, WhatLiesBeyondIsWhatTheEyeHasBehindThePlane) {
                                             scene_through());
             const auto beyond = std::ranges::find(frame.passes, "Objects beyond the plane", &Pass::name);
             ASSERT_NE(beyond, frame.passes.end());
-            ASSERT_EQ(frame.passes.back().name, "Objects before the plane");
+            ASSERT_EQ(frame.passes.back().name, "Objects in front of the plane");
             const glm::dvec4 eye(0, height, 7, 1);
             EXPECT_LT(glm::dot(beyond->clip_planes.at(0), eye), 0.0);
             EXPECT_GT(glm::dot(frame.passes.back().clip_planes.at(0), eye), 0.0);
@@ -87,10 +87,10 @@ TEST(PlanHidden, WhatLiesBeyondIsWhatTheEyeHasBehindThePlane) {
     }
     const Names passes = names_of_passes(plan_by({"camera.position=[0,0,7]", "camera.pitch=0"}, scene_through()));
     EXPECT_TRUE(std::ranges::none_of(passes, [](const auto& name) { return name.starts_with("Objects b"); }))
-        << "the patch is seen edge-on";
+        << "the patch is edge-on";
 }
 
-TEST(PlanHidden, OrdersAndPixelsTakeTheObjectsPlace) {
+TEST(PlanHidden, OrdersAndPixelsReplaceTheObjects) {
     for (const char* method : methods_by_hand) {
         SCOPED_TRACE(method);
         const bool finds_pixels = method == std::string("software_depth_buffer") || method == std::string("ray_cast");
@@ -105,7 +105,7 @@ TEST(PlanHidden, OrdersAndPixelsTakeTheObjectsPlace) {
             EXPECT_EQ(pass.subject == expected, shows_scene) << pass.name;
             EXPECT_EQ(pass.is_mirror_image, pass.name == "Mirror image");
             if (pass.name == "Shadow") {
-                EXPECT_EQ(pass.subject, Subject::objects) << "which shadows fall never depends on the method";
+                EXPECT_EQ(pass.subject, Subject::objects) << "shadows never depend on the method";
             }
             EXPECT_FALSE(pass.reason.empty());
         }
@@ -114,23 +114,23 @@ TEST(PlanHidden, OrdersAndPixelsTakeTheObjectsPlace) {
     EXPECT_EQ(masked.passes.back().subject, Subject::pixels);
 }
 
-TEST(PlanHidden, WithoutAnAnswerYetGlDrawsTheObjects) {
+TEST(PlanHidden, GlDrawsTheObjectsUntilThereIsAnAnswer) {
     const Params params = params_with({"visibility.method=bsp"});
     const FramePlan frame = plan(params, derive(params, scene_above(), Viewport{size_px}));
     EXPECT_EQ(frame.passes.back().subject, Subject::objects);
     EXPECT_FALSE(frame.passes.back().depth.test);
 }
 
-TEST(PlanHidden, AStepOfTheDepthBufferDrawsInTheScenesOrder) {
+TEST(PlanHidden, StepOfTheDepthBufferDrawsInSceneOrder) {
     const FramePlan frame = plan_by({"visibility.step=3"}, scene_above(), "depth_buffer");
     EXPECT_EQ(frame.passes.back().subject, Subject::ordered);
     EXPECT_TRUE(frame.passes.back().depth.test);
     EXPECT_EQ(frame.hidden.camera->triangles.size(), 9U);
     EXPECT_FALSE(hidden_question(params_with({}), derive(Params{}, scene_above(), Viewport{size_px}), size_px))
-        << "GL draws the opening state by itself";
+        << "GL alone draws the opening state";
 }
 
-TEST(PlanHidden, OverdrawAddsOneForEachDrawingOfTheSceneAlone) {
+TEST(PlanHidden, OverdrawCountsOnlyTheScene) {
     for (const char* method : {"depth_buffer", "none", "painter", "bsp", "ray_cast"})
         for (const Scene& scene : {scene_above(), scene_through()}) {
             SCOPED_TRACE(method);
@@ -149,7 +149,7 @@ TEST(PlanHidden, OverdrawAddsOneForEachDrawingOfTheSceneAlone) {
         }
 }
 
-TEST(PlanHidden, TheDifferenceLiesOverEverything) {
+TEST(PlanHidden, DifferenceIsDrawnLast) {
     for (const char* method : {"software_depth_buffer", "ray_cast"}) {
         const FramePlan frame = plan_by({"view.shows=difference", "visibility.compare_with=software_depth_buffer"},
                                         scene_through(), method);
@@ -162,11 +162,11 @@ TEST(PlanHidden, TheDifferenceLiesOverEverything) {
     for (const char* method : {"depth_buffer", "painter", "newell", "bsp"}) {
         const FramePlan by_gl =
             plan_by({"view.shows=difference", "visibility.compare_with=ray_cast"}, scene_above(), method);
-        EXPECT_NE(by_gl.passes.back().subject, Subject::difference) << "GL's picture is not there yet: " << method;
+        EXPECT_NE(by_gl.passes.back().subject, Subject::difference) << "GL's picture is not available yet: " << method;
     }
 }
 
-TEST(PlanHidden, TheObserverSeesThePlainScene) {
+TEST(PlanHidden, ObserverSeesThePlainScene) {
     const Params params = params_with({"visibility.method=bsp", "view.shows=overdraw"});
     const FramePlan frame = plan_observer(params, derive(params, scene_through(), Viewport{size_px}),
                                           derive_observer(params.observer, Viewport{size_px}));

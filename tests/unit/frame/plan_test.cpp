@@ -1,5 +1,5 @@
-// The technique read as data: which passes there are, which field of which pass each switch changes and that it changes
-// nothing else, and what must hold for every state.
+// The technique as data: the passes, the one field of one pass that each switch changes, and the invariants of every
+// state.
 #include "frame/plan.h"
 
 #include <algorithm>
@@ -131,21 +131,21 @@ TEST(PlanPasses, FollowTheSwitches) {
     }
 }
 
-TEST(PlanPasses, PatchOnTheSideAwayFromTheLightIsUnlit) {
+TEST(PlanPasses, PatchFacingAwayFromTheLightIsUnlit) {
     EXPECT_EQ(pass_named(plan_with({"light.position=[1,-4,1,1]"}), "Patch").shading, Shading::unlit);
     EXPECT_EQ(pass_named(plan_with({"light.position=[1,0,1,1]"}), "Patch").shading, Shading::unlit);
     EXPECT_EQ(pass_named(plan_with({"camera.position=[3.9,-3,6.6]", "light.position=[1,-4,1,1]"}), "Patch").shading,
               Shading::lit);
 }
 
-/// All passes' value of one field.
+/// Returns one field with the name of every pass.
 std::set<std::string> in_every_pass(const FramePlan& frame, const std::string& field) {
     std::set<std::string> keys;
     for (const Pass& pass : frame.passes) keys.insert(pass.name + "." + field);
     return keys;
 }
 
-TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
+TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
     struct Case {
         std::vector<std::string> settings;
         std::set<std::string> changed;
@@ -164,7 +164,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
         {{"depth.clear=false"}, {"frame.clear_depth"}},
         {{"depth.format=d16"},
-         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks are no samples
+         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks are not samples
         {{"depth.format=d32f"}, {"frame.depth_format", "frame.stored_depth"}},
         {{"depth.write_while_clearing=false"}, {"frame.mask_on_while_clearing"}},
         {{"depth.logarithm_per_vertex=true"}, {"frame.logarithm_per_vertex"}},
@@ -177,7 +177,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"view.beside.shows=depth"}, {}},
         {{"coplanar.gap=1"}, {}},
         {{"animation.jiggle=true"}, {}},
-        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping", "frame.stored_depth"}},  // its shader moves by codes
+        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping", "frame.stored_depth"}},  // its shader offsets by codes
         {{"depth.mapping=reversed"}, reversed},
         {{"depth.offset.factor=-2"}, {"frame.decal_offset"}},
         {{"cull.enabled=true"}, {"Mirror image.cull", "Objects.cull"}},
@@ -242,7 +242,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
     }
 }
 
-/// Nothing in it is as a pass is made.
+/// Returns a pass without any default value.
 Pass other_pass() {
     return {.name = "Other",
             .reason = "is other",
@@ -273,7 +273,7 @@ Pass other_pass() {
             .color = glm::dvec4(1.0)};
 }
 
-/// Nothing in it but the passes is as a plan is made.
+/// Returns a plan without any default value except its passes.
 FramePlan other_plan() {
     FramePlan other;
     other.background = other.unwritten = other.patch_light = other.patch_dark = other.patch_line = Color{1, 2, 3};
@@ -300,7 +300,7 @@ FramePlan other_plan() {
     return other;
 }
 
-TEST(PlanSwitches, AreSeenInEveryMemberOfPassAndPlan) {
+TEST(PlanSwitches, CompareEveryMemberOfPassAndPlan) {
     FramePlan made, other = other_plan();
     made.passes.resize(1);
     made.passes.front().name = "Other";
@@ -319,7 +319,7 @@ TEST(PlanSwitches, AreSeenInEveryMemberOfPassAndPlan) {
         EXPECT_EQ(differences(made, changed), std::set<std::string>{"Other." + member.name});
     }
     EXPECT_EQ(differences(made, other).size(), testing::plan_members().size() + testing::pass_members().size())
-        << "and nothing is left that is the same";
+        << "every member differs";
 }
 
 TEST(PlanSwitches, StencilOfTheShadow) {
@@ -333,7 +333,7 @@ TEST(PlanSwitches, StencilOfTheShadow) {
     EXPECT_FALSE(stencil({"shadow.clip_to_receiver=false", "shadow.stencil_once=false"}).test);
 }
 
-TEST(PlanSwitches, LiftGoesTowardsTheEye) {
+TEST(PlanSwitches, LiftGoesTowardTheEye) {
     for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-3,0,0]"}) {
         const FramePlan frame = plan_with({"shadow.offset=lift", "shadow.lift=0.25", plane});
         const glm::dvec4 lifted = pass_named(frame, "Shadow").world_from_scene * glm::dvec4(0.5, 1.0, 0.5, 1.0);
@@ -342,7 +342,7 @@ TEST(PlanSwitches, LiftGoesTowardsTheEye) {
     }
 }
 
-TEST(PlanDepth, ReversedTurnsComparisonsOffsetsAndClearRound) {
+TEST(PlanDepth, ReversedInvertsComparisonsOffsetsAndClear) {
     struct Case {
         const char *func, *standard, *reversed;
     };
@@ -370,7 +370,7 @@ TEST(PlanDepth, ReversedTurnsComparisonsOffsetsAndClearRound) {
     EXPECT_EQ(*pass_named(reversed, "Shadow").offset, (DepthOffset{1, 1}));
 }
 
-TEST(PlanDepth, ReversedHasThreeSwitchesOfItsOwn) {
+TEST(PlanDepth, ReversedHasThreeSwitches) {
     const std::string reversed = "depth.mapping=reversed";
     const FramePlan right = plan_with({reversed});
     EXPECT_TRUE(right.clip_zero_to_one);
@@ -385,14 +385,14 @@ TEST(PlanDepth, ReversedHasThreeSwitchesOfItsOwn) {
               plan_of(params_with({reversed}), false).passes.front().clip_from_world);
 }
 
-/// A wall with two posters, one of them nearer to the eye, and a box.
+/// Returns a wall with two posters, one of them closer to the eye, and a box.
 Scene scene_with_decals() {
     const Result<Scene> scene = load_scene(SceneSource(std::string("decals")), {});
     EXPECT_TRUE(scene);
     return *scene;
 }
 
-TEST(PlanDecals, HaveAPassOfTheirOwnUnlessAnOffsetMovesThem) {
+TEST(PlanDecals, HaveTheirOwnPassUnlessAnOffsetMovesThem) {
     const Scene scene = scene_with_decals();
     const auto frame_with = [&](const char* setting) {
         const Params params = params_with({setting, "depth.offset.units=-1"});
@@ -409,7 +409,7 @@ TEST(PlanDecals, HaveAPassOfTheirOwnUnlessAnOffsetMovesThem) {
     const FramePlan stencil = frame_with("depth.decals=stencil");
     EXPECT_FALSE(pass_named(stencil, "Decals").depth.test);
     EXPECT_TRUE(pass_named(stencil, "Objects").marks_objects);
-    // Walls, posters and posts by turns: a poster has its wall's mark and no other's, a post has none.
+    // Walls, posters and posts alternate: a poster has only the mark of its own wall, a post has none.
     ASSERT_EQ(stencil.object_marks.size(), 12U);
     std::set<int> marks;
     for (std::size_t wall = 0; wall < 12; wall += 3) {
@@ -442,12 +442,12 @@ TEST(PlanMirror, ObliqueNearPlaneIsTheMirror) {
         EXPECT_NEAR(ndc_z({0.5, 0.0, 0.5}), each.near_end, 1e-12);
         EXPECT_NEAR(ndc_z({-2.0, 0.0, 1.0}), each.near_end, 1e-12);
         const double towards_far = each.far_end - each.near_end;
-        EXPECT_GT((ndc_z({0.5, 0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "above the mirror: kept";
-        EXPECT_LT((ndc_z({0.5, -0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "behind the mirror: cut off";
+        EXPECT_GT((ndc_z({0.5, 0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "kept above the mirror";
+        EXPECT_LT((ndc_z({0.5, -0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "clipped behind the mirror";
     }
 }
 
-TEST(PlanMirror, TheMirroredCameraSeesTheSameImage) {
+TEST(PlanMirror, MirroredCameraSeesTheSameImage) {
     const Pass by_scene = pass_named(plan_with({"plane.equation=[0.3,1,0.2,0.5]"}), "Mirror image");
     const Pass by_camera =
         pass_named(plan_with({"plane.equation=[0.3,1,0.2,0.5]", "reflection.mirrored=camera"}), "Mirror image");
@@ -459,7 +459,7 @@ TEST(PlanMirror, TheMirroredCameraSeesTheSameImage) {
         for (int row = 0; row < 4; ++row) EXPECT_NEAR(one[column][row], other[column][row], 1e-9);
 }
 
-TEST(PlanMirror, DepthIsWhatTheStencilAndTheCountOfImagesAllow) {
+TEST(PlanMirror, DepthIsLimitedByStencilAndImageCount) {
     const auto depth = [](const std::vector<std::string>& settings) {
         const Params params = params_with(settings);
         return reflection_depth(params, derive(params, box_scene(), Viewport{}));
@@ -473,7 +473,7 @@ TEST(PlanMirror, DepthIsWhatTheStencilAndTheCountOfImagesAllow) {
     EXPECT_EQ(depth({two, "reflection.bounces=5", "visibility.method=painter"}), 1);
 }
 
-/// What is uploaded as (−S) for one sign of the plane is S for the other, and the names of products say which.
+/// The (−S) uploaded for one sign of the plane is S for the other, and the product's name says which.
 FramePlan without_told_sign(FramePlan frame) {
     const std::string told = "(−S)";
     for (Pass& pass : frame.passes)
@@ -482,7 +482,7 @@ FramePlan without_told_sign(FramePlan frame) {
     return frame;
 }
 
-TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
+TEST(PlanPlane, SignAndLengthOfTheEquationDoNotMatter) {
     Random random(seed);
     for (int trial = 0; trial < 60; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
@@ -505,7 +505,7 @@ TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
     }
 }
 
-TEST(PlanObserver, IsPlainWhateverTheCameraDoes) {
+TEST(PlanObserver, IsPlainForAnyCamera) {
     const Params params = params_with({"depth.test=false", "cull.enabled=true", "depth.mapping=reversed",
                                        "view.shows=depth", "visibility.method=none", "reflection.clip=oblique"});
     const Derived derived = derive(params, box_scene(), Viewport{});
@@ -525,7 +525,7 @@ TEST(PlanObserver, IsPlainWhateverTheCameraDoes) {
     EXPECT_EQ(pass_named(frame, "Mirror image").clip_planes.size(), 1U);
 }
 
-TEST(PlanObserver, SeesTheSideThatTheObserverIsOn) {
+TEST(PlanObserver, SeesTheSideOfTheObserver) {
     Params params;
     params.observer.pitch = 30.0;  // from below
     const Derived derived = derive(params, box_scene(), Viewport{});
@@ -542,9 +542,9 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
         Params params = testing::RandomParams(first_seed + run).make();
         clamp_to_ranges(params);
         const FramePlan frame = plan_of(params, run % 2 == 0);
-        // Of a small raster nothing but what the method has found is drawn.
+        // A small raster shows only the results of the method.
         ASSERT_FALSE(frame.passes.empty() && !has_raster(params.visibility));
-        // The other methods have found nothing yet; the heat map goes by none of them.
+        // The other methods have no results yet; the heat map uses none of them.
         const bool draws_objects =
             is_drawn_by_gl_alone(params.visibility.method) || params.view.shows == Shows::fighting;
         const bool has_objects = std::ranges::any_of(
@@ -577,7 +577,7 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
     }
 }
 
-TEST(PlanCalls, SayWhatEachPassChanges) {
+TEST(PlanCalls, ListTheChangesOfEachPass) {
     using Calls = std::vector<std::string>;
     const FramePlan frame =
         plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
@@ -607,8 +607,8 @@ TEST(PlanCalls, SayWhatEachPassChanges) {
                      "drawObjects()"}));
 }
 
-/// Each artefact is a changed line: which S and R are uploaded, of which plane and light, with which sign.
-TEST(PlanCalls, NameTheMatricesThatAreUploaded) {
+/// Each artifact changes a line: the uploaded S and R, their plane and light, and their sign.
+TEST(PlanCalls, NameTheUploadedMatrices) {
     const auto products_of = [](const std::vector<std::string>& settings) {
         std::set<std::string> products;
         for (const Pass& pass : plan_with(settings).passes) products.insert(pass.matrices);
@@ -625,7 +625,7 @@ TEST(PlanCalls, NameTheMatricesThatAreUploaded) {
               (Products{"I", "P V", "P V R₁", "P V R₂", "P V R₁ R₂", "P V R₂ R₁", "P V S₁₁"}));
 }
 
-TEST(PlanCalls, TellWhatColours) {
+TEST(PlanCalls, SetTheColors) {
     const FramePlan frame = plan_with({"shadow.opacity=0.25", "reflection.reflectance=0.3"});
     std::vector<std::string> all;
     for (std::size_t number = 0; number < frame.passes.size(); ++number)
@@ -633,12 +633,12 @@ TEST(PlanCalls, TellWhatColours) {
              gl_calls(frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1]))
             all.push_back(call);
     const auto has = [&all](const char* call) { return std::ranges::find(all, call) != all.end(); };
-    EXPECT_TRUE(has("glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)")) << "the light goes through R";
-    EXPECT_TRUE(has("glUniform1f(alpha, 0.7)")) << "what the mirror keeps of its own";
+    EXPECT_TRUE(has("glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)")) << "R mirrors the light";
+    EXPECT_TRUE(has("glUniform1f(alpha, 0.7)")) << "the mirror's own share";
     EXPECT_TRUE(has("glUniform4f(color, 0.0, 0.0, 0.0, 0.25)"));
 }
 
-/// What a machine knows that obeys the calls, one by one.
+/// Simulates a machine that executes the calls one by one.
 TEST(PlanCalls, LeadFromEachPassToTheNext) {
     constexpr unsigned first_seed = 8100;
     for (unsigned run = 0; run < 100; ++run) {
@@ -646,7 +646,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
         Params params = testing::RandomParams(first_seed + run).make();
         clamp_to_ranges(params);
         const FramePlan frame = plan_of(params);
-        std::map<std::string, std::string> state;  // of a call's name, or of a capability
+        std::map<std::string, std::string> state;  // by the name of a call or a capability
         const auto obey = [&state](const std::string& call) {
             const std::size_t open = call.find('(');
             const std::string name = call.substr(0, open), value = call.substr(open + 1);
@@ -655,7 +655,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
             else
                 state[name] = value;
         };
-        std::vector<Pass> passes = frame.passes;  // of two frames: the second begins with what the first has left
+        std::vector<Pass> passes = frame.passes;  // two frames: the second starts with the state left by the first
         passes.insert(passes.end(), frame.passes.begin(), frame.passes.end());
         Pass before;
         for (std::size_t number = 0; number < passes.size(); ++number) {

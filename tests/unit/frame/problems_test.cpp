@@ -1,4 +1,4 @@
-// Every switch that breaks shadows and mirrors says why, where that can be seen, and nowhere else.
+// Every switch that breaks shadows or mirrors explains itself where its effect is visible, and nowhere else.
 #include "frame/problems.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::string all_of(const std::vector<Problem>& problems) {
     return text;
 }
 
-/// A box on the floor in front of the eye, one that crosses the floor, and one that is higher than the light.
+/// Returns a box on the floor in front of the eye, one that crosses the floor, and one that is higher than the light.
 Scene crossing_scene() {
     return scene_of({object("box", box_mesh(), {0, 1, 0}), object("sunk", box_mesh(), {2, 0, 0})});
 }
@@ -51,29 +51,29 @@ struct Case {
     std::string group, words;
     Scene (*scene)();
     Settings told, not_told;
-    Scene (*scene_of_not_told)() = nullptr;  ///< none: the same
+    Scene (*scene_of_not_told)() = nullptr;  ///< null: the same scene
 };
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
-        // shadow: artefacts 22 to 33
+        // shadow: artifacts 22 to 33
         {"shadow",
-         "darkens shadow",
+         "the shadow darkens wherever",
          box_scene,
          {"shadow.stencil_once=false"},
          {"shadow.stencil_once=false", "shadow.opacity=1"}},
         {"shadow",
-         "darkens shadow",
+         "the shadow darkens wherever",
          box_scene,
          {"shadow.stencil_once=false"},
          {"shadow.stencil_once=false", "shadow.style=missing_light"}},
         {"shadow",
-         "beyond the floor's edge",
+         "past the floor's edge",
          box_scene,
          {"shadow.clip_to_receiver=false", "plane.extent=1.5"},
          {"shadow.clip_to_receiver=false", "plane.extent=50"}},
         {"shadow",
-         "beyond the floor's edge",
+         "past the floor's edge",
          box_scene,
          {"shadow.clip_to_receiver=false", "plane.extent=1.5"},
          {"plane.extent=1.5"}},
@@ -100,7 +100,7 @@ const std::vector<Case>& cases() {
          box_scene,
          {"shadow.opacity=1"},
          {"shadow.opacity=1", "shadow.enabled=false"}},
-        {"shadow", "what is there of sunk is not clipped", crossing_scene, {"shadow.clip_casters=false"}, {}},
+        {"shadow", "the part of sunk there is not clipped", crossing_scene, {"shadow.clip_casters=false"}, {}},
         {"shadow",
          "false shadow",
          buried_scene,
@@ -108,7 +108,7 @@ const std::vector<Case>& cases() {
          {"shadow.clip_casters=false"},
          box_scene},
         {"shadow",
-         "what of tower is beyond the light",
+         "the part of tower beyond the light",
          high_scene,
          {"shadow.sign=forced", "shadow.clip_at_light=false"},
          {"shadow.sign=forced"}},
@@ -129,7 +129,7 @@ const std::vector<Case>& cases() {
          {"shadow.sign=none", "plane.equation=[0,-1,0,0]"},
          {"plane.equation=[0,-1,0,0]"}},
         {"shadow",
-         "the plane through the light, where w = 0, cuts tower",
+         "the plane w = 0 through the light cuts tower",
          high_scene,
          {"shadow.clip_at_light=false"},
          {"shadow.clip_at_light=false", "light.position=[2.6,7,2.2,1]"}},
@@ -146,12 +146,12 @@ const std::vector<Case>& cases() {
         {"shadow", "share one stencil bit", box_scene, {"shadow.own_stencil=false", side_light}, {side_light}},
         // light
         {"light",
-         "w = 0.05 is a point light at (52, 104, 44)",
+         "w = 0.05 makes this a point light at (52, 104, 44)",
          box_scene,
          {"light.position=[2.6,5.2,2.2,0.05]"},
          {"light.position=[2.6,5.2,2.2,0]"}},
         {"light",
-         "w = 0.5 of light 2 is a point light at (2, 10, −4)",
+         "w = 0.5 makes light 2 a point light at (2, 10, −4)",
          box_scene,
          {"lights=[{\"position\":[1,5,-2,0.5]}]"},
          {side_light}},
@@ -161,19 +161,19 @@ const std::vector<Case>& cases() {
          {"light.position=[3,0,-2,1]"},
          {"light.position=[3,0.1,-2,1]"}},
         {"light",
-         "parallel light 2 runs along plane 1:",
+         "the rays of parallel light 2 run along plane 1:",
          box_scene,
          {"lights=[{\"position\":[3,0,1,0]}]", wall},
          {"lights=[{\"position\":[3,0,1,0]}]"}},
         {"light",
-         "the light is on the other side of planes 1, 2 than the eye",
+         "the light and the eye are on opposite sides of planes 1, 2",
          box_scene,
          {"light.position=[0,-1,-9,1]", wall},
          {wall}},
         // plane
         {"plane", "the eye lies in plane 2", box_scene, {"planes=[{\"equation\":[1,0,0,-3.9]}]"}, {wall}},
-        {"plane", "draws one plane", box_scene, {wall, "visibility.method=bsp"}, {wall}},
-        // mirror: artefacts 34 to 45
+        {"plane", "draws only one plane", box_scene, {wall, "visibility.method=bsp"}, {wall}},
+        // mirror: artifacts 34 to 45
         {"reflection",
          "beyond the mirror's edge",
          box_scene,
@@ -203,12 +203,12 @@ const std::vector<Case>& cases() {
          {"reflection.clip=oblique"},
          {"reflection.clip=oblique", "visibility.method=none"}},
         {"reflection",
-         "seen inside out",
+         "appears inside out",
          box_scene,
          {"reflection.flip_winding=false", "cull.enabled=true"},
          {"reflection.flip_winding=false"}},
         {"reflection",
-         "count as back faces",
+         "count as back-facing",
          box_scene,
          {"reflection.flip_winding=false", "view.shows=facing"},
          {"view.shows=facing"}},
@@ -218,12 +218,12 @@ const std::vector<Case>& cases() {
          {"reflection.reflect_light=false"},
          {"reflection.reflect_light=false", "plane.mirrors=false"}},
         {"reflection",
-         "leaves the mirror's own depth",
+         "writes the mirror's own depth",
          box_scene,
          {"reflection.mask_writes_depth=true"},
          {"reflection.mask_writes_depth=true", "depth.test=false"}},
         {"reflection",
-         "covers what stands in front",
+         "covers the objects in front",
          box_scene,
          {"reflection.after_objects=true"},
          {"reflection.after_objects=true", "plane.equation=[0,0,1,-3]", "plane.extent=0.5"}},
@@ -233,7 +233,7 @@ const std::vector<Case>& cases() {
          {"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
          {"reflection.side_of_eye=false"}},
         {"reflection",
-         "aspect of a square",
+         "aspect ratio of a square",
          box_scene,
          {"reflection.mirrored=camera", "reflection.same_projection=false"},
          {"reflection.same_projection=false"}},
@@ -244,17 +244,17 @@ const std::vector<Case>& cases() {
          {"reflection.printed_by_rows=true"}},
         {"reflection", "without shadows", box_scene, {"reflection.shadows=false", wall}, {"reflection.shadows=false"}},
         {"reflection",
-         "meets up to 2 mirrors, one after the other: a mirror seen in a mirror",
+         "hits up to 2 mirrors in a row: a mirror seen in a mirror",
          box_scene,
          {wall},
          {wall, "reflection.bounces=2"}},
         {"reflection",
-         "meets up to 3 mirrors, one after the other: the mirror after 2",
+         "hits up to 3 mirrors in a row: the mirror after 2",
          box_scene,
          {corner, "reflection.bounces=2"},
          {corner, "reflection.bounces=3"}},
         {"reflection",
-         "without end: the mirror after 3 bounces",
+         "endlessly: the mirror after 3 bounces",
          box_scene,
          {facing_walls, "reflection.bounces=3"},
          {facing_walls, "reflection.enabled=false"}},
@@ -267,7 +267,7 @@ const std::vector<Case>& cases() {
     return all;
 }
 
-TEST(Problems, EachSwitchIsToldWhereItShowsAndOnlyThere) {
+TEST(Problems, SwitchIsReportedOnlyWhereItShows) {
     for (const Case& each : cases()) {
         const auto trace = [](const Settings& settings) {
             std::string text;
@@ -283,13 +283,13 @@ TEST(Problems, EachSwitchIsToldWhereItShowsAndOnlyThere) {
     }
 }
 
-TEST(Problems, TheDefaultsTellNothing) {
+TEST(Problems, AreAbsentForTheDefaults) {
     EXPECT_EQ(all_of(problems_with({}, box_scene())), "");
     EXPECT_EQ(all_of(problems_with({"plane.equation=[0,-2,0,0]"}, box_scene())), "");
     EXPECT_EQ(all_of(problems_with({"light.position=[2.6,5.2,2.2,0]", "shadow.style=missing_light"}, box_scene())), "");
 }
 
-TEST(Problems, WhatIsMissingFromThePictureIsNotExplained) {
+TEST(Problems, InvisibleEffectsAreNotExplained) {
     const Settings broken = {"shadow.stencil_once=false",      "shadow.offset=none",   "reflection.stencil=false",
                              "reflection.reflect_light=false", "reflection.clip=none", "plane.extent=1.2"};
     EXPECT_GE(problems_with(broken, crossing_scene()).size(), 5U);
@@ -300,20 +300,20 @@ TEST(Problems, WhatIsMissingFromThePictureIsNotExplained) {
     }
 }
 
-TEST(Problems, ASwitchThatBreaksThePictureIsToldOverIt) {
+TEST(Problems, BrokenPictureIsReportedOnThePicture) {
     const auto breaks = [](const Settings& settings) {
         const std::vector<Problem> problems = problems_with(settings, high_scene());
         return std::ranges::count(problems, true, &Problem::breaks_picture);
     };
-    EXPECT_EQ(breaks({}), 0);  // a tower above the light is no broken switch
+    EXPECT_EQ(breaks({}), 0);  // a tower above the light is not a broken switch
     EXPECT_EQ(breaks({"light.position=[3,-4,2,1]"}), 0);
     EXPECT_EQ(breaks({"shadow.offset=none"}), 1);
-    EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // on the way from point to parallel
+    EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // between point and parallel
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.01]"}), 1);
     EXPECT_EQ(breaks({"reflection.reflect_light=false", "shadow.stencil_once=false"}), 2);
 }
 
-TEST(Problems, TellWhetherAnObliqueNearPlaneIsFinerOrCoarser) {
+TEST(Problems, ReportWhetherAnObliqueNearPlaneIsFinerOrCoarser) {
     const auto told = [](const char* preset) {
         const Result<LoadedState> state = load_state(preset);
         EXPECT_TRUE(state) << state.error();
@@ -327,13 +327,13 @@ TEST(Problems, TellWhetherAnObliqueNearPlaneIsFinerOrCoarser) {
     for (const char* preset : {"opening", "wall-mirror", "mirror-ways", "mirror-oblique-depth"}) {
         const std::vector<Problem> problems = told(preset);
         const bool is_coarser = std::string(preset) == "mirror-oblique-depth";
-        EXPECT_EQ(says(problems, "reflection", "depth is coarser for it"), is_coarser) << preset;
-        EXPECT_EQ(says(problems, "reflection", "depth is finer for it"), !is_coarser) << preset;
+        EXPECT_EQ(says(problems, "reflection", "makes depth coarser"), is_coarser) << preset;
+        EXPECT_EQ(says(problems, "reflection", "makes depth finer"), !is_coarser) << preset;
     }
 }
 
-TEST(Problems, EveryOppositeOfADefaultIsTried) {
-    // The table above names each switch of shadow and mirror at least once.
+TEST(Problems, TableCoversEverySwitch) {
+    // The table above must name each switch of shadow and mirror at least once.
     std::string tried;
     for (const Case& each : cases())
         for (const std::string& setting : each.told) tried += setting + " ";

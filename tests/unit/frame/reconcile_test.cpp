@@ -1,4 +1,4 @@
-// Fragments against a pixel that was read back, made up by hand: who is seen afterwards, and what is left alone.
+// Fragments against a pixel read back, made by hand: the visible surface afterward, and the unchanged fragments.
 #include "frame/depth/reconcile.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 constexpr double greatest = 16'777'215.0;
 constexpr std::uint32_t cleared = 16'777'215;
 
-/// One after the other with GL_LESS, as FragmentFinder would have them.
+/// Draws one after the other with GL_LESS, like FragmentFinder.
 std::vector<Fragment> drawn_in_order(const std::vector<std::pair<const char*, std::uint32_t>>& surfaces) {
     std::vector<Fragment> fragments;
     std::uint32_t stands = cleared;
@@ -47,7 +47,7 @@ std::string seen(const std::vector<Fragment>& fragments) {
     return last;
 }
 
-TEST(Reconcile, KeepsWhatAgrees) {
+TEST(Reconcile, KeepsMatchingFragments) {
     std::vector<Fragment> fragments = drawn_in_order({{"far", 9'000}, {"near", 5'000}, {"hidden", 7'000}});
     reconcile(fragments, read_back("near", 5'000), true);
     EXPECT_EQ(seen(fragments), "near");
@@ -55,15 +55,15 @@ TEST(Reconcile, KeepsWhatAgrees) {
     EXPECT_EQ(fragments[2].compared_with, 5'000U);
 }
 
-TEST(Reconcile, ALaterOneThatIsNotReadBackFails) {
+TEST(Reconcile, LaterFragmentThatIsNotReadBackFails) {
     std::vector<Fragment> fragments = drawn_in_order({{"back", 5'001}, {"front", 5'000}});
     reconcile(fragments, read_back("back", 4'999), true);
     EXPECT_EQ(seen(fragments), "back");
     EXPECT_EQ(fragments[0].stored, 4'999U);
-    EXPECT_FALSE(fragments[0].decided_by_rounding) << "it passes as it did";
+    EXPECT_FALSE(fragments[0].decided_by_rounding) << "still passes";
     EXPECT_FALSE(fragments[1].passes || fragments[1].drawn);
     EXPECT_EQ(fragments[1].compared_with, 4'999U);
-    EXPECT_TRUE(fragments[1].decided_by_rounding) << "computed, it passed";
+    EXPECT_TRUE(fragments[1].decided_by_rounding) << "it passed in the computation";
 
     fragments = drawn_in_order({{"back", 5'002}, {"front", 5'000}});
     reconcile(fragments, read_back("back", 5'002), true);
@@ -71,23 +71,23 @@ TEST(Reconcile, ALaterOneThatIsNotReadBackFails) {
     EXPECT_TRUE(fragments[1].decided_by_rounding) << "5,000 < 5,002 is true";
 }
 
-TEST(Reconcile, OneThatIsReadBackPasses) {
+TEST(Reconcile, FragmentThatIsReadBackPasses) {
     std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'001}});
     reconcile(fragments, read_back("back", 5'000), true);
     EXPECT_EQ(seen(fragments), "back");
     EXPECT_TRUE(fragments[1].passes && fragments[1].drawn && fragments[1].decided_by_rounding);
     EXPECT_EQ(fragments[1].stored, 5'000U);
-    EXPECT_TRUE(fragments[0].drawn) << "at its turn it was";
+    EXPECT_TRUE(fragments[0].drawn) << "drawn at its turn";
 }
 
-TEST(Reconcile, TheNearestOfAnObjectIsTheOne) {
+TEST(Reconcile, NearestFragmentOfTheObjectWins) {
     std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'009}, {"back", 5'001}});
     reconcile(fragments, read_back("back", 4'999), true);
     EXPECT_FALSE(fragments[1].drawn);
     EXPECT_TRUE(fragments[2].drawn);
 }
 
-TEST(Reconcile, TheCodeReadBackStandsInTheTable) {
+TEST(Reconcile, TakesTheCodeReadBack) {
     std::vector<Fragment> fragments = drawn_in_order({{"near", 5'000}, {"behind", 5'002}});
     reconcile(fragments, read_back("near", 5'003), true);
     EXPECT_EQ(fragments[0].stored, 5'003U);
@@ -96,8 +96,8 @@ TEST(Reconcile, TheCodeReadBackStandsInTheTable) {
     EXPECT_FALSE(fragments[1].passes);
 }
 
-TEST(Reconcile, ComparesWithTheFrameBeforeWhereDepthIsNotCleared) {
-    // The frame before has left the code of "near", which GL rounds otherwise; nothing is nearer now.
+TEST(Reconcile, ComparesWithThePreviousFrameIfDepthIsNotCleared) {
+    // The previous frame left the code of "near", which GL rounds differently; no fragment is nearer now.
     std::vector<Fragment> fragments = drawn_in_order({{"far", 9'000}, {"near", 5'000}});
     for (Fragment& fragment : fragments) {
         fragment.compared_with = 5'000;
@@ -106,11 +106,11 @@ TEST(Reconcile, ComparesWithTheFrameBeforeWhereDepthIsNotCleared) {
     std::vector<Fragment> again = fragments;
     reconcile(fragments, read_back("", 5'002), false);
     EXPECT_EQ(fragments[0].compared_with, 5'002U);
-    EXPECT_EQ(fragments[1].stored, 5'002U) << "it is what stands there";
+    EXPECT_EQ(fragments[1].stored, 5'002U) << "the buffer's code";
     EXPECT_TRUE(fragments[1].tie);
     for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
 
-    // With GL_LEQUAL the same surface is drawn once more.
+    // With GL_LEQUAL the same surface is drawn again.
     again[1].depth.func = CompareFunc::lequal;
     again[1].tie = again[1].passes = again[1].drawn = true;
     reconcile(again, read_back("near", 5'002), false);
@@ -120,7 +120,7 @@ TEST(Reconcile, ComparesWithTheFrameBeforeWhereDepthIsNotCleared) {
     EXPECT_EQ(again[0].compared_with, 5'002U);
 }
 
-TEST(Reconcile, LeavesAloneWhatRoundingDoesNotExplain) {
+TEST(Reconcile, KeepsDifferencesThatRoundingCannotExplain) {
     const std::vector<Fragment> computed = drawn_in_order({{"far", 9'000'000}, {"near", 5'000'000}});
     for (const PixelReport& report :
          {read_back("", cleared), read_back("other", 5'000'000), read_back("far", 9'000'000)}) {

@@ -1,5 +1,5 @@
 // The two levels of a method's steps, the steps that touch a pixel, and the small raster, each against a method run
-// step by step, or rays met one by one.
+// step by step or rays traced one by one.
 #include "frame/hidden/step_groups.h"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ class StepGroups : public ::testing::Test {
 protected:
     StepGroups() {
         params.visibility.raster = glm::ivec2(11, 7);
-        // Which one is painted most depends on the scene, and that on the order in which a compiler draws its numbers.
+        // Follow the pixel painted most often. It depends on the scene, and so on the order in which a compiler
+        // evaluates random numbers.
         const auto drawn = at(VisibilityMethod::painter, -1);
         const auto& written = drawn->written_per_pixel;
         const auto most = static_cast<int>(std::max_element(written.begin(), written.end()) - written.begin());
@@ -34,7 +35,7 @@ protected:
         params.visibility.step = step;
         return solver.solve(request_of(params, scene, view_px));
     }
-    /// How often the followed pixel has been written.
+    /// Returns how often the followed pixel has been written.
     unsigned written(const HiddenResult& result) const {
         const glm::ivec2 pixel = *params.visibility.pixel;
         return result.written_per_pixel[result.image.index(pixel.x, pixel.y)];
@@ -56,13 +57,13 @@ TEST_F(StepGroups, AddUpToAllSteps) {
         SCOPED_TRACE("method " + std::to_string(static_cast<int>(method)));
         const auto result = at(method, -1);
         if (method == VisibilityMethod::painter) {
-            EXPECT_FALSE(place_of_step(*result, 1)) << "each step is a polygon";
+            EXPECT_FALSE(place_of_step(*result, 1)) << "each step is one polygon";
             continue;
         }
         ASSERT_FALSE(result->group_ends.empty());
         EXPECT_TRUE(std::is_sorted(result->group_ends.begin(), result->group_ends.end()));
         EXPECT_EQ(result->group_ends.back(), result->step_count);
-        // Counted by hand while going through them.
+        // Count by hand while stepping through.
         int group = 0, end = 0, within = 0;
         for (int step = 1; step <= result->step_count; ++step) {
             while (step > end) {
@@ -79,7 +80,7 @@ TEST_F(StepGroups, AddUpToAllSteps) {
     }
 }
 
-TEST_F(StepGroups, AreGoneThroughToTheEndAndBackToTheBeginning) {
+TEST_F(StepGroups, CanBeSteppedForwardAndBackward) {
     for (const VisibilityMethod method : grouped_methods) {
         const auto result = at(method, -1);
         const std::set<int> ends(result->group_ends.begin(), result->group_ends.end());
@@ -87,7 +88,7 @@ TEST_F(StepGroups, AreGoneThroughToTheEndAndBackToTheBeginning) {
         for (std::optional<int> step = next_group(*result, 0); step; step = next_group(*result, *step))
             EXPECT_TRUE(met.insert(*step).second);
         std::set<int> with_steps = ends;
-        with_steps.erase(0);  // groups without a step at the beginning
+        with_steps.erase(0);  // empty groups at the start
         EXPECT_EQ(met, with_steps);
         met.clear();
         for (std::optional<int> step = previous_group(*result, -1); step; step = previous_group(*result, *step))
@@ -132,11 +133,11 @@ TEST_F(StepGroups, TouchesAreTheStepsThatTestThePixel) {
     for (auto step = previous_touch(*all, all->step_count + 1); step; step = previous_touch(*all, *step))
         backwards.insert(backwards.begin(), *step);
     EXPECT_EQ(forwards, expected);
-    if (expected.back() == all->step_count) expected.pop_back();  // it stands there already
+    if (expected.back() == all->step_count) expected.pop_back();  // already there
     EXPECT_EQ(backwards, expected);
 }
 
-TEST_F(StepGroups, OfOrdersTouchWhereTheyDrawOverThePixel) {
+TEST_F(StepGroups, OrdersTouchWhenTheyDrawOverThePixel) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp}) {
         SCOPED_TRACE("method " + std::to_string(static_cast<int>(method)));
         const auto all = at(method, -1);
@@ -152,7 +153,7 @@ TEST_F(StepGroups, OfOrdersTouchWhereTheyDrawOverThePixel) {
     }
 }
 
-TEST_F(StepGroups, EachPlaceOfAnOrderIsDrawnByItsStepAndNotBefore) {
+TEST_F(StepGroups, EachItemOfAnOrderIsDrawnByItsStepAndNotBefore) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp}) {
         const auto all = at(method, -1);
         const std::vector<int> steps = steps_of_order(*all);
@@ -165,7 +166,7 @@ TEST_F(StepGroups, EachPlaceOfAnOrderIsDrawnByItsStepAndNotBefore) {
     }
 }
 
-TEST_F(StepGroups, AFollowedPixelOutsideThePictureIsNeverTouched) {
+TEST_F(StepGroups, FollowedPixelOutsideThePictureIsNeverTouched) {
     params.visibility.pixel = glm::ivec2(11, 2);
     for (const VisibilityMethod method : grouped_methods) {
         const auto result = at(method, -1);
@@ -175,7 +176,7 @@ TEST_F(StepGroups, AFollowedPixelOutsideThePictureIsNeverTouched) {
     }
 }
 
-TEST_F(StepGroups, AFollowedPixelHasItsRayUntilAStepHasAnother) {
+TEST_F(StepGroups, FollowedPixelKeepsItsRayUntilAStepHasAnother) {
     const auto all = at(VisibilityMethod::ray_cast, -1);
     ASSERT_TRUE(all->traced);
     EXPECT_EQ(all->traced->pixel, *params.visibility.pixel);
@@ -184,7 +185,7 @@ TEST_F(StepGroups, AFollowedPixelHasItsRayUntilAStepHasAnother) {
     EXPECT_FALSE(at(VisibilityMethod::ray_cast, -1)->traced);
 }
 
-/// Where the ray through a place of the view meets a triangle first; −1: nowhere.
+/// Returns the triangle that the ray through a point of the view hits first, or −1.
 int groups_seen_at(const glm::dvec2& place_px, const Params& params, const Scene& scene,
                    const std::vector<Polygon>& polygons) {
     const Derived derived = derive(params, scene, Viewport{view_px});
@@ -210,12 +211,12 @@ int groups_seen_at(const glm::dvec2& place_px, const Params& params, const Scene
     return seen;
 }
 
-TEST_F(StepGroups, ASmallRasterSeesWhatTheViewHasInTheMiddleOfItsSquares) {
+TEST_F(StepGroups, SmallRasterSamplesTheCentersOfItsSquares) {
     params.visibility.pixel.reset();
     int seen = 0;
     for (const glm::ivec2 raster : {glm::ivec2(11, 7), glm::ivec2(5, 9), glm::ivec2(1, 1), glm::ivec2(48, 36)}) {
         params.visibility.raster = raster;
-        // As large as there is room for, around the middle.
+        // As large as fits, centered.
         const double side = std::min(48.0 / raster.x, 36.0 / raster.y);
         const glm::dvec2 corner = 0.5 * (glm::dvec2(view_px) - side * glm::dvec2(raster));
         for (const VisibilityMethod method : {VisibilityMethod::newell, VisibilityMethod::bsp,
@@ -228,7 +229,7 @@ TEST_F(StepGroups, ASmallRasterSeesWhatTheViewHasInTheMiddleOfItsSquares) {
                     const int expected = groups_seen_at(middle, params, scene, solver.surface()->polygons);
                     seen += expected >= 0 ? 1 : 0;
                     EXPECT_EQ(result->image.id(x, y), expected) << x << " " << y;
-                    // Every place of a square belongs to its pixel.
+                    // Every point of a square belongs to its pixel.
                     for (const double within : {0.02, 0.98})
                         EXPECT_EQ(raster_pixel(corner + side * (glm::dvec2(x, y) + within), view_px, raster,
                                                result->request.share),

@@ -1,4 +1,4 @@
-// A picture that shows no object says why, and what is said mends it; one that shows some says nothing.
+// A picture without any object explains why and offers a working fix; a picture with objects has no such problem.
 #include <algorithm>
 
 #include "frame/problems.h"
@@ -19,13 +19,13 @@ std::vector<Problem> problems_with(const std::vector<std::string>& settings) {
     return problems;
 }
 
-TEST(ViewProblems, NothingIsSaidWhereAnObjectIsSeen) {
+TEST(ViewProblems, AreAbsentIfAnObjectIsVisible) {
     EXPECT_TRUE(problems_with({}).empty());
     EXPECT_TRUE(problems_with({"projection.type=orthographic"}).empty());
     EXPECT_TRUE(problems_with({"projection.fovy=2"}).empty()) << "the middle of an object fills the picture";
 }
 
-TEST(ViewProblems, WhatLiesElsewhereIsTold) {
+TEST(ViewProblems, ReportWhereTheObjectsAre) {
     const std::pair<const char*, const char*> cases[] = {{"camera.yaw=-149.4", "behind the camera"},
                                                          {"camera.yaw=100", "right edge"},
                                                          {"camera.yaw=-40", "left edge"},
@@ -39,7 +39,7 @@ TEST(ViewProblems, WhatLiesElsewhereIsTold) {
     }
 }
 
-TEST(ViewProblems, WhatNearAndFarCutAwayIsToldWithNumbersAndMended) {
+TEST(ViewProblems, ReportAndFixClippingByNearAndFar) {
     for (const std::string& setting : {std::string("projection.near=30"), std::string("projection.far=2")}) {
         const std::vector<Problem> problems = problems_with({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
@@ -50,7 +50,7 @@ TEST(ViewProblems, WhatNearAndFarCutAwayIsToldWithNumbersAndMended) {
     }
 }
 
-TEST(ViewProblems, TheNumbersAreThoseOfTheVertices) {
+TEST(ViewProblems, NumbersAreThoseOfTheVertices) {
     const Scene scene = testing::box_scene();
     const Params params;
     const Derived derived = derive(params, scene, {});

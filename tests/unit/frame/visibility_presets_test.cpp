@@ -1,5 +1,5 @@
-// What the hidden-surface presets promise in their sentences, computed: which method or sort key fails from the
-// preset's camera and which does not, against ray casting.
+// Computes the promises of the hidden-surface presets: the methods and sort keys that fail from the preset's camera and
+// those that do not, against ray casting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int width = 640, height = 360;
 
-/// A preset, its scene as polygons, its camera, and what ray casting sees.
+/// A preset, its scene as polygons, its camera, and the picture of ray casting.
 class Stage {
 public:
     explicit Stage(const std::string& preset) {
@@ -42,7 +42,7 @@ public:
     }
 
     IdImage draw(std::span<const Polygon> drawn, std::span<const int> order, int subpixel_bits = -1) const {
-        return rasterise(
+        return rasterize(
                    drawn, order, viewpoint.clip_from_world(),
                    {.rule = PaintRule::overwrite, .width = width, .height = height, .subpixel_bits = subpixel_bits})
             .image;
@@ -50,7 +50,7 @@ public:
 
     std::int64_t wrong(const IdImage& image) const { return difference(reference, image).different; }
 
-    /// Counts only where another object is seen, which has another colour.
+    /// Counts only pixels that show another object, which has another color.
     std::int64_t objects_wrong(const IdImage& image) const {
         int last = 0;
         for (const Polygon& polygon : polygons) last = std::max(last, polygon.source);
@@ -75,11 +75,11 @@ public:
     IdImage reference;
 };
 
-/// Enough pixels of another colour that nobody overlooks them: a hundredth of the picture.
+/// A hundredth of the picture in another color: enough to be noticed.
 constexpr std::int64_t many = width * height / 100;
 constexpr std::array keys{PainterKey::nearest, PainterKey::farthest, PainterKey::centroid};
 
-TEST(VisibilityPresets, AskForTheMethodThatTheirNameSays) {
+TEST(VisibilityPresets, UseTheMethodOfTheirName) {
     const std::vector<std::pair<std::string, VisibilityMethod>> methods{
         {"painter-nearest-fails", VisibilityMethod::painter},
         {"painter-farthest-fails", VisibilityMethod::painter},
@@ -102,16 +102,16 @@ TEST(VisibilityPresets, AskForTheMethodThatTheirNameSays) {
         EXPECT_EQ(stage.params.visibility.method, method);
         EXPECT_FALSE(stage.params.shadow.enabled);
         EXPECT_FALSE(stage.params.reflection.enabled);
-        // Nothing reaches below the ground, so that it hides nothing.
+        // Nothing reaches below the ground, so the ground hides nothing.
         EXPECT_GE(bounds_of(stage.polygons).min.y, -1e-6);
         EXPECT_GT(stage.viewpoint.eye_world().y, 0.0);
         EXPECT_GT(std::count_if(stage.reference.ids.begin(), stage.reference.ids.end(), [](int id) { return id >= 0; }),
                   5 * many)
-            << "the scene fills a fair part of the picture";
+            << "the scene fills much of the picture";
     }
 }
 
-TEST(VisibilityPresets, JustTheNamedSortKeyFails) {
+TEST(VisibilityPresets, OnlyTheNamedSortKeyFails) {
     for (const auto& [preset, fails] : {std::pair{"painter-nearest-fails", PainterKey::nearest},
                                         {"painter-farthest-fails", PainterKey::farthest},
                                         {"painter-centroid-fails", PainterKey::centroid}}) {
@@ -129,7 +129,7 @@ TEST(VisibilityPresets, JustTheNamedSortKeyFails) {
     }
 }
 
-TEST(VisibilityPresets, NoSortKeyDrawsInterpenetrationOrACycle) {
+TEST(VisibilityPresets, NoSortKeySolvesInterpenetrationOrACycle) {
     for (const char* preset : {"painter-interpenetration", "painter-cycle"}) {
         SCOPED_TRACE(preset);
         const Stage stage(preset);
@@ -137,7 +137,7 @@ TEST(VisibilityPresets, NoSortKeyDrawsInterpenetrationOrACycle) {
     }
 }
 
-TEST(VisibilityPresets, OfPaintersSayWhichPolygonIsDrawnOverWhich) {
+TEST(VisibilityPresets, OfThePainterNameTheWrongPair) {
     for (const char* preset : {"painter-nearest-fails", "painter-farthest-fails", "painter-centroid-fails",
                                "painter-interpenetration", "painter-cycle", "newell-cycle"}) {
         SCOPED_TRACE(preset);
@@ -155,7 +155,7 @@ TEST(VisibilityPresets, OfPaintersSayWhichPolygonIsDrawnOverWhich) {
         const bool is_painter = params.visibility.method == VisibilityMethod::painter;
         ASSERT_EQ(answer.painter_fails.has_value(), is_painter);
         if (!is_painter) continue;
-        // Where it says so, in the picture of the view itself.
+        // The reported place, in the picture of the view itself.
         const WrongPair& wrong = *answer.painter_fails;
         HiddenRequest exact = question->camera;
         exact.visibility.method = VisibilityMethod::ray_cast;
@@ -165,7 +165,7 @@ TEST(VisibilityPresets, OfPaintersSayWhichPolygonIsDrawnOverWhich) {
         for (int y = 0; y < size_px.y; ++y)
             for (int x = 0; x < size_px.x; ++x)
                 found += seen.id(x, y) == wrong.seen && answer.camera->image.id(x, y) == wrong.drawn ? 1 : 0;
-        EXPECT_GT(found, 5 * wrong.pixels) << "nine times the pixels of the small picture";
+        EXPECT_GT(found, 5 * wrong.pixels) << "the small picture has a ninth of the pixels";
         EXPECT_LE(wrong.pixels, wrong.all_pixels);
     }
 }
@@ -181,7 +181,7 @@ TEST(VisibilityPresets, NewellCutsAndIsRight) {
     }
 }
 
-TEST(VisibilityPresets, OfThreeTrianglesInACircleTwoCutsMakeFivePieces) {
+TEST(VisibilityPresets, TwoCutsTurnThreeCyclicTrianglesIntoFivePieces) {
     const Stage stage("newell-two-cuts");
     ASSERT_EQ(stage.polygons.size(), 3U);
     const NewellOrder newell = newell_order(stage.polygons, stage.viewpoint);
@@ -196,7 +196,7 @@ TEST(VisibilityPresets, OfThreeTrianglesInACircleTwoCutsMakeFivePieces) {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(VisibilityPresets, OfAFewLargePixelsHaveAHandfulOfPolygonsAndMoreThanOneAtTheChosenPixel) {
+TEST(VisibilityPresets, SmallRastersHaveFewPolygonsAndSeveralAtTheChosenPixel) {
     for (const char* preset : {"z-buffer-small", "rays-small"}) {
         SCOPED_TRACE(preset);
         const Stage stage(preset);
@@ -204,7 +204,7 @@ TEST(VisibilityPresets, OfAFewLargePixelsHaveAHandfulOfPolygonsAndMoreThanOneAtT
         const Result<LoadedState> loaded = load_state(preset);
         ASSERT_TRUE(loaded) << loaded.error();
         const Params& params = loaded->params;
-        EXPECT_EQ(params.visibility.raster, glm::ivec2(24, 16)) << "as its sentence says";
+        EXPECT_EQ(params.visibility.raster, glm::ivec2(24, 16)) << "as in the preset's sentence";
         const Result<Scene> scene = load_scene(params.scene, loaded->base, params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
         HiddenSurfaceSolver solver(*scene);
@@ -212,12 +212,12 @@ TEST(VisibilityPresets, OfAFewLargePixelsHaveAHandfulOfPolygonsAndMoreThanOneAtT
         EXPECT_GT(result->traced ? result->traced->hits.size() : result->touches.size(), 2U);
         if (params.visibility.step >= 0) {
             EXPECT_EQ(glm::ivec2(result->compare->x, result->compare->y), *params.visibility.pixel)
-                << "opens where the chosen pixel is tested";
+                << "opens at the test of the chosen pixel";
         }
     }
 }
 
-TEST(VisibilityPresets, TheTreeToWalkIsSmallAndTheOneOfManySplitsLarge) {
+TEST(VisibilityPresets, WalkedTreeIsSmallAndManySplitsTreeIsLarge) {
     const Stage small("bsp-walk");
     const BspTree small_tree = small.tree();
     EXPECT_LT(small_tree.nodes.size(), 25U);
@@ -235,7 +235,7 @@ TEST(VisibilityPresets, TheTreeToWalkIsSmallAndTheOneOfManySplitsLarge) {
     EXPECT_EQ(large.wrong(large.draw(newell.fragments, newell.order)), 0);
 }
 
-TEST(VisibilityPresets, CracksOpenWithTheEpsilonGivenAndCloseWithTheDefault) {
+TEST(VisibilityPresets, CracksOpenWithTheGivenEpsilonOnly) {
     Stage stage("bsp-cracks");
     const std::int64_t torn = stage.objects_wrong(stage.walked(stage.tree()));
     RecordProperty("torn", static_cast<int>(torn));
@@ -247,13 +247,13 @@ TEST(VisibilityPresets, CracksOpenWithTheEpsilonGivenAndCloseWithTheDefault) {
     const std::int64_t cracks = stage.wrong(stage.walked(tree, 4));
     RecordProperty("cracks", static_cast<int>(cracks));
     EXPECT_GT(cracks, 5) << "corners rounded to a grid of 1/16 pixel";
-    EXPECT_LT(cracks, 200) << "single pixels";
+    EXPECT_LT(cracks, 200) << "isolated pixels";
 }
 
-TEST(VisibilityPresets, TheZBufferIsRightAndTheCurvedSceneIsExact) {
+TEST(VisibilityPresets, ZBufferIsRightAndTheCurvedSceneIsExact) {
     const Stage z_buffer("z-buffer");
     EXPECT_EQ(z_buffer.wrong(
-                  rasterise(z_buffer.polygons, z_buffer.viewpoint.clip_from_world(), {.width = width, .height = height})
+                  rasterize(z_buffer.polygons, z_buffer.viewpoint.clip_from_world(), {.width = width, .height = height})
                       .image),
               0);
     EXPECT_TRUE(Stage("ray-cast-curved").params.visibility.exact_curves);

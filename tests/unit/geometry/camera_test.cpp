@@ -1,4 +1,4 @@
-// The camera's matrices by their properties, and the lecture's slide for a heading.
+// The camera's matrices, checked by their properties and against the lecture's slide for a heading.
 #include "geometry/camera.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Camera, RowsOfViewAreRightUpBack) {
     EXPECT_EQ(glm::dvec3(rows[2]), glm::dvec3(1, 0, 0));
 }
 
-TEST(Camera, AnglesTurnTheStatedWay) {
+TEST(Camera, AnglesRotateTheDocumentedWay) {
     const glm::dvec3 up_view(0, 1, 0), forward_view(0, 0, -1);
     const glm::dvec3 pitched = glm::dmat3(rotation_from_angles({0, 30, 0})) * forward_view;
     EXPECT_NEAR(pitched.y, 0.5, 1e-15) << "positive pitch looks up";

@@ -1,4 +1,4 @@
-// Framing: the whole box is in the picture, and could not be any nearer.
+// Framing: the whole box is in the picture, and the camera could not be much closer.
 #include "geometry/framing.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// How far the box reaches in the picture: 1 is its edge.
+/// Returns how far the box reaches in the picture; 1 is the edge.
 double reach_of(const Bounds& box, const glm::dvec3& eye, const Angles& angles, const Lens& lens, double aspect) {
     const glm::dmat4 clip_from_world = clip_from_view(lens, aspect) * view_from_world(world_from_view(eye, angles));
     double reach = 0.0;
@@ -25,7 +25,7 @@ double reach_of(const Bounds& box, const glm::dvec3& eye, const Angles& angles, 
     return reach;
 }
 
-TEST(Framing, HoldsTheWholeBoxAndNotMuchMore) {
+TEST(Framing, FillsThePictureWithTheWholeBox) {
     Random random(11);
     for (int i = 0; i < 400; ++i) {
         Bounds box;
@@ -38,11 +38,11 @@ TEST(Framing, HoldsTheWholeBoxAndNotMuchMore) {
         lens.height = found.height;
         const double reach = reach_of(box, found.eye, angles, lens, aspect);
         EXPECT_LE(reach, 0.95) << i;
-        EXPECT_GE(reach, 0.7) << i;  // less than the room only just in front of a deep box
+        EXPECT_GE(reach, 0.7) << i;  // a deep box close to the camera fills less
     }
 }
 
-TEST(Framing, IsDefinedForPointsAndForNothing) {
+TEST(Framing, IsDefinedForPointsAndEmptyBoxes) {
     Bounds point;
     point.add({1, 2, 3});
     EXPECT_LT(glm::distance(framing(point, {}, {}, 1.0).eye, glm::dvec3(1, 2, 4)), 1e-12);

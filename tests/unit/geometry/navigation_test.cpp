@@ -1,4 +1,4 @@
-// Navigation: what each mode may and may not change, frame-rate independence, rest, and that the slips really show.
+// Navigation: the limits of each mode, frame-rate independence, coming to rest, and the effect of each common mistake.
 #include "geometry/navigation.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Fly, MovesAlongTheCamerasOwnAxes) {
         input.move[i] = 1;
         const Pose end = held_at_once(start, input, Navigation::fly, 1.0);
         expect_near(end.position, start.position + 2.5 * own[i], 1e-9);
-        EXPECT_EQ(end.angles, start.angles) << "untouched to the last bit";
+        EXPECT_EQ(end.angles, start.angles) << "unchanged to the last bit";
     }
 }
 
@@ -120,7 +120,7 @@ TEST(Walk, SpeedDoesNotDependOnPitch) {
     }
 }
 
-TEST(Walk, UpsideDownGoesWhereItLooks) {
+TEST(Walk, UpsideDownMovesWhereTheCameraLooks) {
     MotionInput forward;
     forward.move.z = 1;
     const Pose end = held_at_once({{0, 0, 0}, {0, 150, 0}, {}}, forward, Navigation::walk, 1.0);
@@ -181,7 +181,7 @@ TEST(Walk, YawStaysWithinOneTurn) {
     EXPECT_NEAR(pose.angles.yaw_deg, 500 - 360, 1e-9);
 }
 
-TEST(Orbit, KeepsTheDistanceTheAimAndTheRoll) {
+TEST(Orbit, KeepsDistanceAimAndRoll) {
     Pose pose{{4, 3, 5}, {}, {0, 1, 0}};
     pose.angles = angles_looking_at(pose.position, pose.target);
     pose.angles.roll_deg = 12;
@@ -212,10 +212,10 @@ TEST(Orbit, PitchStopsBeforeThePoles) {
     MotionInput down;
     down.pitch = -1;
     Motion motion;
-    EXPECT_EQ(hold(above, motion, down, Navigation::orbit, 1, 0.02).angles.pitch_deg, -90.0) << "not thrown back";
+    EXPECT_EQ(hold(above, motion, down, Navigation::orbit, 1, 0.02).angles.pitch_deg, -90.0) << "no jump back";
 }
 
-TEST(Orbit, SidewaysAndUpKeysGoAroundTheTarget) {
+TEST(Orbit, SidewaysAndUpKeysCircleTheTarget) {
     const Pose start{{0, 0, 5}, {}, {0, 0, 0}};
     MotionInput right;
     right.move.x = 1;
@@ -234,7 +234,7 @@ TEST(Orbit, ZoomScalesTheDistanceAndPanShiftsBoth) {
     expect_near(step(start, motion, input, Navigation::orbit, {}, tuning, 0.01).position, {0, 0, 2.5}, 1e-12);
     input.zoom = 1e-9;
     EXPECT_NEAR(step(start, motion, input, Navigation::orbit, {}, tuning, 0.01).position.z, 0.01, 1e-12)
-        << "never onto the target";
+        << "never reaches the target";
 
     MotionInput pan;
     EXPECT_TRUE(pan.idle());
@@ -266,7 +266,7 @@ TEST(Step, IsIndependentOfTheFrameRate) {
             EXPECT_LT(worst_difference(rotation_from_angles(pose.angles), rotation_from_angles(reference.angles)),
                       2e-3);
         }
-        // In full flight, where turning bends the path most.
+        // At full speed, where rotation bends the path most.
         Motion one = reference_motion;
         Pose cruising = hold(start, one, everything_held(), mode, 1.0, 0.01);
         Motion ten = one;
@@ -294,13 +294,13 @@ TEST(Step, StartsAndStopsSmoothlyAndRestsExactly) {
     EXPECT_FALSE(motion.at_rest());
     pose = hold(pose, motion, {}, Navigation::fly, 1.4, 0.01);
     EXPECT_TRUE(motion.at_rest());
-    EXPECT_NEAR(glm::length(pose.position - released), 2.5 * 0.12, 1e-3) << "coasts speed × time constant";
+    EXPECT_NEAR(glm::length(pose.position - released), 2.5 * 0.12, 1e-3) << "coasts for speed × time constant";
     const Pose later = step(pose, motion, {}, Navigation::fly, {}, tuning, 0.1);
     EXPECT_EQ(later.position, pose.position);
     EXPECT_EQ(later.angles, pose.angles);
 }
 
-TEST(Step, ClampsStallsAndNonsenseTimes) {
+TEST(Step, ClampsStallsAndInvalidTimes) {
     MotionInput forward;
     forward.move.z = 1;
     Motion a, b, c;
@@ -325,7 +325,7 @@ TEST(Step, SlowIsAQuarterAndDiagonalsAreNoFaster) {
     EXPECT_NEAR(motion.turn_rate_deg.y, 15, 1e-12);
 }
 
-TEST(Step, ChangingTheModeDropsWhatItCannotDo) {
+TEST(Step, ChangingTheModeDropsUnsupportedMotion) {
     Motion motion;
     hold({}, motion, everything_held(), Navigation::fly, 1, 0.01);
     const Pose start{{0, 1.7, 0}, {0, -30, 10}, {}};
@@ -335,7 +335,7 @@ TEST(Step, ChangingTheModeDropsWhatItCannotDo) {
     EXPECT_TRUE(motion.at_rest());
 }
 
-TEST(Slips, WalkSlowsWhenLookingDown) {
+TEST(NavigationMistakes, WalkSlowsWhenLookingDown) {
     MotionInput forward;
     forward.move.z = 1;
     const MotionSlips slips{.walk_slows = true};
@@ -345,7 +345,7 @@ TEST(Slips, WalkSlowsWhenLookingDown) {
     expect_near(level.position, {0, 1.7, -2.5}, 1e-9);
 }
 
-TEST(Slips, RollCreepsIn) {
+TEST(NavigationMistakes, RollCreepsIn) {
     MotionInput look;
     look.look_deg = {2, 1};
     for (const Navigation mode : {Navigation::walk, Navigation::orbit}) {
@@ -362,7 +362,7 @@ TEST(Slips, RollCreepsIn) {
     }
 }
 
-TEST(Slips, OrbitFlipsAtThePoleOnceAndGoesOn) {
+TEST(NavigationMistakes, OrbitFlipsAtThePoleOnceAndContinues) {
     const Pose start{{0, 0, 5}, {}, {0, 0, 0}};
     MotionInput over;
     over.pitch = -1;  // the eye climbs
@@ -375,16 +375,16 @@ TEST(Slips, OrbitFlipsAtThePoleOnceAndGoesOn) {
         pose = next;
     }
     EXPECT_EQ(flips, 1) << "right becomes left at the pole";
-    EXPECT_LT(pose.position.z, -4.0) << "beyond the pole, on the other side";
+    EXPECT_LT(pose.position.z, -4.0) << "past the pole, on the other side";
     EXPECT_NEAR(glm::length(pose.position), 5, 1e-9);
     EXPECT_EQ(pose.angles.roll_deg, 0.0);
 
     Motion other;
     const Pose limited = hold(start, other, over, Navigation::orbit, 2.49, 0.01);
-    EXPECT_GT(limited.position.z, 0.0) << "without the slip it stops";
+    EXPECT_GT(limited.position.z, 0.0) << "without the mistake it stops";
 }
 
-TEST(Lamps, AvailableAndMoving) {
+TEST(Freedoms, AreAvailableByModeAndMoving) {
     EXPECT_EQ(available_freedoms(Navigation::fly), (MovingFreedoms{true, true, true, true, true, true}));
     EXPECT_EQ(
         available_freedoms(Navigation::walk),
@@ -409,7 +409,7 @@ TEST(Lamps, AvailableAndMoving) {
     EXPECT_FALSE(drag.idle());
 }
 
-TEST(Navigation, FlightIsShiftedAndDolliedAtOnceAlongItsOwnAxes) {
+TEST(Navigation, FlightPansAndDolliesAlongItsOwnAxes) {
     const Pose start{{1, 2, 3}, {90, 0, 0}, {0, 0, 0}};  // looks along −x: right is −z
     MotionInput input;
     input.pan = {1, 2};

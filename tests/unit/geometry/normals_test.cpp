@@ -1,4 +1,4 @@
-// Normals follow what the matrix makes of the surface: two tangents before and after it.
+// Transformed normals, checked against two transformed tangents.
 #include "geometry/normals.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 namespace viewing {
 namespace {
 
-TEST(Normals, StandAtRightAnglesOnTheMovedSurface) {
+TEST(Normals, StayPerpendicularToTheTransformedSurface) {
     Random random(seed);
     for (int i = 0; i < 500; ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", matrix " + std::to_string(i));
         glm::dmat3 matrix(random.vec3(2), random.vec3(2), random.vec3(2));
-        if (i % 5 == 0) matrix[2] = matrix[0] + 0.5 * matrix[1];  // one that flattens
+        if (i % 5 == 0) matrix[2] = matrix[0] + 0.5 * matrix[1];  // a singular matrix
         const glm::dvec3 a = random.vec3(1), b = random.vec3(1);
         const glm::dvec3 moved = glm::cross(matrix * a, matrix * b);
         const glm::dvec3 normal = normal_matrix(matrix) * glm::cross(a, b);
@@ -32,7 +32,7 @@ TEST(Normals, FitIntoFloats) {
     EXPECT_EQ(normal_matrix(glm::dmat3(0.0)), glm::dmat3(0.0));
 }
 
-TEST(Normals, DirectionsAreOfLengthOneWhateverTheVectorsLength) {
+TEST(Normals, DirectionsAreUnitForAnyVectorLength) {
     Random random(seed);
     for (const double size : {1e-300, 1e-30, 1.0, 1e30, 1e300}) {
         const glm::dvec3 vector = random.vec3(1), direction = direction_of(size * vector);

@@ -1,4 +1,4 @@
-// Shadow, mirror, patch and oblique near plane: the worked examples of facts, then properties over random planes.
+// Shadow, mirror, patch and oblique near plane: worked examples, then properties over random planes.
 #include "geometry/plane.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ glm::dvec4 random_light(Random& random, int i) {
     return {random.vec3(10), i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : 0.4};
 }
 
-/// The rank by Gaussian elimination with full pivoting.
+/// Computes the rank by Gaussian elimination with full pivoting.
 int rank_of(glm::dmat4 m) {
     int rank = 0;
     for (; rank < 4; ++rank) {
@@ -98,13 +98,13 @@ TEST(Shadow, Properties) {
     }
 }
 
-TEST(Shadow, RankOneWhenTheLightLiesInThePlane) {
+TEST(Shadow, HasRankOneWhenTheLightIsInThePlane) {
     const glm::dmat4 shadow = shadow_matrix(ground, {3, 0, 5, 1});
     EXPECT_EQ(rank_of(shadow), 1);
     EXPECT_EQ(shadow_sign(ground, {3, 0, 5, 1}), 1.0);
 }
 
-TEST(Shadow, PointsLieOnThePlaneAndOnTheRay) {
+TEST(Shadow, PointsAreOnThePlaneAndOnTheRay) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
@@ -120,7 +120,7 @@ TEST(Shadow, PointsLieOnThePlaneAndOnTheRay) {
     }
 }
 
-TEST(Shadow, SignMakesWPositiveForCastersAndTheSameForOppositePlanes) {
+TEST(Shadow, SignMakesWPositiveForCastersOnEitherSide) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
@@ -165,12 +165,12 @@ TEST(UnitPlane, KeepsTheSignAndThePlane) {
     EXPECT_EQ(unit_plane({3, 0, 4, 5}), glm::dvec4(0.6, 0, 0.8, 1));
 }
 
-TEST(Patch, AxesOfTheContract) {
+TEST(Patch, AxesMatchTheContract) {
     struct Case {
         glm::dvec4 plane;
         glm::dvec3 normal, u, v;
     };
-    // Worked by hand: e is the last axis of the smallest |component|, u = unit(n′ × e), v = u × n′.
+    // By hand: e is the last axis with the smallest |component|, u = unit(n′ × e), v = u × n′.
     const Case cases[] = {
         {{0, 1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
         {{0, -1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
@@ -187,7 +187,7 @@ TEST(Patch, AxesOfTheContract) {
     }
 }
 
-TEST(Patch, PropertiesAndSamenessForMultiples) {
+TEST(Patch, PropertiesAndEqualityForMultiples) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
@@ -216,7 +216,7 @@ TEST(Patch, PropertiesAndSamenessForMultiples) {
 TEST(Patch, MatrixSendsTheQuadToThePatch) {
     const PlanePatch patch = plane_patch({1, 2, -2, 6}, 5);
     const glm::dmat4 world_from_patch = patch.world_from_patch();
-    EXPECT_GT(glm::determinant(world_from_patch), 0.0) << "keeps the winding";
+    EXPECT_GT(glm::determinant(world_from_patch), 0.0) << "preserves the winding";
     expect_near(glm::dvec3(world_from_patch * glm::dvec4(0, 1, 0, 0)), patch.normal, 1e-15);
     const double side[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -224,7 +224,7 @@ TEST(Patch, MatrixSendsTheQuadToThePatch) {
     }
 }
 
-TEST(ObliqueNearPlane, BecomesTheNearPlaneAndLeavesTheRest) {
+TEST(ObliqueNearPlane, ReplacesNearAndKeepsTheRest) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (const bool orthographic : {false, true}) {
@@ -233,7 +233,7 @@ TEST(ObliqueNearPlane, BecomesTheNearPlaneAndLeavesTheRest) {
             const glm::dvec3 normal = random.direction();
             const glm::dvec3 in_front(0, 0, -random.number(2, 10));
             glm::dvec4 plane(normal, -glm::dot(normal, in_front));
-            plane *= plane.w > 0 ? -1.0 : 1.0;  // the eye lies on the negative side
+            plane *= plane.w > 0 ? -1.0 : 1.0;  // the eye is on the negative side
             const glm::dmat4 oblique = with_oblique_near_plane(clip, plane);
 
             glm::dvec3 on_plane = random.vec3(10);

@@ -1,4 +1,4 @@
-// Projections by what becomes of near and far; depth precision against the table of facts, worked out independently.
+// Projections, checked by the images of near and far; depth precision, checked against an independently computed table.
 #include "geometry/projection.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(Projection, NearAndFarMapToTheEndsOfTheClipRange) {
     }
 }
 
-TEST(Projection, FieldOfViewAndHeightAreTheFullVerticalOnes) {
+TEST(Projection, FieldOfViewAndHeightAreFullVertical) {
     // 90°: at distance 7 the frustum is 14 high and, with aspect 2, 28 wide.
     for (const glm::dmat4& clip : {clip_from_view({.fovy_deg = 90, .near = 1, .far = 10}, 2.0),
                                    clip_from_view_reversed({.fovy_deg = 90, .near = 1, .far = 10}, 2.0)}) {
@@ -68,7 +68,7 @@ TEST(WindowDepth, WorkedValues) {
     EXPECT_NEAR(window_depth({.orthographic = true, .near = 1, .far = 11}, DepthMapping::reversed, 2), 0.9, 1e-15);
 }
 
-TEST(WindowDepth, OutsideTheRangeLiesOutsideZeroToOne) {
+TEST(WindowDepth, OutsideTheRangeIsOutsideZeroToOne) {
     for (const bool orthographic : {false, true}) {
         const Lens lens{.orthographic = orthographic, .near = 1, .far = 10};
         for (const DepthMapping mapping : mappings) {
@@ -94,9 +94,9 @@ TEST(WindowDepth, RoundTrip) {
     }
 }
 
-TEST(DepthStep, TableOfFacts) {
+TEST(DepthStep, MatchesTheTable) {
     struct Row {
-        double near, far, z, bits16, bits24, float_standard, float_reversed;  // 0: not storage that limits it
+        double near, far, z, bits16, bits24, float_standard, float_reversed;  // 0: this storage does not limit the step
     };
     const Row rows[] = {
         {20, 100, 60, 2.197e-3, 8.583e-6, 8.583e-6, 2.146e-6}, {1, 100, 10, 1.511e-3, 5.901e-6, 5.901e-6, 7.376e-7},
@@ -120,20 +120,20 @@ TEST(DepthStep, TableOfFacts) {
     }
 }
 
-TEST(DepthStep, FloatsTellNoMoreApartThanTheEyeDepthDoes) {
+TEST(DepthStep, FloatsAreLimitedByTheEyeDepth) {
     const auto step = [](double z, DepthMapping mapping, DepthPrecision precision) {
         return resolvable_depth_step({.near = 0.1, .far = 100}, mapping, precision, z);
     };
-    // From 64 to 128 the floats lie 2⁻¹⁷ apart; near a window depth of 0 the stored ones are far finer.
+    // From 64 to 128 floats are 2⁻¹⁷ apart; near a window depth of 0 the stored floats are far finer.
     EXPECT_DOUBLE_EQ(step(100, DepthMapping::reversed, {32, true}), std::exp2(-18));
     EXPECT_DOUBLE_EQ(step(0.1, DepthMapping::standard, {32, true}), std::exp2(-28));
-    EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage limits";
+    EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage is the limit";
     EXPECT_NEAR(step(100, DepthMapping::standard, {32, true}), 5.955e-3, 1e-2 * 5.955e-3);
     EXPECT_NEAR(step(100, DepthMapping::standard, {24, false}), 5.955e-3, 1e-2 * 5.955e-3);
 }
 
 TEST(DepthStep, IsTheWidthOfOneCode) {
-    // Brute force: how far one goes until the rounded code has changed by one hundred.
+    // Brute force: move until the rounded code has changed by one hundred.
     for (const bool orthographic : {false, true}) {
         const Lens lens{.orthographic = orthographic, .near = 0.5, .far = 40};
         for (const DepthMapping mapping : mappings) {
@@ -154,7 +154,7 @@ TEST(DepthStep, WorkedValuesOfTheOtherMappings) {
                 10 * std::log(100.0) / 65535, 1e-12);
 }
 
-TEST(DepthStep, PositiveAndFiniteWhereverTheTargetLies) {
+TEST(DepthStep, IsPositiveAndFiniteForAnyTarget) {
     for (const bool orthographic : {false, true}) {
         const Lens lens{.orthographic = orthographic, .near = 1e-6, .far = 1e9};
         for (const DepthMapping mapping : mappings) {

@@ -29,7 +29,7 @@ private:
 
 inline constexpr unsigned seed = 20201105;
 
-/// The largest difference of any entry.
+/// Returns the largest difference between corresponding entries.
 inline double worst_difference(const glm::dmat4& a, const glm::dmat4& b) {
     double worst = 0.0;
     for (int column = 0; column < 4; ++column) {

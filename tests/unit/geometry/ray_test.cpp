@@ -1,4 +1,4 @@
-// Picking: rays against what can be worked out by hand, and against each other.
+// Picking: rays, checked against values computed by hand and against each other.
 #include "geometry/ray.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-TEST(RayThroughPixel, EveryPointOfItProjectsToThePixel) {
+TEST(RayThroughPixel, ItsPointsProjectToThePixel) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (const bool orthographic : {false, true}) {
@@ -25,7 +25,7 @@ TEST(RayThroughPixel, EveryPointOfItProjectsToThePixel) {
                 EXPECT_NEAR(glm::length(ray.direction), 1, 1e-12);
                 const glm::dvec4 start = clip_from_world * glm::dvec4(ray.origin, 1);
                 EXPECT_NEAR(start.z / start.w, -1, 1e-6);
-                // An orthographic near plane is the difference of numbers as large as far.
+                // An orthographic near-plane point is a difference of numbers as large as far.
                 const double tolerance = orthographic ? 1e-16 * far + 1e-8 : 1e-8;
                 for (const double t : {0.0, 1.0, 30.0}) {
                     const glm::dvec4 clip = clip_from_world * glm::dvec4(ray.at(t), 1);
@@ -52,7 +52,7 @@ TEST(ClosestPointOnLine, ByHand) {
     EXPECT_FALSE(closest_point_parameter_on_line({{4, 1, 9}, {0, 0, 1}}, {0, 0, 0}, {1, 0, 0})) << "behind";
 }
 
-TEST(ClosestPointOnLine, NoOtherPointIsNearer) {
+TEST(ClosestPointOnLine, NoOtherPointIsCloser) {
     SCOPED_TRACE(seed);
     Random random(seed);
     int checked = 0;
@@ -74,7 +74,7 @@ TEST(ClosestPointOnLine, NoOtherPointIsNearer) {
     EXPECT_GT(checked, 30);
 }
 
-TEST(IntersectTriangle, HitsWhereThePointWasChosen) {
+TEST(IntersectTriangle, HitsTheChosenPoint) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 300; ++i) {
@@ -97,7 +97,7 @@ TEST(IntersectTriangle, HitsWhereThePointWasChosen) {
     }
 }
 
-TEST(IntersectTriangle, NoneBehindEdgeOnOrWithoutArea) {
+TEST(IntersectTriangle, MissesBehindEdgeOnAndDegenerate) {
     const std::array<glm::dvec3, 3> triangle = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     EXPECT_TRUE(intersect_triangle({{0.2, 0.2, 1}, {0, 0, -1}}, triangle));
     EXPECT_TRUE(intersect_triangle({{0.2, 0.2, -1}, {0, 0, 1}}, triangle)) << "from the back";
@@ -106,7 +106,7 @@ TEST(IntersectTriangle, NoneBehindEdgeOnOrWithoutArea) {
     EXPECT_FALSE(intersect_triangle({{0, 0, 1}, {0, 0, -1}}, {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}})) << "no area";
 }
 
-TEST(IntersectMesh, NearestHitOfASphere) {
+TEST(IntersectMesh, ReturnsTheNearestHitOfASphere) {
     SCOPED_TRACE(seed);
     const Mesh sphere = sphere_mesh(96, 48);
     Random random(seed);

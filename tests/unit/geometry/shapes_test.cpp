@@ -1,4 +1,4 @@
-// Shapes: watertight, wound outwards, unit normals that agree with the winding, sizes of the contract, volumes.
+// Shapes: watertight, outward winding, unit normals that agree with the winding, the contract's sizes, volumes.
 #include "geometry/shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::array<float, 3> key(const glm::vec3& p) {
     return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};
 }
 
-/// Edges by exact position that are not met by exactly one edge the other way.
+/// Counts edges, compared by exact position, without exactly one opposite edge.
 std::size_t open_edges(const Mesh& mesh) {
     std::map<Edge, int> balance;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -45,7 +45,7 @@ double volume(const Mesh& mesh) {
     return six_volumes / 6;
 }
 
-/// Whether counts match, indices are in range, normals are unit and agree with every triangle's winding.
+/// Expects matching counts, indices in range, and unit normals that agree with every triangle's winding.
 void expect_sound(const Mesh& mesh) {
     ASSERT_FALSE(mesh.indices.empty());
     ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
@@ -76,7 +76,7 @@ void expect_bounds(const Mesh& mesh, const glm::dvec3& half_size) {
     }
 }
 
-TEST(Shapes, ClosedOnesAreWatertightAndWoundOutwards) {
+TEST(Shapes, ClosedOnesAreWatertightAndWoundOutward) {
     const double pi = std::numbers::pi;
     struct Case {
         const char* name;
@@ -115,18 +115,18 @@ TEST(Shapes, FlatNormalsAreFlat) {
     EXPECT_EQ(box.positions.size(), 24U);
     EXPECT_EQ(box.triangle_count(), 12U);
     for (std::size_t i = 0; i < box.positions.size(); ++i) {
-        EXPECT_EQ(glm::dot(box.normals[i], box.positions[i]), 1.0F) << "the face's own side";
+        EXPECT_EQ(glm::dot(box.normals[i], box.positions[i]), 1.0F) << "on the face's own side";
     }
     for (const Mesh& mesh : {cylinder_mesh(), cone_mesh()}) {
         int down = 0;
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             down += mesh.normals[i] == glm::vec3(0, -1, 0) && mesh.positions[i].y == -1.0F;
         }
-        EXPECT_EQ(down, 49) << "the base and its centre";
+        EXPECT_EQ(down, 49) << "the base and its center";
     }
 }
 
-TEST(Shapes, SmoothNormalsAreThoseOfTheSurface) {
+TEST(Shapes, SmoothNormalsMatchTheSurface) {
     const Mesh sphere = sphere_mesh();
     for (std::size_t i = 0; i < sphere.positions.size(); ++i) {
         EXPECT_EQ(sphere.positions[i], sphere.normals[i]);
@@ -140,7 +140,7 @@ TEST(Shapes, SmoothNormalsAreThoseOfTheSurface) {
     const Mesh cone = cone_mesh();
     for (std::size_t i = 0; i < cone.positions.size(); ++i) {
         const glm::vec3 p = cone.positions[i], n = cone.normals[i];
-        if (n.y > -0.5F) {  // the side: at right angles to the line from the base point to the tip
+        if (n.y > -0.5F) {  // the side: perpendicular to the line from the base to the tip
             EXPECT_NEAR(n.y, 1 / std::sqrt(5.0), 1e-6);
             if (p.y < 0.0F) {
                 EXPECT_NEAR(glm::dot(n, glm::vec3(0, 1, 0) - p), 0, 1e-6);
@@ -149,7 +149,7 @@ TEST(Shapes, SmoothNormalsAreThoseOfTheSurface) {
     }
 }
 
-TEST(Shapes, QuadAndTriangleFaceTheStatedWay) {
+TEST(Shapes, QuadAndTriangleFaceTheDocumentedWay) {
     const Mesh quad = quad_mesh();
     expect_sound(quad);
     expect_bounds(quad, {1, 0, 1});
@@ -161,7 +161,7 @@ TEST(Shapes, QuadAndTriangleFaceTheStatedWay) {
     EXPECT_EQ(triangle.normals[2], glm::vec3(0, 0, 1));
 }
 
-TEST(CenterAndFit, LongestSideBecomesTwo) {
+TEST(CenterAndFit, ScalesTheLongestSideToTwo) {
     Mesh mesh = box_mesh();
     for (glm::vec3& p : mesh.positions) {
         p = p * glm::vec3(5, 2, 1) + glm::vec3(100, 0, -3);
@@ -172,7 +172,7 @@ TEST(CenterAndFit, LongestSideBecomesTwo) {
     Mesh point;
     point.positions = {{3, 4, 5}, {3, 4, 5}};
     center_and_fit(point);
-    EXPECT_EQ(point.positions[0], glm::vec3(0)) << "without extent only centred";
+    EXPECT_EQ(point.positions[0], glm::vec3(0)) << "without extent: centered only";
     Mesh empty;
     center_and_fit(empty);
     EXPECT_TRUE(bounds_of(empty).empty());

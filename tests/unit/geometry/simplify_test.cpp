@@ -1,4 +1,4 @@
-// Stand-ins against the meshes that they stand for: how far vertices move, what they enclose, and which way they face.
+// Simplified meshes against the originals: how far vertices move, the enclosed volume, and the facing of triangles.
 #include "geometry/simplify.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Signed: positive where triangles are counter-clockwise seen from outside. By the divergence theorem.
+/// Returns the volume by the divergence theorem: positive where triangles are counterclockwise seen from outside.
 double volume_of(const Mesh& mesh) {
     double volume = 0.0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -23,7 +23,7 @@ double volume_of(const Mesh& mesh) {
     return volume;
 }
 
-TEST(Simplified, StaysOnASphereAndEnclosesNearlyAsMuch) {
+TEST(Simplified, StaysOnASphereAndKeepsMostOfItsVolume) {
     const Mesh sphere = sphere_mesh(200, 120);
     ASSERT_GT(sphere.triangle_count(), 40'000U);
     const Mesh coarse = simplified(sphere, 24);
@@ -32,12 +32,12 @@ TEST(Simplified, StaysOnASphereAndEnclosesNearlyAsMuch) {
     for (std::size_t i = 0; i < coarse.positions.size(); ++i) {
         EXPECT_NEAR(glm::length(coarse.positions[i]), 1.0, cell * std::sqrt(3.0));
         EXPECT_NEAR(glm::length(coarse.normals[i]), 1.0, 1e-5);
-        EXPECT_GT(glm::dot(glm::normalize(coarse.positions[i]), coarse.normals[i]), 0.9F) << "they point outwards";
+        EXPECT_GT(glm::dot(glm::normalize(coarse.positions[i]), coarse.normals[i]), 0.9F) << "normals point outward";
     }
     EXPECT_NEAR(volume_of(coarse) / volume_of(sphere), 1.0, 0.03);
 }
 
-TEST(Simplified, HasNoTriangleWithoutAreaAndNoneTwice) {
+TEST(Simplified, HasNoDegenerateAndNoDuplicateTriangle) {
     const Mesh coarse = simplified(torus_mesh(300, 150), 20);
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (std::size_t i = 0; i < coarse.indices.size(); i += 3) {
@@ -51,20 +51,20 @@ TEST(Simplified, HasNoTriangleWithoutAreaAndNoneTwice) {
     EXPECT_GT(triangles.size(), 500U);
 }
 
-TEST(Simplified, LeavesAMeshAloneWhoseVerticesLieFarApart) {
+TEST(Simplified, KeepsAMeshWithDistantVertices) {
     const Mesh box = box_mesh();
     const Mesh coarse = simplified(box, 64);
     EXPECT_EQ(coarse.triangle_count(), box.triangle_count());
-    EXPECT_EQ(coarse.positions.size(), 8U) << "vertices of three faces become one";
+    EXPECT_EQ(coarse.positions.size(), 8U) << "the vertices of three faces merge into one";
     EXPECT_NEAR(volume_of(coarse), volume_of(box), 1e-9);
 }
 
-TEST(Simplified, HoldsTheNumberOfTrianglesAndNothingAtAll) {
+TEST(Simplified, RespectsTheTriangleLimitDownToZero) {
     const Mesh sphere = sphere_mesh(300, 150);
     for (const std::size_t most : {20'000U, 3'000U, 100U})
         EXPECT_LE(simplified_to(sphere, most).triangle_count(), most) << most;
     EXPECT_EQ(simplified_to({}, 100).triangle_count(), 0U);
-    EXPECT_EQ(simplified(sphere, 1).triangle_count(), 0U) << "one cell is one vertex";
+    EXPECT_EQ(simplified(sphere, 1).triangle_count(), 0U) << "one cell leaves one vertex";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The teapot against numbers that are printed with the data set (corner points of patches, height, radii), against
-// some of its patches written out and evaluated by de Casteljau, and against what a solid-looking mesh must be.
+// The teapot against numbers printed with the data set (patch corners, height, radii), against some patches written out
+// and evaluated by de Casteljau, and against the properties of a solid mesh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::array<glm::dvec3, 16>;
 
-/// Newell's units, z up, with the table at 0: undoes centring, scale and the turn.
+/// Returns positions in Newell's units, z up, table at 0: undoes centering, scale and rotation.
 std::vector<glm::dvec3> newell_points(const Mesh& mesh) {
     const Bounds bounds = bounds_of(mesh);
     const double scale = 3.15 / bounds.size().y;
@@ -21,7 +21,7 @@ std::vector<glm::dvec3> newell_points(const Mesh& mesh) {
     for (const glm::dvec3 p : mesh.positions) {
         points.emplace_back(p.x * scale, -p.z * scale, (p.y - bounds.min.y) * scale);
     }
-    // Centring moved x; the body's axis is where the widest ring (y = ±2) is.
+    // Centering moved x; the widest ring (y = ±2) gives the body's axis.
     double axis_x = 0;
     for (const glm::dvec3& p : points) {
         axis_x = p.y > 1.9999 ? p.x : axis_x;
@@ -49,7 +49,7 @@ glm::dvec3 de_casteljau(std::array<glm::dvec3, 4> p, double t) {
     return p[0];
 }
 
-TEST(Teapot, HasThirtyTwoPatchesLessTheDegenerateTriangles) {
+TEST(Teapot, HasThirtyTwoPatchesWithoutDegenerateTriangles) {
     for (const int n : {1, 2, 5, 10}) {
         const Mesh mesh = teapot_mesh(n);
         EXPECT_EQ(mesh.positions.size(), static_cast<std::size_t>(32 * (n + 1) * (n + 1)));
@@ -59,15 +59,15 @@ TEST(Teapot, HasThirtyTwoPatchesLessTheDegenerateTriangles) {
     EXPECT_EQ(teapot_mesh(65).triangle_count(), teapot_mesh(64).triangle_count());
 }
 
-TEST(Teapot, IsCentredWithLongestSideTwo) {
+TEST(Teapot, IsCenteredWithLongestSideTwo) {
     const Bounds bounds = bounds_of(teapot_mesh());
     EXPECT_LT(glm::length(bounds.center()), 1e-6);
     EXPECT_NEAR(bounds.size().x, 2, 1e-6) << "from handle to spout";
 }
 
-TEST(Teapot, KnownMeasures) {
+TEST(Teapot, MatchesKnownMeasures) {
     const std::vector<glm::dvec3> points = newell_points(teapot_mesh(16));
-    // Rim, widest ring, foot, lid's edge and knob's neck, all around; top of the knob, the bottom's centre.
+    // Rim, widest ring, foot, edge of the lid and neck of the knob, all around; top of the knob, center of the bottom.
     const double rings[][2] = {{1.4, 2.4}, {1.5, 2.4}, {2.0, 0.9}, {1.5, 0.15}, {1.3, 2.4}, {0.2, 2.7}};
     for (const auto& ring : rings) {
         for (int quarter = 0; quarter < 4; ++quarter) {
@@ -86,7 +86,7 @@ TEST(Teapot, KnownMeasures) {
     }
 }
 
-TEST(Teapot, PatchesWrittenOut) {
+TEST(Teapot, MatchesPatchesWrittenOut) {
     const Points patches[] = {
         // a quarter of the rim
         {{{1.4, 0, 2.4},
@@ -282,7 +282,7 @@ TEST(Teapot, IsSymmetricLeftAndRight) {
 }
 
 TEST(Teapot, NormalsAreUnitAndAgreeWithTheWinding) {
-    for (const int n : {10, 33, 64}) {  // coarser ones cut the spout's lip short
+    for (const int n : {10, 33, 64}) {  // coarser ones cut off the lip of the spout
         const Mesh mesh = teapot_mesh(n);
         for (const glm::vec3& normal : mesh.normals) {
             ASSERT_NEAR(glm::length(normal), 1, 1e-5);
@@ -299,8 +299,8 @@ TEST(Teapot, NormalsAreUnitAndAgreeWithTheWinding) {
     }
 }
 
-TEST(Teapot, FacesOutwards) {
-    // Volume by part: handle and spout are last, four patches each, and nearly closed tubes.
+TEST(Teapot, FacesOutward) {
+    // Volume by part: handle and spout come last, four patches each, and are nearly closed tubes.
     const int n = 12;
     const Mesh mesh = teapot_mesh(n);
     const std::vector<glm::dvec3> points = newell_points(mesh);
@@ -344,8 +344,8 @@ TEST(Teapot, NormalsAtThePolesAreVertical) {
 }
 
 TEST(Teapot, HasNoCracks) {
-    // Every directed edge has its partner the other way at the very same positions, except along the five known rims:
-    // pot and lid have one each, the handle's and the spout's tubes two each.
+    // Every directed edge has an opposite edge at the very same positions, except along the six known rims: one each
+    // for pot and lid, two each for the tubes of handle and spout.
     const int n = 10;
     const Mesh mesh = teapot_mesh(n);
     const auto key = [&](std::uint32_t v) {

@@ -1,5 +1,5 @@
-// Comparing pictures, against a slow and obvious comparison of seeded random edits, and by hand-made pictures at the
-// thresholds' edges.
+// Comparisons of pictures, against a slow and obvious implementation on seeded random edits, and on hand-made pictures
+// at the thresholds.
 #include "image/compare.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ int difference_at(const Image& a, const Image& b, int x, int y) {
     return largest;
 }
 
-/// Joins single pixels into boxes by trying all pairs again and again until no two are near.
+/// Joins single pixels into boxes by trying all pairs repeatedly until no two are near.
 std::vector<PixelBox> boxes_by_brute_force(const Image& a, const Image& b, int worst, int gap) {
     std::vector<PixelBox> boxes;
     for (int y = 0; y < a.height; ++y)
@@ -125,7 +125,7 @@ TEST(Compare, AgreesWithBruteForceOnRandomEdits) {
     }
 }
 
-TEST(Compare, TheWorstLevelItselfIsAllowedAndOneMoreIsNot) {
+TEST(Compare, TheWorstLevelIsAllowedAndOneMoreIsNot) {
     const Image a = plain(10, 10);
     Image b = a;
     pixel(b, 3, 7)[2] = 105;
@@ -146,7 +146,7 @@ TEST(Compare, AlphaCounts) {
     EXPECT_EQ(compare_images(a, b).worst_found, 100);
 }
 
-TEST(Compare, TheShareItselfIsAllowedAndOnePixelMoreIsNot) {
+TEST(Compare, TheShareIsAllowedAndOnePixelMoreIsNot) {
     const Image a = plain(10, 10);
     Image b = a;
     fill(b, 0, 0, 7, 1, 50);
@@ -175,7 +175,7 @@ TEST(Compare, ABoxThatGrowsSwallowsOneThatEndedLongBefore) {
     const Image a = plain(300, 300);
     Image b = a;
     fill(b, 140, 20, 4, 4, 90);   // ends far above …
-    fill(b, 20, 10, 4, 250, 90);  // … two bars that only their foot joins …
+    fill(b, 20, 10, 4, 250, 90);  // … two bars joined only at the bottom …
     fill(b, 260, 10, 4, 250, 90);
     fill(b, 20, 258, 244, 2, 90);
     const CompareReport report = compare_images(a, b);
@@ -187,7 +187,7 @@ TEST(Compare, ABoxThatGrowsSwallowsOneThatEndedLongBefore) {
     EXPECT_EQ(report.boxes[0].pixels, report.beyond);
 }
 
-TEST(Compare, SixteenBoxesAtMostTheLargestFirst) {
+TEST(Compare, AtMostSixteenBoxesLargestFirst) {
     const Image a = plain(1000, 100);
     Image b = a;
     for (int i = 0; i < 20; ++i) fill(b, 50 * i, 40, 1 + i % 7, 2, 90);
@@ -200,7 +200,7 @@ TEST(Compare, SixteenBoxesAtMostTheLargestFirst) {
                                [](const PixelBox& p, const PixelBox& q) { return p.pixels > q.pixels; }));
 }
 
-TEST(Compare, SizesThatDifferAreADifferenceWithASentence) {
+TEST(Compare, DifferentSizesAreReportedInASentence) {
     const Image a = plain(20, 10);
     const Image b = plain(15, 12);
     const CompareReport report = compare_images(a, b, {255, 1.0});
@@ -220,8 +220,8 @@ TEST(Compare, SizesThatDifferAreADifferenceWithASentence) {
         return p[0] == p[1] && p[1] == p[2];
     };
     EXPECT_TRUE(is_grey(14, 9));
-    EXPECT_FALSE(is_grey(15, 9));   // A alone
-    EXPECT_FALSE(is_grey(14, 10));  // B alone
+    EXPECT_FALSE(is_grey(15, 9));   // only A
+    EXPECT_FALSE(is_grey(14, 10));  // only B
     EXPECT_FALSE(is_grey(19, 11));  // neither
 }
 
@@ -248,7 +248,7 @@ TEST(Compare, TheDiffPictureMarksBeyondInOrangeRedAndWithinInBlue) {
 TEST(Compare, TheSentenceSaysHowManyHowMuchWhereAndAgainstWhat) {
     const Image a = plain(1000, 100);
     Image b = a;
-    EXPECT_EQ(sentence(compare_images(a, b)), "equal: every one of 1000 × 100 pixels is the same");
+    EXPECT_EQ(sentence(compare_images(a, b)), "equal: all 1000 × 100 pixels are the same");
     fill(b, 100, 20, 10, 5, 1);
     EXPECT_EQ(sentence(compare_images(a, b)).rfind("equal within the thresholds: 50 of 100000 pixels differ", 0), 0U)
         << sentence(compare_images(a, b));
@@ -256,12 +256,12 @@ TEST(Compare, TheSentenceSaysHowManyHowMuchWhereAndAgainstWhat) {
     fill(b, 500, 20, 1, 1, 60);
     const std::string text = sentence(compare_images(a, b, {2, 0.0001}));
     EXPECT_EQ(text,
-              "different: 51 of 100000 pixels differ, at worst by 60 of 255 at (500, 20); 51 (0.051 %) by more than 2, "
-              "allowed are 0.01 %; where: x 100 … 109, y 20 … 24 and 1 more place");
+              "different: 51 of 100000 pixels differ, at worst by 60 of 255 at (500, 20); 51 (0.051%) by more than 2, "
+              "limit 0.01%; where: x 100 … 109, y 20 … 24 and 1 more place");
     EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
-TEST(Compare, TheJsonHasTheReport) {
+TEST(Compare, TheJsonContainsTheReport) {
     const Image a = plain(100, 50);
     Image b = a;
     fill(b, 10, 20, 30, 5, 40);

@@ -1,4 +1,4 @@
-// What a comparison leaves out: rectangles and pictures as masks, against pixels counted one by one.
+// Rectangles and pictures as comparison masks, against pixels counted one by one.
 #include "image/mask.h"
 
 #include <gtest/gtest.h>
@@ -23,13 +23,13 @@ std::uint8_t* masked_pixel(Image& image, int x, int y) {
     return image.row(y) + 4 * static_cast<std::size_t>(x);
 }
 
-TEST(Mask, LeavesOutNothingByItself) {
+TEST(Mask, ExcludesNothingByDefault) {
     EXPECT_FALSE(Mask().leaves_out(0, 0));
     EXPECT_EQ(Mask(7, 5).pixels(), 0);
     EXPECT_EQ(compare_images(noise(9, 8, 1), noise(9, 8, 2), {}, Mask(9, 8)).left_out, 0);
 }
 
-TEST(Mask, RectanglesLeaveOutWhatLiesInThePictureAndNoPixelMore) {
+TEST(Mask, RectanglesExcludeExactlyTheirPixelsInThePicture) {
     const std::vector<MaskRect> rects{{3, 2, 4, 5},
                                       {-2, -3, 4, 5},
                                       {18, 10, 9, 9},
@@ -59,7 +59,7 @@ TEST(Mask, RectanglesLeaveOutWhatLiesInThePictureAndNoPixelMore) {
     }
 }
 
-TEST(Mask, APictureLeavesOutWhereItIsWhiteAndOpaque) {
+TEST(Mask, APictureExcludesItsWhiteOpaquePixels) {
     Image picture{4, 2, {}};
     picture.rgba = {255, 255, 255, 255, 0,   0,   0,   255, 255, 255, 255, 0,   128, 128, 128, 128,
                     127, 127, 127, 255, 255, 255, 255, 127, 0,   255, 0,   255, 255, 0,   255, 255};
@@ -74,7 +74,7 @@ TEST(Mask, APictureLeavesOutWhereItIsWhiteAndOpaque) {
     EXPECT_EQ(both.pixels(), 4);
 }
 
-TEST(Mask, WhatIsLeftOutDecidesNothing) {
+TEST(Mask, ExcludedPixelsDoNotCount) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
@@ -104,7 +104,7 @@ TEST(Mask, WhatIsLeftOutDecidesNothing) {
     }
 }
 
-TEST(Mask, OfAnotherSizeCoversWhatItHas) {
+TEST(Mask, OfAnotherSizeCoversItsOwnExtent) {
     const Image a = noise(10, 10, 1), b = noise(10, 10, 2);
     Mask larger(30, 30);
     larger.leave_out({0, 0, 30, 30});
@@ -116,7 +116,7 @@ TEST(Mask, OfAnotherSizeCoversWhatItHas) {
     EXPECT_EQ(compare_images(a, b, {0, 0.0}, smaller).different, 88);
 }
 
-TEST(Mask, SizesThatDifferStayADifference) {
+TEST(Mask, DifferentSizesRemainADifference) {
     Mask everything(20, 20);
     everything.leave_out({0, 0, 20, 20});
     const CompareReport report = compare_images(noise(10, 10, 1), noise(12, 10, 1), {}, everything);
@@ -138,20 +138,20 @@ TEST(Mask, IsHatchedAndDimmedInTheDiffPicture) {
                 EXPECT_EQ(at[0], 0xE4) << x << ", " << y;
                 continue;
             }
-            EXPECT_TRUE(at[0] == at[1] && at[1] == at[2]) << "grey, as nothing was compared";
-            EXPECT_LT(at[0], 100) << "darker than what is the same";
+            EXPECT_TRUE(at[0] == at[1] && at[1] == at[2]) << "gray, as nothing was compared";
+            EXPECT_LT(at[0], 100) << "darker than equal pixels";
             (at[0] == 0 ? black : dimmed)++;
         }
     EXPECT_EQ(black, 12 * 24 / 6) << "every sixth masked_pixel of a row";
     EXPECT_EQ(dimmed, 12 * 24 * 5 / 6);
 }
 
-TEST(Mask, TheSentenceAndTheJsonSayHowMuchIsLeftOut) {
+TEST(Mask, TheSentenceAndTheJsonSayHowMuchIsExcluded) {
     const Image a = noise(10, 10, 1);
     Mask mask(10, 10);
     mask.leave_out({2, 2, 3, 4});
     const CompareReport report = compare_images(a, a, {}, mask);
-    EXPECT_EQ(sentence(report), "equal: every one of 10 × 10 pixels is the same; 12 pixels are left out by the mask");
+    EXPECT_EQ(sentence(report), "equal: all 10 × 10 pixels are the same; 12 pixels are left out by the mask");
     EXPECT_NE(as_json(report).find("\"left_out\": 12"), std::string::npos);
 }
 

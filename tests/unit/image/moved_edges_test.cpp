@@ -1,5 +1,5 @@
-// Pictures compared with a reach of a pixel, so that edges that moved by one are no difference: on pictures that are
-// drawn here as text, and against the definition on seeded random ones.
+// Pictures compared with a reach of one pixel, so that edges moved by one do not count: on pictures drawn here as text,
+// and against the definition on seeded random ones.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr CompareOptions alike{.worst = 2, .share = 0.0, .reach_px = 1};
 
-/// A picture of rows of letters: '.' is black, 'o' is grey, '#' is white, and '1' to '9' are so many levels above grey.
+/// A picture of rows of letters: '.' is black, 'o' is gray, '#' is white, and '1' to '9' are that many levels above
+/// gray.
 Image drawn(const std::vector<std::string>& rows) {
     Image image{static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), {}};
     for (const std::string& row : rows)
@@ -25,7 +26,7 @@ Image drawn(const std::vector<std::string>& rows) {
     return image;
 }
 
-/// Where a difference is found, as text.
+/// The differences found, as text.
 std::vector<std::string> marks(const Image& a, const Image& b) {
     std::vector<std::string> rows(static_cast<std::size_t>(a.height));
     const std::vector<std::uint8_t> levels = pixel_differences(a, b, alike);
@@ -36,7 +37,7 @@ std::vector<std::string> marks(const Image& a, const Image& b) {
 
 std::int64_t beyond(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     const CompareReport found = compare_images(drawn(a), drawn(b), alike);
-    EXPECT_EQ(compare_images(drawn(b), drawn(a), alike).beyond, found.beyond) << "neither picture is favoured";
+    EXPECT_EQ(compare_images(drawn(b), drawn(a), alike).beyond, found.beyond) << "neither picture is favored";
     return found.beyond;
 }
 
@@ -55,18 +56,18 @@ TEST(MovedEdges, DifferencesBeginAboveTheThreshold) {
 TEST(MovedEdges, WithoutReachAreDifferences) {
     const Image a = drawn({"..####", "..####"}), b = drawn({"...###", "...###"});
     EXPECT_EQ(compare_images(a, b, alike).beyond, 0);
-    EXPECT_EQ(compare_images(a, b, alike).different, 2) << "but not byte-equal";
+    EXPECT_EQ(compare_images(a, b, alike).different, 2) << "but not byte-identical";
     EXPECT_EQ(compare_images(a, b, {.worst = 2}).beyond, 2);
 }
 
-TEST(MovedEdges, ByAPixelAreNoDifference) {
+TEST(MovedEdges, ByOnePixelAreNoDifference) {
     EXPECT_EQ(beyond({"..####", "..####", "..####"}, {"...###", "...###", "...###"}), 0);
     EXPECT_EQ(beyond({"......", "######", "######"}, {"......", "......", "######"}), 0);
     EXPECT_EQ(beyond({"#.....", ".#....", "..#..."}, {".#....", "..#...", "...#.."}), 0) << "a thin line";
     EXPECT_EQ(beyond({"..####", "..####", "..####"}, {"....##", "....##", "....##"}), 6) << "by two pixels";
 }
 
-TEST(MovedEdges, ABlockThatIsNotThereIsOne) {
+TEST(MovedEdges, AMissingBlockIsADifference) {
     const Image empty = drawn({"......", "......", "......", "......"});
     const Image block = drawn({"......", ".###..", ".###..", "......"});
     EXPECT_EQ(compare_images(empty, block, alike).worst_found, 255);
@@ -74,22 +75,23 @@ TEST(MovedEdges, ABlockThatIsNotThereIsOne) {
         << "top row first";
 }
 
-TEST(MovedEdges, ALonePixelAndALineThatIsGoneAreDifferences) {
+TEST(MovedEdges, ALonePixelAndAMissingLineAreDifferences) {
     EXPECT_EQ(beyond({".....", "..#..", "....."}, {".....", ".....", "....."}), 1);
     EXPECT_EQ(beyond({".....", "#####", "....."}, {".....", ".....", "....."}), 5);
 }
 
-TEST(MovedEdges, AreNotLookedForBeyondThePicture) {
+TEST(MovedEdges, AreNotSearchedBeyondThePicture) {
     EXPECT_EQ(beyond({"#"}, {"#"}), 0);
     EXPECT_EQ(beyond({"#"}, {"."}), 1);
-    EXPECT_EQ(beyond({"#..."}, {"...#"}), 2) << "the ends of a row are no neighbours";
+    EXPECT_EQ(beyond({"#..."}, {"...#"}), 2) << "the ends of a row are not neighbors";
     EXPECT_EQ(beyond({"..#", "...", "..."}, {"...", "#..", "..."}), 2) << "nor are the ends of two";
     EXPECT_EQ(beyond({"#", ".", ".", "."}, {".", ".", ".", "#"}), 2);
     EXPECT_TRUE(pixel_differences({}, {}, alike).empty());
 }
 
-/// Against the definition: nothing in the other picture's 3 × 3 block is within two levels, one way or the other.
-TEST(MovedEdges, AreAsDefinedInRandomPictures) {
+/// By definition a pixel differs if nothing in the other picture's 3 × 3 block is within two levels, in either
+/// direction.
+TEST(MovedEdges, MatchTheDefinitionInRandomPictures) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {
         const int width = static_cast<int>(random.number(1, 8)), height = static_cast<int>(random.number(1, 8));

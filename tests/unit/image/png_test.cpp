@@ -1,5 +1,5 @@
-// PNG files: what is written reads back, every kind of PNG reads as RGBA, and broken ones give a sentence. The odd
-// kinds are written here with libpng directly, so that reader and writer cannot agree on the same mistake.
+// PNG files: written files read back, every kind of PNG reads as RGBA, and broken ones give an error sentence. Unusual
+// kinds are written here with libpng directly, so that reader and writer cannot share a mistake.
 #include "image/png.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for a test, gone afterwards.
+/// A separate folder for a test, removed afterwards.
 class PngFiles : public testing::Test {
 protected:
     void SetUp() override {
@@ -59,7 +59,7 @@ struct Kind {
     int bits, color_type, interlace;
 };
 
-/// Writes 2 × 2 pixels given as raw rows, with an optional palette and transparent colour.
+/// Writes 2 × 2 pixels given as raw rows, with an optional palette and transparent color.
 void write_kind(const fs::path& path, const Kind& kind, std::array<std::string, 2> rows,
                 std::vector<png_color> palette = {}, std::vector<png_byte> palette_alpha = {},
                 const png_color_16* transparent = nullptr) {
@@ -141,7 +141,7 @@ TEST_F(PngFiles, EveryKindReadsAsRgba8) {
                {std::string("\x10\x20\x30\x00", 4), "\x50\x60\x70\xFF"});
     check({"grey alpha, interlaced", pixels({16, 16, 16, 32, 48, 48, 48, 0, 80, 80, 80, 96, 112, 112, 112, 255})});
 
-    // 0x0190 is 1.56 of 255: rounded, not cut.
+    // 0x0190 is 1.56 of 255: rounded, not truncated.
     write_kind(path, {16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE},
                {std::string("\xFF\xFF\x00\x00\x80\x80\x01\x90\x00\x00\x00\x00", 12),
                 std::string("\x00\x00\xFE\xFE\x00\x01\x12\x12\x34\x34\x56\x56", 12)});
@@ -157,7 +157,7 @@ TEST_F(PngFiles, EveryKindReadsAsRgba8) {
     check({"rgb with a transparent colour", pixels({9, 8, 7, 0, 1, 2, 3, 255, 9, 8, 6, 255, 255, 254, 253, 255})});
 }
 
-TEST_F(PngFiles, EveryCutGivesASentence) {
+TEST_F(PngFiles, EveryTruncationGivesASentence) {
     const fs::path path = folder / "cut.png";
     const auto encoded = encode_png(random_image(23, 17, false, 9));
     const std::string whole(encoded.begin(), encoded.end());
@@ -188,7 +188,7 @@ TEST_F(PngFiles, EveryFlippedByteReadsOrGivesASentence) {
     EXPECT_GT(refused, static_cast<int>(bytes.size()) / 2);
 }
 
-/// The signature and an IHDR chunk with its right check sum, and an empty IDAT.
+/// The signature and an IHDR chunk with the right checksum, and an empty IDAT.
 std::string header_of(std::uint32_t width, std::uint32_t height) {
     const auto big_endian = [](std::uint32_t v) {
         return std::string{static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8),
@@ -207,23 +207,24 @@ std::string header_of(std::uint32_t width, std::uint32_t height) {
            chunk("IDAT");
 }
 
-TEST_F(PngFiles, HugeSizesAreRefusedWithoutTheirMemory) {
+TEST_F(PngFiles, HugeSizesAreRefusedWithoutAllocatingThem) {
     const fs::path path = folder / "huge.png";
     const auto error_for = [&](std::uint32_t width, std::uint32_t height) {
         put(path, header_of(width, height));
         const Result<Image> image = read_png(path);
         return image ? std::string("read") : image.error();
     };
-    EXPECT_EQ(error_for(16385, 4), path.string() + ": the picture is 16385 × 4 pixels; at most 16384 a side are read");
+    EXPECT_EQ(error_for(16385, 4),
+              path.string() + ": the picture is 16385 × 4 pixels; at most 16384 per side are allowed");
     EXPECT_NE(error_for(4, 2000000000).find("4 × 2000000000 pixels"), std::string::npos);
     EXPECT_EQ(error_for(16384, 16384),
-              path.string() + ": the picture is 16384 × 16384 pixels; at most 64 million are read, make it smaller");
+              path.string() + ": the picture is 16384 × 16384 pixels; at most 64 million are allowed, make it smaller");
     EXPECT_EQ(error_for(8000, 8000), path.string() + ": the PNG file is cut off before its end");
     EXPECT_NE(error_for(0, 4).find("broken"), std::string::npos);
     EXPECT_NE(error_for(0xFFFFFFFFU, 0xFFFFFFFFU).find("broken"), std::string::npos);
 }
 
-TEST_F(PngFiles, WhatIsNoPngIsNamedSo) {
+TEST_F(PngFiles, FilesThatAreNotPngAreReported) {
     const auto error_for = [](const fs::path& path) {
         const Result<Image> image = read_png(path);
         return image ? std::string("read") : image.error();
@@ -232,10 +233,10 @@ TEST_F(PngFiles, WhatIsNoPngIsNamedSo) {
     EXPECT_NE(error_for(folder).find("is a directory"), std::string::npos);
     put(folder / "text.png", "P6\n2 2\n255\nabcdefghijkl");
     EXPECT_NE(error_for(folder / "text.png").find("not a PNG file"), std::string::npos);
-    EXPECT_NE(error_for("").find("needs a file name"), std::string::npos);
+    EXPECT_NE(error_for("").find("must not be empty"), std::string::npos);
 }
 
-TEST_F(PngFiles, AFailingWriteLeavesWhatWasThere) {
+TEST_F(PngFiles, AFailedWriteLeavesTheOldFile) {
     const Image image = random_image(8, 8, true, 3);
     const fs::path taken = folder / "folder.png";
     fs::create_directories(taken / "inside");
@@ -269,7 +270,7 @@ TEST_F(PngFiles, DevicesAndLinksAreWrittenIntoNotReplaced) {
     EXPECT_EQ(bytes_of(target), std::string(expected.begin(), expected.end()));
 }
 
-TEST_F(PngFiles, AWriteThatBreaksHalfwayLeavesTheOldFile) {
+TEST_F(PngFiles, AWriteInterruptedHalfwayLeavesTheOldFile) {
     const fs::path path = folder / "kept.png";
     put(path, "kept");
     struct rlimit before {};
@@ -309,7 +310,7 @@ std::string packed(const std::string& text) {
     return bytes.substr(0, size);
 }
 
-TEST_F(PngFiles, NotesAreReadFromEveryKindOfText) {
+TEST_F(PngFiles, NotesAreReadFromEveryKindOfTextChunk) {
     const std::string key = std::string(png_note_key) + '\0', state = R"({"version": 1})", none(1, '\0');
     const fs::path path = folder / "note.png";
     for (const auto& [type, data] : {std::pair<std::string, std::string>{"tEXt", key + state},
@@ -331,7 +332,7 @@ TEST_F(PngFiles, NotesAreReadFromEveryKindOfText) {
     }
 }
 
-TEST_F(PngFiles, NotesThatGrowBeyondMeasureOrAreDamagedAreRefused) {
+TEST_F(PngFiles, OversizedOrDamagedNotesAreRefused) {
     const std::string key = std::string(png_note_key) + '\0', none(1, '\0');
     const fs::path path = folder / "note.png";
     put(path, with_chunk("zTXt", key + none + packed(std::string(max_document_bytes, ' '))));
@@ -345,7 +346,8 @@ TEST_F(PngFiles, NotesThatGrowBeyondMeasureOrAreDamagedAreRefused) {
     EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is cut off or damaged");
 }
 
-/// The texts of a PNG file that this program wrote, by their keys, in the file's order. Each is an iTXt chunk, packed.
+/// Returns the texts of a PNG file written by this program, with their keys, in file order. Each is a compressed iTXt
+/// chunk.
 std::vector<std::pair<std::string, std::string>> texts_of(const std::vector<std::uint8_t>& file) {
     std::vector<std::pair<std::string, std::string>> texts;
     for (std::size_t at = 8; at + 8 < file.size();) {
@@ -367,9 +369,9 @@ std::vector<std::pair<std::string, std::string>> texts_of(const std::vector<std:
     return texts;
 }
 
-/// Pillow refuses a file with a text of more than 1 MiB (PngImagePlugin.MAX_TEXT_CHUNK), and drops one that is not
-/// UTF-8.
-TEST_F(PngFiles, ALongNoteIsSeveralTextsThatEveryReaderTakes) {
+/// Pillow refuses a file with a text chunk of more than 1 MiB (PngImagePlugin.MAX_TEXT_CHUNK), and drops one that is
+/// not UTF-8.
+TEST_F(PngFiles, ALongNoteIsSplitIntoChunksThatEveryReaderAccepts) {
     constexpr std::size_t most_bytes = 1U << 20U;
     constexpr unsigned seed = 20261126;
     std::mt19937 random(seed);
@@ -385,7 +387,7 @@ TEST_F(PngFiles, ALongNoteIsSeveralTextsThatEveryReaderTakes) {
         for (const auto& [key, text] : texts_of(file)) {
             EXPECT_EQ(key, ++number == 1 ? std::string(png_note_key) : png_note_key + (" " + std::to_string(number)));
             EXPECT_LE(text.size(), most_bytes) << size;
-            EXPECT_NE(static_cast<unsigned char>(text.front()) & 0xC0U, 0x80U) << "a letter is cut";
+            EXPECT_NE(static_cast<unsigned char>(text.front()) & 0xC0U, 0x80U) << "a character is split";
             joined += text;
         }
         EXPECT_TRUE(joined == note) << "seed " << seed << ", " << size << " bytes: " << joined.size();
@@ -394,11 +396,11 @@ TEST_F(PngFiles, ALongNoteIsSeveralTextsThatEveryReaderTakes) {
     }
 }
 
-TEST_F(PngFiles, ANoteThatCouldNotBeReadIsNotWritten) {
+TEST_F(PngFiles, ANoteTooLongToReadIsNotWritten) {
     const std::vector<std::uint8_t> file =
         encode_png(random_image(1, 1, true, 9), std::string(max_document_bytes + 1, 'x'));
     EXPECT_TRUE(texts_of(file).empty());
-    // Neither is one read that grows in parts.
+    // A note in several small parts that expand too much is not read either.
     const std::string none(1, '\0'), third = packed(std::string(max_document_bytes / 3 + 1, ' '));
     std::string chunks = with_chunk("zTXt", png_note_key + (" 3" + none + none) + third);
     for (const std::string part : {" 2", ""}) {

@@ -1,5 +1,5 @@
-// The portable profile on edges drawn_edge by hand, where what moved by how much is known, and its parts against a slow
-// and obvious count on seeded random pictures.
+// The portable profile on constructed edges with known movements, and its parts against a slow and obvious count on
+// seeded random pictures.
 #include "image/portable.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// A grey picture; `level` of the pixel whose middle is (x + ½, y + ½).
+/// A gray picture; `level` of the pixel whose center is (x + ½, y + ½).
 Image drawn_edge(int width, int height, const std::function<double(double, double)>& level) {
     Image image{width, height, {}};
     for (int y = 0; y < height; ++y)
@@ -27,7 +27,7 @@ Image drawn_edge(int width, int height, const std::function<double(double, doubl
     return image;
 }
 
-/// The half-plane x·cos + y·sin < offset in 200, the rest in 80, with so many samples a side of a pixel.
+/// The half-plane x·cos + y·sin < offset at level 200, the rest at 80, with this many samples per pixel side.
 Image half_plane(double angle_deg, double offset, int samples) {
     const double cosine = std::cos(angle_deg * 0.017453292519943295), sine = std::sin(angle_deg * 0.017453292519943295);
     return drawn_edge(48, 48, [&](double x, double y) {
@@ -51,11 +51,11 @@ TEST(Portable, EdgesWithOtherSamplesAreEqualAtEveryAngle) {
         }
 }
 
-TEST(Portable, AnEdgeThatMovedByAPixelIsFoundAtEveryAngle) {
+TEST(Portable, AnEdgeMovedByAPixelIsFoundAtEveryAngle) {
     for (int angle = 0; angle < 180; angle += 7)
         for (const int samples : {1, 2, 4}) {
             SCOPED_TRACE(std::to_string(angle) + "°, samples a side " + std::to_string(samples));
-            // By a pixel along the axis that is nearest to across the edge.
+            // Move by a pixel along the axis closest to the edge's normal.
             const double along = std::max(std::abs(std::cos(angle * 0.017453292519943295)),
                                           std::abs(std::sin(angle * 0.017453292519943295)));
             const CompareReport found = compare_images(half_plane(angle, 0.2, samples),
@@ -64,7 +64,7 @@ TEST(Portable, AnEdgeThatMovedByAPixelIsFoundAtEveryAngle) {
         }
 }
 
-TEST(Portable, ALineThatGrowsThinnerIsEqualAndOneThatMovedIsNot) {
+TEST(Portable, AThinnerLineIsEqualAndAMovedOneIsNot) {
     const auto line = [](double left, double width) {
         return drawn_edge(40, 30, [=](double x, double) {
             const double inside = std::min(x + 0.5, left + width) - std::max(x - 0.5, left);
@@ -89,7 +89,7 @@ TEST(Portable, FlatPartsAreHeldToTheThreshold) {
 TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
     const Image flat = drawn_edge(64, 64, [](double, double) { return 50.0; });
     for (const int length : {4, 5}) {
-        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal: corners hang together
+        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal: corners connect
             return x - 20 == y - 20 && x > 20 && x < 20 + length ? 90.0 : 50.0;
         });
         const CompareReport found = compare_images(dots, flat, portable_options);
@@ -99,7 +99,7 @@ TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
     }
 }
 
-TEST(Portable, ManyPixelsFarApartAreADifferenceToo) {
+TEST(Portable, ManyScatteredPixelsAreADifference) {
     const Image flat = drawn_edge(100, 100, [](double, double) { return 50.0; });
     for (const int count : {20, 21}) {
         Image dots = flat;
@@ -154,7 +154,7 @@ TEST(Portable, TheLocalShiftIsTheLargestOfAllSquares) {
     }
 }
 
-TEST(Portable, BlocksAgreeWithAFlood) {
+TEST(Portable, BlocksMatchAFloodFill) {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
@@ -193,7 +193,7 @@ TEST(Portable, BlocksAgreeWithAFlood) {
     }
 }
 
-TEST(Portable, SizesThatDifferStayADifferenceAndNothingIsReadBeyond) {
+TEST(Portable, DifferentSizesRemainADifferenceAndNothingIsReadBeyond) {
     const Image a = half_plane(30, 0.1, 1), b = half_plane(30, 0.1, 4);
     EXPECT_FALSE(compare_images(cropped(a, 0, 0, 20, 30), b, portable_options).equal);
     EXPECT_FALSE(compare_images(a, cropped(b, 0, 0, 47, 5), portable_options).equal);

@@ -1,4 +1,4 @@
-// States saved as steps of a lesson, and what a goal lets one change.
+// Saving states as steps of a lesson, and the changes that a goal allows.
 #include "lesson/append.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-TEST(SaveAsStep, AFileOfTwoStepsReadsBackToBothStates) {
+TEST(SaveAsStep, TwoStepsReadBackToBothStates) {
     Params first, second;
     first.projection.near = 0.25;
     first.lights.front().position = {1, 2, 3, 0};
@@ -25,17 +25,17 @@ TEST(SaveAsStep, AFileOfTwoStepsReadsBackToBothStates) {
     EXPECT_EQ(lesson->id, "mine");
     ASSERT_EQ(lesson->steps.size(), 2U);
     EXPECT_EQ(lesson->steps[0].start.params, first);
-    second.ui = {};  // theme and scale are the person's
+    second.ui = {};  // theme and scale belong to the user
     EXPECT_EQ(lesson->steps[1].start.params, second);
 }
 
-TEST(SaveAsStep, WhatIsNoLessonIsRefused) {
-    EXPECT_NE(with_step("{}", "state.json", {}, "").error().find("state.json: is no lesson"), std::string::npos);
+TEST(SaveAsStep, RefusesOtherFiles) {
+    EXPECT_NE(with_step("{}", "state.json", {}, "").error().find("state.json: is not a lesson"), std::string::npos);
     EXPECT_FALSE(with_step("{", "state.json", {}, ""));
     EXPECT_FALSE(with_step("[]", "state.json", {}, ""));
 }
 
-TEST(Allowed, AGoalMayBeLookedAtFromAnywhereButReachedOnlyAsTheStepSays) {
+TEST(Allowed, GoalAllowsAnyLookButOnlyTheListedFields) {
     Params before, after;
     after.projection.near = 1.0;
     after.observer.yaw = 3.0;

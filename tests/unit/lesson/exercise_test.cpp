@@ -1,5 +1,5 @@
-// Exercises: how a pattern becomes a step with somebody's own numbers, what a broken file is told, and that the
-// program's own are whole in both languages.
+// Exercises: how a pattern becomes a step with a student's own numbers, the errors of a broken file, and that the
+// shipped exercises are complete in both languages.
 #include "lesson/exercise.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::has;
 
 namespace fs = std::filesystem;
 
-// ---- one made by hand ----------------------------------------------------------------------------------------------
+// ---- an exercise made by hand ---------------------------------------------------------------------------------------
 
 const char* const number_exercise = R"({
   "exercise": 1, "id": "T01-yaw", "title": {"en": "Yaw", "ko": "요"}, "sets": ["camera"], "slides": [3], "points": 2,
@@ -51,7 +51,7 @@ const char* const goal_exercise = R"({
                    "wrong": [{"when": "camera.yaw < 0", "try": {"camera.yaw": "=-k"}, "say": "The other way."}]}}
 })";
 
-/// Where the camera stands at the start, and a P of the state's own that constants have to hide.
+/// Knows only the camera of the start state, and a P of the state that constants must hide.
 Result<Surroundings> camera_alone(const LoadedState& start) {
     const CameraParams camera = start.params.camera;
     Surroundings surroundings;
@@ -71,7 +71,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
     return at == std::string::npos ? text : text.replace(at, part.size(), other);
 }
 
-/// The variant in which k is that; the order is the shuffle's.
+/// Returns the step of the variant that contains this text; the shuffle decides the order.
 Result<LessonStep> step_of(const std::string& json, const std::string& variant = "\"k\":") {
     const Result<Exercise> exercise = parse_exercise(json, "mine.json", "");
     if (!exercise) return Error{exercise.error()};
@@ -80,10 +80,10 @@ Result<LessonStep> step_of(const std::string& json, const std::string& variant =
     return Error{"no variant has " + variant};
 }
 
-/// One sentence that opens with the file's name and is fit for a terminal; "" where there is no trouble.
+/// Returns the error: one sentence that begins with the file name and is fit for a terminal; "" if there is none.
 std::string trouble_with(const std::string& json) {
     const Result<LessonStep> step = step_of(json);
-    EXPECT_FALSE(step) << "nothing is refused";
+    EXPECT_FALSE(step) << "the file is accepted";
     if (step) return "";
     const std::string& told = step.error();
     EXPECT_EQ(told.find("mine.json: "), 0U) << told;
@@ -96,7 +96,7 @@ std::string trouble_with(const std::string& part, const std::string& other) {
     return trouble_with(with(number_exercise, part, other));
 }
 
-TEST(Exercise, AFileIsReadWhole) {
+TEST(Exercise, ReadsAWholeFile) {
     const Result<Exercise> exercise = parse_exercise(number_exercise, "mine.json", "/somewhere");
     ASSERT_TRUE(exercise) << exercise.error();
     EXPECT_EQ(exercise->id, "T01-yaw");
@@ -113,16 +113,16 @@ TEST(Exercise, AFileIsReadWhole) {
     EXPECT_EQ(exercise->file, fs::path("/somewhere/mine.json"));
 }
 
-TEST(Exercise, AVariantHasItsNumbersEverywhere) {
+TEST(Exercise, VariantHasItsNumbersEverywhere) {
     const Result<LessonStep> step = step_of(number_exercise, "\"k\":40");
     ASSERT_TRUE(step) << step.error();
     EXPECT_EQ(step->id, "T01-yaw");
     EXPECT_EQ(step->start.params.camera.yaw, 40.0);
     EXPECT_EQ(step->start.params.camera.position, glm::dvec3(3, 1.5, 2.5));
-    EXPECT_EQ(step->say.in(Language::ko), "요") << "the title, where nothing is said";
+    EXPECT_EQ(step->say.in(Language::ko), "요") << "the title replaces a missing text";
     EXPECT_EQ(step->ask.question.in_english(), "From 40 to P = (0, 1, 0, 2.5): 5.71429, −3.");
     EXPECT_EQ(step->ask.question.in(Language::ko), "40도");
-    EXPECT_EQ(step->ask.expect, "80") << "a whole number stays one";
+    EXPECT_EQ(step->ask.expect, "80") << "a whole number stays whole";
     EXPECT_EQ(step->ask.hints[0].in_english(), "Twice 40.");
     EXPECT_EQ(step->target->point_world, glm::dvec3(3, 0, -3));
     EXPECT_EQ(step->target->label.in(Language::ko), "점3");
@@ -132,7 +132,7 @@ TEST(Exercise, AVariantHasItsNumbersEverywhere) {
     EXPECT_EQ(Json::parse(step->ask.constants), Json::parse(R"({"P": [0, 1, 0, 2.5], "k": 40, "n": 3})"));
 }
 
-TEST(Exercise, WrongAnswersThatWouldBeRightAreDropped) {
+TEST(Exercise, DropsWrongAnswersThatWouldBeRight) {
     const Result<LessonStep> step = step_of(number_exercise, "\"k\":30");
     ASSERT_TRUE(step) << step.error();
     ASSERT_EQ(step->ask.wrong.size(), 2U);
@@ -144,25 +144,25 @@ TEST(Exercise, WrongAnswersThatWouldBeRightAreDropped) {
     EXPECT_TRUE(has(trouble_with("\"unless\": \"camera.yaw == k\"", "\"unless\": 1"), "wrong[1].unless: must be"));
 }
 
-TEST(Exercise, EachVariantIsJudgedWithItsOwnNumbers) {
+TEST(Exercise, EachVariantIsJudgedByItsOwnNumbers) {
     for (const double k : {30.0, 40.0}) {
         const Result<LessonStep> step = step_of(number_exercise, "\"k\":" + std::to_string(static_cast<int>(k)));
         ASSERT_TRUE(step) << step.error();
         const Surroundings surroundings = *camera_alone(step->start);
         EXPECT_TRUE(judge(step->ask, {{2 * k}, {}}, surroundings)->right);
         EXPECT_EQ(judge(step->ask, {{-2 * k}, {}}, surroundings)->tag, "M02");
-        EXPECT_FALSE(judge(step->ask, {{2 * (70 - k)}, {}}, surroundings)->right) << "the other student's";
+        EXPECT_FALSE(judge(step->ask, {{2 * (70 - k)}, {}}, surroundings)->right) << "the other student's answer";
     }
 }
 
-TEST(Exercise, PlacesStandInKeysToo) {
+TEST(Exercise, FillsPlaceholdersInKeysToo) {
     const std::string json = with(number_exercise, R"("camera.yaw": "=k")", R"("{path}": "=k")");
     const Result<LessonStep> step = step_of(with(json, R"("n": [3])", R"("n": [3], "path": ["camera.roll"])"));
     ASSERT_TRUE(step) << step.error();
     EXPECT_NE(step->start.params.camera.roll, 0.0);
 }
 
-TEST(Exercise, AGoalHasItsModelComputed) {
+TEST(Exercise, ComputesTheModelOfAGoal) {
     const Result<LessonStep> step = step_of(goal_exercise);
     ASSERT_TRUE(step) << step.error();
     const double yaw = step->start.params.camera.yaw;
@@ -177,7 +177,7 @@ TEST(Exercise, AGoalHasItsModelComputed) {
     EXPECT_FALSE(judge(step->ask, {}, *camera_alone(turned))->right);
 }
 
-TEST(Exercise, AGoalSaysWhatMayBeChanged) {
+TEST(Exercise, GoalListsAllowedFields) {
     const std::string none = with(goal_exercise, R"("allow": ["camera.yaw"],)", "");
     EXPECT_TRUE(has(trouble_with(none), "ask.allow: is missing")) << trouble_with(none);
     const std::string empty = with(goal_exercise, R"("allow": ["camera.yaw"])", R"("allow": [])");
@@ -185,22 +185,22 @@ TEST(Exercise, AGoalSaysWhatMayBeChanged) {
     EXPECT_TRUE(has(trouble_with(with(goal_exercise, R"(["camera.yaw"])", R"(["camera.yow"])")), "camera.yaw"));
 }
 
-TEST(Exercise, TheStateIsMadeOfThePicksAlone) {
+TEST(Exercise, StateDependsOnThePicksAlone) {
     const std::string told = trouble_with(R"("camera.yaw": "=k")", R"("camera.yaw": "=camera.pitch")");
     EXPECT_TRUE(has(told, "state.set.camera.yaw: ")) << told;
-    EXPECT_TRUE(has(told, "camera is not known before the state is")) << told;
+    EXPECT_TRUE(has(told, "camera is not known here: it depends on the state")) << told;
     EXPECT_TRUE(has(trouble_with(R"("camera.yaw": "=k")", R"("camera.yaw": "=V[0][0]")"), "state.set.camera.yaw: V "));
 }
 
 TEST(Exercise, RequireSeesThePicksAlone) {
     const std::string told = trouble_with("\"k > 10\"", "\"camera.yaw > 10\"");
     EXPECT_TRUE(has(told, "require[0]: ")) << told;
-    EXPECT_TRUE(has(trouble_with("\"k > 10\"", "\"kk > 10\""), "require[0]: there is no name kk"));
+    EXPECT_TRUE(has(trouble_with("\"k > 10\"", "\"kk > 10\""), "require[0]: unknown name kk"));
     EXPECT_TRUE(has(trouble_with("\"k > 10\"", "\"k + 10\""), "require[0]: must be true or false"));
-    EXPECT_TRUE(has(trouble_with("\"k > 10\"", "\"k > 100\""), "require: lets no combination pass"));
+    EXPECT_TRUE(has(trouble_with("\"k > 10\"", "\"k > 100\""), "require: rejects every combination"));
 }
 
-TEST(Exercise, RequireKeepsThoseThatPass) {
+TEST(Exercise, RequireKeepsPassingCombinations) {
     const std::string json = R"({"id": "x", "pick": {"a": [1, 2, 3, 4, 5], "b": [1, 2, 3, 4, 5]},
                                  "require": ["a < b", "a + b ~= 5"]})";
     const Result<std::vector<std::string>> all = combinations(json, "mine.json");
@@ -213,11 +213,11 @@ TEST(Exercise, RequireKeepsThoseThatPass) {
         const Json one = Json::parse(text);
         found.emplace(one["a"].get<int>(), one["b"].get<int>());
     }
-    EXPECT_EQ(all->size(), expected.size()) << "none twice";
+    EXPECT_EQ(all->size(), expected.size()) << "no duplicates";
     EXPECT_EQ(found, expected);
 }
 
-TEST(Exercise, TheOrderOfCombinationsIsTheShuffleOfTheirId) {
+TEST(Exercise, IdSeedsTheShuffleOfCombinations) {
     const std::string json = R"({"id": "E16-shadow-matrix", "pick": {"a": [0, 1], "b": [0, 1, 2, 3]}})";
     const Result<std::vector<std::string>> all = combinations(json, "mine.json");
     ASSERT_TRUE(all) << all.error();
@@ -226,13 +226,13 @@ TEST(Exercise, TheOrderOfCombinationsIsTheShuffleOfTheirId) {
         const Json one = Json::parse(text);
         order.push_back(4 * one["a"].get<int>() + one["b"].get<int>());
     }
-    EXPECT_EQ(order, (std::vector{5, 7, 0, 4, 3, 2, 6, 1})) << "as another implementation has it";
+    EXPECT_EQ(order, (std::vector{5, 7, 0, 4, 3, 2, 6, 1})) << "as in another implementation";
     const Result<std::vector<std::string>> other = combinations(with(json, "E16-shadow-matrix", "E16-x"), "mine.json");
     ASSERT_TRUE(other);
     EXPECT_NE(*all, *other);
 }
 
-TEST(Exercise, SixteenAreDeployed) {
+TEST(Exercise, DeploysSixteenVariants) {
     const Result<Exercise> exercise =
         parse_exercise(with(number_exercise, "[30, 40]",
                             "[11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, "
@@ -243,7 +243,7 @@ TEST(Exercise, SixteenAreDeployed) {
     EXPECT_EQ(std::set(exercise->variants.begin(), exercise->variants.end()).size(), 16U);
 }
 
-TEST(Exercise, WhatWasDeployedStaysWhateverTheShuffleSays) {
+TEST(Exercise, KeepsDeployedVariants) {
     const std::string deployed = R"("deployed": [{"P": [1, 0, 0, 9], "k": 12, "n": 5}, {"P": [0, 0, 1, 0], "k": 77,
         "n": 6}], "require")";
     const Result<Exercise> exercise = parse_exercise(with(number_exercise, "\"require\"", deployed), "mine.json", "");
@@ -256,13 +256,13 @@ TEST(Exercise, WhatWasDeployedStaysWhateverTheShuffleSays) {
     EXPECT_EQ(step->start.params.camera.yaw, 77.0);
 }
 
-TEST(Exercise, ADeployedVariantHasEveryConstantAndNoOther) {
+TEST(Exercise, DeployedVariantHasExactlyTheConstants) {
     const auto told = [](const std::string& constants) {
         return trouble_with("\"require\"", "\"deployed\": " + constants + ", \"require\"");
     };
     EXPECT_TRUE(has(told(R"([{"P": [1, 0, 0, 9], "k": 12, "n": 1}, {"P": 0, "k": 12}])"), "deployed[1].n: is missing"));
     EXPECT_TRUE(has(told(R"([{"P": 1, "k": 12, "n": 1, "q": 2}])"), "deployed[0].q: no such field"));
-    EXPECT_TRUE(has(told("[]"), "deployed: must have one variant"));
+    EXPECT_TRUE(has(told("[]"), "deployed: must have at least one variant"));
     EXPECT_TRUE(has(told("[3]"), "deployed[0]: "));
     EXPECT_TRUE(has(told("{}"), "deployed: "));
 }
@@ -271,27 +271,27 @@ TEST(Exercise, PicksAreAnObjectOfNamesAndLists) {
     EXPECT_TRUE(has(trouble_with("\"pick\"", "\"tags_\""), "tags_: no such field"));
     const std::string pick = R"({"P": [[0, 1, 0, 2.5]], "k": [30, 40], "n": [3]})";
     EXPECT_TRUE(has(trouble_with("\"pick\": " + pick + ",", ""), "pick: is missing"));
-    EXPECT_TRUE(has(trouble_with(pick, "{}"), "pick: must have one name"));
+    EXPECT_TRUE(has(trouble_with(pick, "{}"), "pick: must have at least one name"));
     EXPECT_TRUE(has(trouble_with(pick, "[1]"), "pick: "));
-    EXPECT_TRUE(has(trouble_with(pick, R"({"k": []})"), "pick.k: must have one value"));
+    EXPECT_TRUE(has(trouble_with(pick, R"({"k": []})"), "pick.k: must have at least one value"));
     EXPECT_TRUE(has(trouble_with(pick, R"({"k": 3})"), "pick.k: "));
-    EXPECT_TRUE(has(trouble_with(pick, R"({"2k": [3]})"), "pick: \"2k\" is no name"));
-    EXPECT_TRUE(has(trouble_with(pick, R"({"and": [3]})"), "pick: \"and\" is no name"));
-    EXPECT_TRUE(has(trouble_with(pick, R"({"k k": [3]})"), "pick: \"k k\" is no name"));
+    EXPECT_TRUE(has(trouble_with(pick, R"({"2k": [3]})"), "pick: \"2k\" is not a valid name"));
+    EXPECT_TRUE(has(trouble_with(pick, R"({"and": [3]})"), "pick: \"and\" is not a valid name"));
+    EXPECT_TRUE(has(trouble_with(pick, R"({"k k": [3]})"), "pick: \"k k\" is not a valid name"));
 }
 
-TEST(Exercise, AConstantIsNoWordOfLuas) {
+TEST(Exercise, ConstantIsNotALuaKeyword) {
     for (const std::string word : {"end", "function", "if", "local", "while", "in"}) {
         const std::string told = trouble_with("\"n\": [3]", "\"n\": [3], \"" + word + "\": [3]");
-        EXPECT_TRUE(has(told, "pick: \"" + word + "\" is no name")) << told;
+        EXPECT_TRUE(has(told, "pick: \"" + word + "\" is not a valid name")) << told;
     }
 }
 
-TEST(Exercise, AConstantHidesAnyOtherNameOrIsRefused) {
+TEST(Exercise, ConstantHidesAnyOtherNameOrIsRefused) {
     for (const std::string name : {"V", "camera", "answer", "pi", "identity", "dot"}) {
         const std::string picked = with(number_exercise, "\"n\": [3]", "\"n\": [3], \"" + name + "\": [12345]");
         const std::string asked = with(with(picked, "Twice {k}.", "Twice {" + name + "}."), "{camera.yaw / 7}, ",
-                                       "");  // which one of them hides
+                                       "");  // either may hide the other
         const Result<LessonStep> step =
             step_of(with(with(asked, "=2 * camera.yaw", "=2 * k"), "camera.yaw == k", "true"));
         if (step)
@@ -301,7 +301,7 @@ TEST(Exercise, AConstantHidesAnyOtherNameOrIsRefused) {
     }
 }
 
-TEST(Exercise, TooManyCombinationsAreRefusedBeforeTheyAreMade) {
+TEST(Exercise, RefusesTooManyCombinationsEarly) {
     std::string values = "[0";
     for (int i = 1; i < 60; ++i) values += ", " + std::to_string(i);
     values += "]";
@@ -318,20 +318,20 @@ TEST(Exercise, TooManyCombinationsAreRefusedBeforeTheyAreMade) {
     EXPECT_EQ(all->size(), 18'000U);
 }
 
-TEST(Exercise, WhatAFileMayHaveComputedHasAnEnd) {
+TEST(Exercise, LimitsComputedValues) {
     const auto told = [](const std::string& hints) { return trouble_with("\"Twice {k}.\"", hints); };
     std::string places;
     for (int i = 0; i < 100; ++i) places += "{k}";
     std::string hints = "\"" + places + "\"";
     for (int i = 1; i < 64; ++i) hints += ", \"" + places + "\"";
-    EXPECT_TRUE(has(told(hints), ": is one more than the 4096 expressions")) << told(hints);
+    EXPECT_TRUE(has(told(hints), ": exceeds the limit of 4096 expressions")) << told(hints);
     const std::string text = "\"='" + std::string(4000, 'x') + "'\"";
     std::string texts = text;
     for (int i = 1; i < 1050; ++i) texts += ", " + text;
-    EXPECT_TRUE(has(told(texts), ": has a value too many")) << told(texts);
+    EXPECT_TRUE(has(told(texts), ": exceeds the limit of 4 MiB")) << told(texts);
 }
 
-TEST(Exercise, CombinationsAreFewAndShortEnoughToBeComputed) {
+TEST(Exercise, LimitsNumberAndLengthOfCombinations) {
     std::string values = "[0";
     for (int i = 1; i < 50; ++i) values += ", " + std::to_string(i);
     const std::string pick = R"({"id": "x", "pick": {"a": )" + values + R"(], "b": )" + values + R"(]}, "require": [)";
@@ -351,16 +351,15 @@ TEST(Exercise, CombinationsAreFewAndShortEnoughToBeComputed) {
               "mine.json: pick: has a combination longer than 8192 bytes");
 }
 
-TEST(Exercise, WhatItComputesObeysTheRulesOfExpressions) {
-    EXPECT_TRUE(
-        has(trouble_with("\"=k\"", "\"=(function() return 1 end)()\""), "camera.yaw: function is no name here"));
-    EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=\\\"\\\\xff\\\"\""), "camera.yaw: its value \\xff is no text in UTF-8"));
+TEST(Exercise, FollowsTheRulesOfExpressions) {
+    EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=(function() return 1 end)()\""), "camera.yaw: function is not allowed"));
+    EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=\\\"\\\\xff\\\"\""), "camera.yaw: its value \\xff is not valid UTF-8"));
     EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=0/0\""), "camera.yaw"));
     EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {0/0}."), "ask.hints[0]: {0/0} has no value"));
     EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {{1, 0/0}[2]}."), "ask.hints[0]: "));
 }
 
-TEST(Exercise, UnknownFieldsAreRefused) {
+TEST(Exercise, RefusesUnknownFields) {
     EXPECT_TRUE(has(trouble_with("\"points\"", "\"point\""), "point: no such field; did you mean points?"));
     EXPECT_TRUE(has(trouble_with("\"hints\"", "\"hint\""), "ask.hint: no such field"));
     EXPECT_TRUE(has(trouble_with("\"reveal\"", "\"revael\""), "revael: no such field"));
@@ -372,16 +371,16 @@ TEST(Exercise, UnknownFieldsAreRefused) {
     EXPECT_TRUE(has(trouble_with("{\"en\": \"Yaw\", \"ko\": \"요\"}", "{\"ko\": \"요\"}"), "title.en: is missing"));
 }
 
-TEST(Exercise, APlaceNamesWhatThereIsAndEnds) {
-    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {k."), "ask.hints[0]: has a { without its }"));
-    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {kk}."), "ask.hints[0]: there is no name kk"));
+TEST(Exercise, PlaceholderIsClosedAndNamesAValue) {
+    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {k."), "ask.hints[0]: has a { without a }"));
+    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {kk}."), "ask.hints[0]: unknown name kk"));
     EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {}."), "ask.hints[0]: is empty"));
     EXPECT_TRUE(has(trouble_with("\"=2 * camera.yaw\"", "\"=\""), "ask.expect: is empty"));
     EXPECT_TRUE(has(trouble_with("\"=2 * camera.yaw\"", "\"=camera.yow\""), "ask.expect: "));
     EXPECT_TRUE(has(trouble_with("It was {k}.", "It was {V}."), "reveal.say: V is not made here"));
 }
 
-TEST(Exercise, APlaceThatIsNothingIsNotShown) {
+TEST(Exercise, RefusesAPlaceholderWithoutValue) {
     EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {P[4]}."), "ask.hints[0]: ")) << "P has four numbers";
     EXPECT_TRUE(has(trouble_with("\"=2 * camera.yaw\"", "\"=P[4]\""), "ask.expect: "));
     EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=P[4]\""), "camera.yaw"));
@@ -389,8 +388,8 @@ TEST(Exercise, APlaceThatIsNothingIsNotShown) {
 
 TEST(Exercise, HostileExpressionsEndWithASentence) {
     const std::string loop = "(function() while true do end end)()";
-    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {" + loop + "}."), "ask.hints[0]: function is no name here"));
-    EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=" + loop + "\""), "state.set.camera.yaw: function is no name here"));
+    EXPECT_TRUE(has(trouble_with("Twice {k}.", "Twice {" + loop + "}."), "ask.hints[0]: function is not allowed"));
+    EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=" + loop + "\""), "state.set.camera.yaw: function is not allowed"));
     EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=" + std::string(3000, '(') + "1" + "\""), "state.set.camera.yaw: "));
     EXPECT_TRUE(has(trouble_with("\"=k\"", "\"=" + std::string(100'000, '1') + "\""), "longer than 4096 bytes"));
     for (const char* const not_finite : {"=0/0", "=1/0", "=-1/0"})
@@ -399,9 +398,9 @@ TEST(Exercise, HostileExpressionsEndWithASentence) {
     EXPECT_TRUE(has(trouble_with("\"=2 * camera.yaw\"", "\"=camera\""), "ask.expect: "));
 }
 
-TEST(Exercise, HugeTextsAndDeepNestingEndWithASentence) {
+TEST(Exercise, HugeStringsAndDeepNestingEndWithASentence) {
     EXPECT_TRUE(has(trouble_with("Twice", std::string(1'000'000, 'x')), "longer than 4000 bytes"));
-    // A text that only its variant makes long.
+    // A text that becomes long only in its variant.
     const std::string filled =
         with(number_exercise, "\"n\": [3]", "\"n\": [3], \"s\": [\"" + std::string(5000, 'y') + "\"]");
     EXPECT_TRUE(has(trouble_with(with(filled, "Twice {k}.", "{s}")), "longer than 4000 bytes"));
@@ -413,7 +412,7 @@ TEST(Exercise, HugeTextsAndDeepNestingEndWithASentence) {
     EXPECT_TRUE(has(trouble_with(with(control, "\"=k\"", "\"=s\"")), "camera.yaw"));
 }
 
-TEST(Exercise, ACutFileIsNeverACrash) {
+TEST(Exercise, TruncatedFileNeverCrashes) {
     const std::string whole = number_exercise;
     for (std::size_t length = 0; length + 1 < whole.size(); length += 7) {
         const Result<Exercise> cut = parse_exercise(std::string_view(whole).substr(0, length), "cut.json", "");
@@ -422,7 +421,7 @@ TEST(Exercise, ACutFileIsNeverACrash) {
     }
 }
 
-// ---- many of them --------------------------------------------------------------------------------------------------
+// ---- many exercises -------------------------------------------------------------------------------------------------
 
 std::vector<Exercise> three() {
     std::vector<Exercise> all;
@@ -442,7 +441,7 @@ std::string ids(const Result<std::vector<Exercise>>& exercises) {
     return all;
 }
 
-TEST(Exercises, AreFoundByTheirIdsOrTheNearestIsTold) {
+TEST(Exercises, AreFoundByIdOrSuggestTheNearest) {
     EXPECT_EQ(*find_exercise(three(), "E16"), 2U);
     EXPECT_EQ(*find_exercise(three(), "E02-eye"), 1U);
     EXPECT_FALSE(find_exercise(three(), ""));
@@ -454,7 +453,7 @@ TEST(Exercises, AreFoundByTheirIdsOrTheNearestIsTold) {
     EXPECT_FALSE(has(find_exercise(three(), "E\n\x1b[31m").error(), "\x1b"));
 }
 
-TEST(Exercises, AreChosenBySetOrByTheirIds) {
+TEST(Exercises, AreChosenBySetOrById) {
     EXPECT_EQ(ids(of_set(three(), "")), "E01 E02 E16 ");
     EXPECT_EQ(ids(of_set(three(), "camera")), "E01 E02 ");
     EXPECT_EQ(ids(of_set(three(), "shadow")), "E02 E16 ");
@@ -467,7 +466,7 @@ TEST(Exercises, AreChosenBySetOrByTheirIds) {
     EXPECT_TRUE(has(ids(of_set(three(), ",")), "is neither"));
 }
 
-TEST(Exercises, ASheetHasTheStudentsVariants) {
+TEST(Exercises, SheetHasTheStudentsVariants) {
     std::vector<Exercise> all;
     for (const char* const json : {number_exercise, goal_exercise})
         all.push_back(*parse_exercise(json, "mine.json", ""));
@@ -482,7 +481,7 @@ TEST(Exercises, ASheetHasTheStudentsVariants) {
     EXPECT_FALSE(sheet({}, "cg", "1", camera_alone));
 }
 
-// ---- the program's own ---------------------------------------------------------------------------------------------
+// ---- shipped exercises ----------------------------------------------------------------------------------------------
 
 std::string contents(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -496,7 +495,7 @@ std::vector<fs::path> shipped() {
     return files;
 }
 
-TEST(ShippedExercises, AreTwentyFourAndEachCanBeRead) {
+TEST(ShippedExercises, AreTwentyFourAndReadable) {
     const std::vector<fs::path> files = shipped();
     const std::vector<Result<Exercise>> all = exercises();
     ASSERT_EQ(files.size(), 24U);
@@ -517,7 +516,7 @@ TEST(ShippedExercises, AreTwentyFourAndEachCanBeRead) {
     EXPECT_EQ(sets, (std::set<std::string>{"camera", "depth", "hidden", "mirror", "shadow"}));
 }
 
-TEST(ShippedExercises, KeepTheVariantsThatTheirShuffleGives) {
+TEST(ShippedExercises, KeepTheVariantsOfTheirShuffle) {
     int stored = 0;
     for (const fs::path& file : shipped()) {
         const std::string text = contents(file);
@@ -530,12 +529,12 @@ TEST(ShippedExercises, KeepTheVariantsThatTheirShuffleGives) {
         for (std::size_t i = 0; i < document["deployed"].size(); ++i)
             EXPECT_EQ(document["deployed"][i], nlohmann::json::parse((*all)[i])) << file << " " << i;
         const std::set<nlohmann::json> apart(document["deployed"].begin(), document["deployed"].end());
-        EXPECT_EQ(apart.size(), document["deployed"].size()) << file << ": one twice";
+        EXPECT_EQ(apart.size(), document["deployed"].size()) << file << ": a duplicate";
     }
     EXPECT_GT(stored, 0);
 }
 
-/// A word that is nothing but a particle; 라 of 라디안 is none.
+/// Returns the word if it is only a particle; 라 in 라디안 is not.
 std::string particle_at(const std::string& text, std::size_t at) {
     const auto is_hangul = [&](std::size_t place) {
         const auto byte = static_cast<unsigned char>(place < text.size() ? text[place] : ' ');
@@ -556,7 +555,7 @@ void collect_texts(const nlohmann::json& value, const std::string& path, std::ve
         ++texts;
         const std::string korean = value.contains("ko") ? value["ko"].get<std::string>() : "";
         if (korean.empty()) faults.push_back(path + " has no Korean");
-        // A particle's form depends on how the number before it is spoken, which differs from variant to variant.
+        // A particle's form depends on the sound of the number before it, which varies.
         for (std::size_t at = korean.find('}'); at != std::string::npos; at = korean.find('}', at + 1))
             if (const std::string particle = particle_at(korean, at + 1); !particle.empty())
                 faults.push_back(path + " has " + particle + " directly behind a place: " + korean);
@@ -565,7 +564,7 @@ void collect_texts(const nlohmann::json& value, const std::string& path, std::ve
     for (const auto& [key, member] : value.items()) collect_texts(member, path + "." + key, faults, texts);
 }
 
-TEST(ShippedExercises, SpeakBothLanguages) {
+TEST(ShippedExercises, CoverBothLanguages) {
     int texts = 0;
     for (const fs::path& file : shipped()) {
         std::vector<std::string> faults;
@@ -580,7 +579,7 @@ TEST(ShippedExercises, SpeakBothLanguages) {
     EXPECT_GT(texts, 24 * 4);
 }
 
-/// Every text a student reads, whatever its form: one without Korean is shown in English, so it has to be a formula.
+/// Covers every text a student reads. A text without Korean appears in English, so it must be a formula.
 TEST(ShippedExercises, AskInBothLanguages) {
     for (const fs::path& file : shipped()) {
         const nlohmann::json document = nlohmann::json::parse(contents(file));
@@ -595,7 +594,7 @@ TEST(ShippedExercises, AskInBothLanguages) {
     }
 }
 
-TEST(ShippedExercises, TellOnlyTagsThatTheyExplain) {
+TEST(ShippedExercises, UseOnlyTagsThatTheyExplain) {
     for (const Result<Exercise>& exercise : exercises()) {
         ASSERT_TRUE(exercise);
         std::set<std::string> known, used;

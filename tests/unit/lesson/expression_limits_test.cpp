@@ -1,5 +1,5 @@
 // Expressions against everything that Lua can compute: random values, most of them hostile, end within the limits with
-// a value or with one sentence; and no disguise hides a word from the check.
+// a value or one sentence, and no disguise hides a word from the check.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -16,9 +16,9 @@ namespace {
 
 constexpr unsigned seed = 20261126;
 constexpr ExpressionLimits within_reason{.instructions = 200'000, .memory_bytes = 1U << 20U, .closed_list = false};
-constexpr int deepest = 16;  // lists within lists that a value may have
+constexpr int deepest = 16;  // maximum nesting of lists in a value
 
-/// Lists and objects as a state has them, whose tables have metatables; `calls` counts what is looked up.
+/// Provides lists and objects like those of a state, whose tables have metatables; `calls` counts the lookups.
 Surroundings counting(int& calls) {
     return {[&calls](const std::string& name, std::span<const double>) -> Result<Json> {
                 ++calls;
@@ -45,7 +45,7 @@ void expect_one_sentence(const std::string& sentence, const std::string& source)
     for (const char c : sentence) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) << sentence;
 }
 
-/// A text as Lua writes it, each byte by its number.
+/// Writes a string as a Lua literal, each byte as a numeric escape.
 std::string as_lua_bytes(const std::string& bytes) {
     std::string text = "\"";
     for (const char byte : bytes) {
@@ -55,7 +55,7 @@ std::string as_lua_bytes(const std::string& bytes) {
     return text + "\"";
 }
 
-/// What a source must come to: a value, an error, or either.
+/// The expected result of a source: a value, an error, or either.
 struct Case {
     std::string source;
     std::optional<Json> value = {};
@@ -78,7 +78,7 @@ public:
 private:
     int below(int end) { return std::uniform_int_distribution(0, end - 1)(random_); }
 
-    /// Lists of numbers, texts and truths, written out: the value is known.
+    /// Makes lists of numbers, strings and booleans as literals, so the value is known.
     Json tree(int depth) {
         const int kind = below(depth == 0 ? 3 : 5);
         if (kind == 0) return below(1000) - 500.0;
@@ -99,7 +99,7 @@ private:
         return {in_lua(value), value};
     }
 
-    /// A list that has another one `width` times, which has another one: small in Lua, large outside.
+    /// Makes a list that contains another list `width` times, which contains another: small in Lua, large outside.
     Case fan() {
         const int width = 1 + below(10), levels = 1 + below(8);
         std::string again = "t";
@@ -108,7 +108,7 @@ private:
             function("local t = {7} for i = 1, " + std::to_string(levels) + " do t = {" + again + "} end return t")};
         double entries = 0.0;
         for (int level = 0; level <= levels; ++level) entries += std::pow(width, level);
-        constexpr double least_bytes = 8.0;  // of an entry outside of Lua, however it is kept
+        constexpr double least_bytes = 8.0;  // minimum for an entry outside Lua, in any representation
         made.fails = entries * least_bytes > static_cast<double>(within_reason.memory_bytes);
         if (entries > 4000) return made;
         made.value = Json::array({7.0});
@@ -144,7 +144,7 @@ private:
         return made;
     }
 
-    /// Once, or many times over in one list.
+    /// Makes a huge string, once or many times in one list.
     Case huge_text() {
         const int doublings = below(40), times = 1 + below(2) * 4000;
         const double bytes = std::pow(2.0, doublings) * times;
@@ -165,7 +165,7 @@ private:
         return made;
     }
 
-    /// What has a metatable: lists of the state are values, its groups are none.
+    /// Uses values with metatables: lists of the state are values, its groups are not.
     Case state() {
         if (below(2) == 0) return {"{V, camera.position}", Json::parse("[[[1.0, 2.0], [3.0, 4.0]], [1.0, 2.0, 3.0]]")};
         constexpr const char* none[] = {"camera",         "{V, camera}", "apply",   "{1, apply}", "{}",
@@ -204,7 +204,7 @@ long peak_megabytes() {
     return used.ru_maxrss / 1024;
 }
 
-TEST(ExpressionLimits, EveryRandomValueEndsWithinThemOrWithOneSentence) {
+TEST(ExpressionLimits, RandomValuesEndWithinThemOrWithOneSentence) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomValues values(seed);
     const long before_mb = peak_megabytes();
@@ -222,14 +222,14 @@ TEST(ExpressionLimits, EveryRandomValueEndsWithinThemOrWithOneSentence) {
         ++failed;
         expect_one_sentence(value.error(), made.source);
     }
-    EXPECT_GT(failed, 120) << "most of them are hostile";
-    EXPECT_GT(known, 80) << "and many have a value that is known";
-    if (!is_sanitized) {  // a sanitizer keeps freed memory for a while, and puts zones around it
-        EXPECT_LT(peak_megabytes() - before_mb, 200) << "each may have 1 MB in Lua and as much outside";
+    EXPECT_GT(failed, 120) << "most cases are hostile";
+    EXPECT_GT(known, 80) << "many cases have a known value";
+    if (!is_sanitized) {  // a sanitizer keeps freed memory for a while and adds redzones
+        EXPECT_LT(peak_megabytes() - before_mb, 200) << "1 MB in Lua and as much outside for each";
     }
 }
 
-TEST(ExpressionLimits, WhatIsCopiedOutIsCountedOnceForEachPlaceWhereItStands) {
+TEST(ExpressionLimits, SharedListsCountOncePerCopy) {
     const auto fan = [](int levels) {
         return function("local t = {1,1,1,1,1,1,1,1,1,1} for i = 1, " + std::to_string(levels) +
                         " do t = {t,t,t,t,t,t,t,t,t,t} end return t");
@@ -244,8 +244,8 @@ TEST(ExpressionLimits, WhatIsCopiedOutIsCountedOnceForEachPlaceWhereItStands) {
     for (const int levels : {9, 13}) EXPECT_FALSE(value_of(fan(levels), {.closed_list = false})) << levels;
 }
 
-TEST(ExpressionLimits, ATextThatIsNotUtf8IsNoValue) {
-    EXPECT_EQ(value_of("\"\\xff\"").error(), "its value \\xff is no text in UTF-8");
+TEST(ExpressionLimits, StringThatIsNotUtf8IsRefused) {
+    EXPECT_EQ(value_of("\"\\xff\"").error(), "its value \\xff is not valid UTF-8");
     EXPECT_EQ(*value_of("'a\\0b'"), std::string("a\0b", 3));
 }
 
@@ -264,9 +264,9 @@ TEST(ExpressionLimits, EachMeasuredCallCosts) {
     EXPECT_FALSE(has_value);
 }
 
-// ---- words ---------------------------------------------------------------------------------------------------------
+// ---- words ----------------------------------------------------------------------------------------------------------
 
-/// Blanks and comments that may stand between two tokens, with a word in them that is no name.
+/// Returns spaces and comments that may separate two tokens, with a word inside that is not a name.
 std::vector<std::string> comments_around(const std::string& word) {
     return {" --" + word + "\n",
             " --'" + word + "\n",
@@ -278,13 +278,13 @@ std::vector<std::string> comments_around(const std::string& word) {
             "\t\v\f\n"};
 }
 
-/// Texts with that word in them.
+/// Returns strings that contain this word.
 std::vector<std::string> texts_around(const std::string& word) {
     return {"'" + word + "'",    "\"--" + word + "\"",        "'\\'" + word + "\"'",  "\"\\\\\" .. '" + word + "'",
             "[[" + word + "']]", "[=[ ]] " + word + " --]=]", "'\\z\n " + word + "'", "[[--]] .. '" + word + "'"};
 }
 
-TEST(ExpressionWords, ACommentOrATextHidesNothingBehindIt) {
+TEST(ExpressionWords, CommentsAndStringsHideNothing) {
     std::mt19937 random(seed);
     const auto one_of = [&](const std::vector<std::string>& of) {
         return of[std::uniform_int_distribution<std::size_t>(0, of.size() - 1)(random)];
@@ -302,30 +302,31 @@ TEST(ExpressionWords, ACommentOrATextHidesNothingBehindIt) {
             if (!hostile.empty()) hostile += " .. 'x'";
         }
         EXPECT_TRUE(check_expression(source)) << source << ": " << check_expression(source).error();
-        EXPECT_EQ(check_expression(hostile).error(), "there is no name zzz") << hostile;
+        EXPECT_EQ(check_expression(hostile).error(), "unknown name zzz") << hostile;
     }
 }
 
-TEST(ExpressionWords, StatementsAreRefusedHoweverTheyAreHidden) {
+TEST(ExpressionWords, StatementsAreRefusedInAnyDisguise) {
     const std::string hidden[] = {"(function() return true end)()", "(--'\n(function() return true end)() --'\n)",
                                   "([[']] and (function() return true end)())", "(--[[']]function() end--'\n)()"};
     for (const std::string& source : hidden) {
-        EXPECT_EQ(check_expression(source).error(),
-                  "function is no name here: of Lua's own words a value has and, or, not, true, false and nil")
+        EXPECT_EQ(
+            check_expression(source).error(),
+            "function is not allowed: the only Lua keywords in an expression are and, or, not, true, false and nil")
             << source;
         int calls = 0;
         EXPECT_EQ(evaluate(source, counting(calls)).error(), check_expression(source).error()) << source;
     }
 }
 
-TEST(ExpressionWords, AMemberIsNoNameAndWhatFollowsTwoPointsIsOne) {
+TEST(ExpressionWords, MemberIsNotANameButAWordAfterTwoDotsIs) {
     EXPECT_TRUE(check_expression("camera.zzz .. camera --.\n.zzz .. .5e3 .. 0x1fp2"));
     EXPECT_FALSE(check_expression("1 ..zzz"));
     EXPECT_FALSE(check_expression("camera.yaw ..zzz"));
     EXPECT_FALSE(check_expression("V:zzz()"));
 }
 
-TEST(ExpressionWords, MeasuredNamesInTextsAndCommentsMeasureNothing) {
+TEST(ExpressionWords, NamesInStringsAndCommentsAreNotMeasured) {
     EXPECT_TRUE(is_measured("1 + --'\n fighting().x --'"));
     EXPECT_FALSE(is_measured("'fighting()' --fighting()"));
     EXPECT_FALSE(is_measured("[[fighting()]] .. camera.order"));

@@ -1,5 +1,5 @@
-// Hand-ins: what is written reads back, what somebody else wrote does no harm. And the settings that lead from one
-// state to another, which is how a goal's answer is kept.
+// Hand-ins: a written file reads back, and a foreign file does no harm. Also the settings that lead from one state to
+// another, which store the answer to a goal.
 #include "lesson/hand_in.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ HandIn parsed(const std::string& text) {
     return hand_in ? *hand_in : HandIn{};
 }
 
-/// A hand-in with everything that one can hold.
+/// Returns a hand-in that uses every field.
 HandIn full() {
     HandIn hand_in{"viewing-sandbox 1.0", "a \"course\"", "../학생", "Name\twith\nlines", {}};
     HandInItem typed{"E16", 9999, {}, {}, {}, {}};
@@ -84,7 +84,7 @@ HandIn full() {
     return hand_in;
 }
 
-TEST(HandIn, EveryFieldIsRead) {
+TEST(HandIn, ReadsEveryField) {
     const HandIn read = parsed(whole);
     EXPECT_EQ(read.program, "viewing-sandbox 0.9");
     EXPECT_EQ(read.course, "viewing-2026");
@@ -119,7 +119,7 @@ TEST(HandIn, EveryFieldIsRead) {
     EXPECT_EQ(read.find("E08"), nullptr);
 }
 
-TEST(HandIn, WhatIsWrittenReadsBack) {
+TEST(HandIn, WrittenFileReadsBack) {
     for (const HandIn& hand_in : {full(), parsed(whole), HandIn{"", "", "1", "", {}}}) {
         const std::string text = hand_in_as_text(hand_in);
         EXPECT_EQ(parsed(text), hand_in) << text;
@@ -127,30 +127,30 @@ TEST(HandIn, WhatIsWrittenReadsBack) {
     }
 }
 
-TEST(HandIn, AMatrixStandsInFourRows) {
+TEST(HandIn, MatrixIsWrittenInFourRows) {
     const std::string text = hand_in_as_text(parsed(whole));
     EXPECT_TRUE(has(text, "[13, 14, 15, 0.1]")) << text;
     EXPECT_TRUE(has(text, "김학생"));
     EXPECT_EQ(text.back(), '\n');
 }
 
-/// The file with one part of it replaced; one sentence.
+/// Replaces one part of the file and returns the error, one sentence.
 std::string hand_in_trouble(const std::string& part, const std::string& other) {
     std::string text = whole;
     const std::size_t at = text.find(part);
     EXPECT_NE(at, std::string::npos) << part;
     if (at != std::string::npos) text.replace(at, part.size(), other);
     const Result<HandIn> read = parse_hand_in(text, "a.json");
-    EXPECT_FALSE(read) << "nothing is refused: " << other.substr(0, 200);
+    EXPECT_FALSE(read) << "the file is accepted: " << other.substr(0, 200);
     if (read) return "";
     EXPECT_EQ(read.error().find("a.json: "), 0U) << read.error();
     EXPECT_LT(read.error().size(), 500U);
     return read.error();
 }
 
-// ---- one file, several windows -------------------------------------------------------------------------------------
+// ---- one file, several windows --------------------------------------------------------------------------------------
 
-/// A window as it writes: what it knew, and what it has.
+/// A window that writes: the hand-in it last knew and its current one.
 struct WritingWindow {
     HandIn known, now;
     void write(HandIn& file) {
@@ -166,9 +166,9 @@ Attempt attempt_of(const std::string& at, double number) {
     return attempt;
 }
 
-/// Whatever two windows do and in whatever order they write: every attempt is there once, in the order of their times;
-/// of drafts, the one of the window that changed one and wrote it last.
-TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
+/// For any actions of two windows and any order of writes, every attempt is there once, ordered by time. The draft is
+/// that of the last window to change and write one.
+TEST(MergedHandIn, KeepsTheWorkOfBothWindows) {
     constexpr unsigned seed = 11;
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -176,7 +176,7 @@ TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
     for (int round = 0; round < 200; ++round) {
         HandIn file;
         std::array<WritingWindow, 2> windows;
-        std::array<std::optional<double>, 2> typed;  // and not written
+        std::array<std::optional<double>, 2> typed;  // not yet written
         std::optional<double> draft;
         std::vector<Attempt> made;
         for (int act = 0; act < 40; ++act) {
@@ -200,7 +200,7 @@ TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
             windows[at].write(file);
         }
         EXPECT_EQ(windows[0].now, windows[1].now);
-        EXPECT_EQ(merged(file, {}, file), file) << "once more changes nothing";
+        EXPECT_EQ(merged(file, {}, file), file) << "merging again changes nothing";
         ASSERT_TRUE(file.items.empty() || file.items.size() == 1) << round;
         if (file.items.empty()) continue;
         const std::vector<Attempt>& attempts = file.items.front().attempts;
@@ -212,7 +212,7 @@ TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
     }
 }
 
-TEST(MergedHandIn, TheSameMistakeOnTheWayToAGoalIsOneAttemptThoughTwoWindowsWatch) {
+TEST(MergedHandIn, SameMistakeSeenByTwoWindowsIsOneAttempt) {
     const auto mistake = [](const std::string& at, const std::string& tag) {
         Attempt attempt;
         attempt.at = at;
@@ -232,8 +232,8 @@ TEST(MergedHandIn, TheSameMistakeOnTheWayToAGoalIsOneAttemptThoughTwoWindowsWatc
     EXPECT_EQ(merged(now, kept, kept).items.front().attempts, wanted);
 }
 
-/// Where writes of two tabs cross, what this window has written is overwritten by what does not have it.
-TEST(MergedHandIn, AnAttemptThatWasOverwrittenComesBack) {
+/// When the writes of two tabs cross, the other tab's file overwrites this window's attempts.
+TEST(MergedHandIn, OverwrittenAttemptComesBack) {
     HandIn own, other;
     own.items = {{"E01", 0, {attempt_of("1", 1), attempt_of("2", 2)}, {}, {}, {}}};
     other.items = {{"E01", 0, {attempt_of("1", 1), attempt_of("2", 5)}, {}, {}, {}}};
@@ -241,20 +241,20 @@ TEST(MergedHandIn, AnAttemptThatWasOverwrittenComesBack) {
     EXPECT_EQ(merged(other, own, own).items.front().attempts, both);
 }
 
-TEST(MergedHandIn, WhatIsTypedElsewhereOutlivesACheckHere) {
+TEST(MergedHandIn, DraftElsewhereOutlivesACheckHere) {
     HandIn known;
     known.items = {{"E01", 0, {}, {}, std::vector{1.0}, {"a=1"}}};
     HandIn checked = known, kept = known;
     checked.items.front().draft.reset();
     checked.items.front().draft_settings.clear();
-    EXPECT_FALSE(merged(kept, known, checked).items.front().draft) << "it was checked";
+    EXPECT_FALSE(merged(kept, known, checked).items.front().draft) << "checking removes the draft";
     kept.items.front().draft = {2.0};
     kept.items.front().draft_settings = {"a=2"};
     EXPECT_EQ(merged(kept, known, checked).items.front().draft, std::optional(std::vector{2.0}));
     EXPECT_EQ(merged(kept, known, checked).items.front().draft_settings, std::vector<std::string>{"a=2"});
 }
 
-TEST(MergedHandIn, OfTwoWaysToAGoalTheLongerIsKeptAndOneThatIsThinnedGoesOn) {
+TEST(MergedHandIn, KeepsTheLongerReplayUnlessItWasThinned) {
     const auto with_replay = [](int steps, double first_s) {
         HandIn hand_in;
         hand_in.items = {{"E18", 0, {}, {}, {}, {}}};
@@ -262,20 +262,20 @@ TEST(MergedHandIn, OfTwoWaysToAGoalTheLongerIsKeptAndOneThatIsThinnedGoesOn) {
         return hand_in;
     };
     const HandIn before = with_replay(200, 0.0), thinned = with_replay(101, 1.0), longer = with_replay(150, 2.0);
-    EXPECT_EQ(merged(before, before, thinned), thinned) << "nobody else went on";
+    EXPECT_EQ(merged(before, before, thinned), thinned) << "the other window did not continue";
     EXPECT_EQ(merged(longer, before, thinned), longer);
     EXPECT_EQ(merged(thinned, before, longer), longer);
 }
 
-TEST(MergedHandIn, AnswersToOtherNumbersAreNotMixed) {
+TEST(MergedHandIn, AnswersToDifferentNumbersAreNotMixed) {
     HandIn kept, now;
     kept.items = {{"E01", 1, {attempt_of("1", 1)}, {}, {}, {}}};
     now.items = {{"E01", 2, {attempt_of("2", 2)}, {}, {}, {}}};
-    EXPECT_EQ(merged(kept, {}, now).items, now.items) << "the window goes on with its own";
-    EXPECT_EQ(merged(kept, now, now).items, kept.items) << "it has not touched them";
+    EXPECT_EQ(merged(kept, {}, now).items, now.items) << "the window continues with its own answers";
+    EXPECT_EQ(merged(kept, now, now).items, kept.items) << "the window has not changed them";
 }
 
-TEST(MergedHandIn, NoMoreAttemptsThanAreReadAgain) {
+TEST(MergedHandIn, KeepsNoMoreAttemptsThanTheReaderAccepts) {
     HandIn kept, now;
     kept.items = now.items = {{"E01", 0, {}, {}, {}, {}}};
     for (std::size_t i = 0; i < most_attempts; ++i) {
@@ -283,18 +283,18 @@ TEST(MergedHandIn, NoMoreAttemptsThanAreReadAgain) {
         now.items.front().attempts.push_back(attempt_of("2", static_cast<double>(i)));
     }
     const HandIn both = merged(kept, {}, now);
-    EXPECT_EQ(both.items.front().attempts, now.items.front().attempts) << "the latest";
+    EXPECT_EQ(both.items.front().attempts, now.items.front().attempts) << "the latest attempts";
 }
 
-TEST(HandIn, UnknownFieldsAreRefused) {
+TEST(HandIn, RefusesUnknownFields) {
     EXPECT_EQ(hand_in_trouble("\"name\"", "\"nmae\""), "a.json: nmae: no such field; did you mean name?");
     EXPECT_TRUE(has(hand_in_trouble("\"variant\"", "\"varaint\""), "a.json: items[0].varaint: no such field"));
     EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hints\": 2"), "items[0].attempts[1].hints: no such field"));
     EXPECT_TRUE(has(hand_in_trouble("\"after_s\"", "\"after\""), "items[1].replay[0].after: no such field"));
 }
 
-TEST(HandIn, AnAttemptIsOneThing) {
-    const std::string one_of = "must have one of \"answer\", \"set\" and \"hint\"";
+TEST(HandIn, AttemptHasOneKind) {
+    const std::string one_of = "must have exactly one of \"answer\", \"set\" and \"hint\"";
     EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 2, \"answer\": 1"), "items[0].attempts[1]: " + one_of));
     EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
     EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"answer\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
@@ -303,7 +303,7 @@ TEST(HandIn, AnAttemptIsOneThing) {
     EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 1.5"), "items[0].attempts[1].hint: must be"));
 }
 
-TEST(HandIn, NumbersAreNumbers) {
+TEST(HandIn, NumbersMustBeNumbers) {
     hand_in_trouble("-1.5e-9", "NaN");
     hand_in_trouble("-1.5e-9", "Infinity");
     hand_in_trouble("-1.5e-9", "1e999");
@@ -321,7 +321,7 @@ std::string many(int count, const std::string& entry) {
     return list + "]";
 }
 
-TEST(HandIn, ThereIsAnEndToEverything) {
+TEST(HandIn, LimitsEverySize) {
     const std::string attempts = R"([{"answer": -1.5e-9, "told": ""}])";
     EXPECT_TRUE(has(hand_in_trouble(attempts, many(1001, R"({"hint": 1})")), "items[2].attempts: "));
     EXPECT_TRUE(has(hand_in_trouble("-1.5e-9", many(65, "1")), "items[2].attempts[0].answer"));
@@ -342,13 +342,13 @@ TEST(HandIn, ThereIsAnEndToEverything) {
     hand_in_trouble("-1.5e-9", std::string(100'000, '[') + std::string(100'000, ']'));
 }
 
-TEST(HandIn, EachExerciseStandsThereOnce) {
+TEST(HandIn, EachExerciseAppearsOnce) {
     const std::string told = hand_in_trouble("\"E07\"", "\"E06-radians\"");
-    EXPECT_TRUE(has(told, "items[3].exercise: \"E06-radians\" stands here twice")) << told;
+    EXPECT_TRUE(has(told, "items[3].exercise: \"E06-radians\" appears twice")) << told;
     EXPECT_TRUE(has(hand_in_trouble("\"exercise\": \"E07\"", "\"variant\": 1"), "items[3].exercise: is missing"));
 }
 
-TEST(HandIn, TheHeadIsChecked) {
+TEST(HandIn, ChecksTheHeader) {
     EXPECT_TRUE(has(hand_in_trouble("\"answers\": 1", "\"answers\": 2"), "a.json: answers: must be 1"));
     EXPECT_TRUE(has(hand_in_trouble("\"answers\": 1,", ""), "a.json: answers: must be 1"));
     EXPECT_TRUE(has(hand_in_trouble("\"32201234\"", "32201234"), "a.json: student: must be"));
@@ -358,7 +358,7 @@ TEST(HandIn, TheHeadIsChecked) {
     EXPECT_FALSE(load_hand_in("/nowhere/a.json"));
 }
 
-TEST(HandIn, AChangedByteIsNeverACrashNorReachesATerminal) {
+TEST(HandIn, ChangedByteNeitherCrashesNorReachesATerminal) {
     const std::string text = hand_in_as_text(parsed(whole));
     std::mt19937 random(20261121);
     const auto below = [&](std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random); };
@@ -387,7 +387,7 @@ TEST(HandIn, AChangedByteIsNeverACrashNorReachesATerminal) {
     EXPECT_LT(refused, 2000);
 }
 
-// ---- what of it is an answer ---------------------------------------------------------------------------------------
+// ---- reading an answer ----------------------------------------------------------------------------------------------
 
 Ask ask_of(AskKind kind, int rows = 1, int columns = 1) {
     Ask ask;
@@ -407,7 +407,7 @@ std::optional<Answer> answered(const Ask& ask, std::vector<double> numbers) {
     return answer_in(attempt, ask);
 }
 
-TEST(AnswerIn, NumbersHaveTheQuestionsShape) {
+TEST(AnswerIn, NumbersMatchTheShapeOfTheQuestion) {
     const struct {
         AskKind kind;
         int rows, columns;
@@ -429,7 +429,7 @@ TEST(AnswerIn, NumbersHaveTheQuestionsShape) {
     }
 }
 
-TEST(AnswerIn, APlaceIsAWholeNumberWithinTheList) {
+TEST(AnswerIn, PlaceIsAWholeNumberWithinTheList) {
     const double infinity = std::numeric_limits<double>::infinity();
     for (const AskKind kind : {AskKind::choice, AskKind::sequence, AskKind::order, AskKind::product, AskKind::subset}) {
         const Ask ask = ask_of(kind);
@@ -440,7 +440,7 @@ TEST(AnswerIn, APlaceIsAWholeNumberWithinTheList) {
         for (const double other : {last + 1, -1.0, 0.5, 1e300, -1e300, 4294967296.0, infinity, std::nan("")})
             EXPECT_FALSE(answered(ask, {other})) << static_cast<int>(kind) << ": " << other;
         if (kind == AskKind::choice) {
-            EXPECT_FALSE(answered(ask, {0.0, 1.0})) << "two choices";
+            EXPECT_FALSE(answered(ask, {0.0, 1.0})) << "two choices are refused";
             continue;
         }
         EXPECT_EQ(answered(ask, {3.0, 0.0})->items, (std::vector{3, 0}));
@@ -449,12 +449,12 @@ TEST(AnswerIn, APlaceIsAWholeNumberWithinTheList) {
     }
 }
 
-TEST(AnswerIn, AGoalIsNotAnsweredWithNumbers) {
+TEST(AnswerIn, GoalIsNotAnsweredWithNumbers) {
     EXPECT_FALSE(answered(ask_of(AskKind::goal), {0.0}));
     EXPECT_FALSE(answered(ask_of(AskKind::goal), {1.0}));
 }
 
-TEST(Replay, IsThinnedInItsOrderAndKeepsItsEnd) {
+TEST(Replay, ThinningKeepsOrderAndEnd) {
     for (const int count : {0, 1, 2, 199, 200, 201, 202, 399, 400, 401, 1000, 12'345}) {
         std::vector<ReplayStep> replay;
         for (int i = 0; i < count; ++i) replay.push_back({static_cast<double>(i), {"x=" + std::to_string(i)}});
@@ -471,7 +471,7 @@ TEST(Replay, IsThinnedInItsOrderAndKeepsItsEnd) {
     }
 }
 
-TEST(Replay, GrowsForEverWithinItsLimit) {
+TEST(Replay, GrowsForeverWithinItsLimit) {
     std::vector<ReplayStep> replay;
     for (int i = 0; i < 5000; ++i) {
         replay.push_back({static_cast<double>(i), {}});
@@ -482,9 +482,9 @@ TEST(Replay, GrowsForEverWithinItsLimit) {
     EXPECT_GE(replay.size(), 100U);
 }
 
-// ---- from one state to another -------------------------------------------------------------------------------------
+// ---- from one state to another --------------------------------------------------------------------------------------
 
-/// The same with another one's way of looking at things.
+/// Returns these params with the view, observer, appearance and animation of the other.
 Params looked_at_as(Params params, const Params& other) {
     params.view = other.view;
     params.observer = other.observer;
@@ -516,7 +516,7 @@ TEST(SettingsBetween, LeadFromOneStateToTheOther) {
     EXPECT_GT(different, 30);
 }
 
-TEST(SettingsBetween, AreNoneWhereOnlyTheLookDiffers) {
+TEST(SettingsBetween, AreEmptyWhenOnlyTheLookDiffers) {
     const Params before;
     EXPECT_TRUE(settings_between(before, before).empty());
     Params looked_at = before;
@@ -541,7 +541,7 @@ TEST(SettingsBetween, SurviveAHandIn) {
     EXPECT_EQ(*reached, looked_at_as(other->params, Params{}));
 }
 
-TEST(ChangedWithoutLeave, SeesEveryFieldThatIsNotAllowed) {
+TEST(ChangedWithoutPermission, ReportsEveryFieldThatIsNotAllowed) {
     const Params before;
     Params after = before;
     after.camera.yaw += 1.0;
@@ -550,7 +550,7 @@ TEST(ChangedWithoutLeave, SeesEveryFieldThatIsNotAllowed) {
     EXPECT_EQ(changed_without_leave(before, after, {"camera.pitch", "projection"}),
               std::vector<std::string>{"camera.yaw"});
     EXPECT_TRUE(changed_without_leave(before, after, {"camera.yaw", "projection.fovy"}).empty());
-    EXPECT_EQ(changed_without_leave(before, after, {"camera.y"}).size(), 2U) << "no group of that name";
+    EXPECT_EQ(changed_without_leave(before, after, {"camera.y"}).size(), 2U) << "no group has this name";
     EXPECT_TRUE(changed_without_leave(before, after, {}).empty());
 }
 

@@ -1,11 +1,11 @@
-// What a sentence says.
+// Searching error messages.
 #pragma once
 
 #include <string>
 
 namespace viewing::testing {
 
-/// Whether a text has this part.
+/// Returns whether the text contains this part.
 inline bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }

@@ -1,4 +1,4 @@
-// What is right, wrong in a known way, or just wrong; and one person's way through a lesson.
+// Answers that are right, wrong in a known way, or just wrong; and one student's run through a lesson.
 #include "lesson/judge.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Verdict judged(const Ask& ask, const Answer& answer, double yaw = 10.0) {
     return verdict ? *verdict : Verdict{};
 }
 
-TEST(Judge, ANumberIsRightWithinItsTolerance) {
+TEST(Judge, NumberIsRightWithinItsTolerance) {
     Ask ask;
     ask.kind = AskKind::number;
     ask.expect = "camera.yaw";
@@ -33,14 +33,14 @@ TEST(Judge, ANumberIsRightWithinItsTolerance) {
     EXPECT_EQ(judged(ask, {{-10.0}, {}}).tag, "M02");
     EXPECT_TRUE(judged(ask, {{7.0}, {}}).say.empty());
     EXPECT_FALSE(judged(ask, {{std::nan("")}, {}}).right);
-    EXPECT_FALSE(judged(ask, {}).right) << "nothing was typed";
+    EXPECT_FALSE(judged(ask, {}).right) << "no number was entered";
     ask.tolerance = 0.0;
     ask.relative_tolerance = 0.1;
     EXPECT_TRUE(judged(ask, {{10.9}, {}}).right);
     EXPECT_FALSE(judged(ask, {{11.1}, {}}).right);
 }
 
-TEST(Judge, AVectorMayBeRightUpToAFactor) {
+TEST(Judge, VectorMayBeRightUpToAFactor) {
     Ask ask;
     ask.kind = AskKind::vector;
     ask.rows = 3;
@@ -53,7 +53,7 @@ TEST(Judge, AVectorMayBeRightUpToAFactor) {
     EXPECT_FALSE(judged(ask, {{2, 4, 9}, {}}).right);
 }
 
-TEST(Judge, TilesCountInTheirOrderOrAsASet) {
+TEST(Judge, TilesCountInOrderOrAsASet) {
     Ask ask;
     ask.kind = AskKind::product;
     ask.items = {{"A", ""}, {"B", ""}, {"C", ""}};
@@ -67,7 +67,7 @@ TEST(Judge, TilesCountInTheirOrderOrAsASet) {
     EXPECT_FALSE(judged(ask, {{}, {1, 2}}).right);
 }
 
-TEST(Judge, AGoalLooksAtTheStateAlone) {
+TEST(Judge, GoalDependsOnTheStateAlone) {
     Ask ask;
     ask.kind = AskKind::goal;
     ask.until = "camera.yaw > 90";
@@ -89,7 +89,7 @@ Lesson of_three() {
     return lesson;
 }
 
-TEST(LessonRun, ARightAnswerRevealsAndAWrongOneTellsWhy) {
+TEST(LessonRun, RightAnswerRevealsAndWrongAnswerExplains) {
     LessonRun run(of_three());
     run.answer().items = {0};
     run.take(judged(run.step().ask, run.answer()));
@@ -103,9 +103,9 @@ TEST(LessonRun, ARightAnswerRevealsAndAWrongOneTellsWhy) {
     EXPECT_EQ(run.done_count(), 1);
 }
 
-TEST(LessonRun, EachStepKeepsWhatWasAnswered) {
+TEST(LessonRun, EachStepKeepsItsAnswer) {
     LessonRun run(of_three(), 99);
-    EXPECT_TRUE(run.is_last()) << "a step beyond the end is the last one";
+    EXPECT_TRUE(run.is_last()) << "a step beyond the end is clamped to the last";
     run.go_to(0);
     run.answer().items = {0};
     for (int i = 0; i < 5; ++i) run.show_hint();

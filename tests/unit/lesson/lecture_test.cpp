@@ -1,6 +1,6 @@
-// The lessons that come with the program keep the plan of the lecture: sixteen in its order, 103 steps, and each step
-// asks before it shows, answers what people get wrong, and changes something when it shows. Whether their claims and
-// answers are true needs the renderer: `viewing-sandbox lesson --check` looks at that.
+// The shipped lessons follow the plan of the lecture: sixteen in its order, 103 steps. Each step asks before it shows,
+// responds to common mistakes, and changes something when it shows. Checking their claims and answers needs the
+// renderer: `viewing-sandbox lesson --check` does that.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// All of them; a failure and what could be read where one cannot.
+/// Returns all lessons; a lesson that cannot be read is a failure and is left out.
 const std::vector<Lesson>& lecture() {
     static const std::vector<Lesson> read = [] {
         std::vector<Lesson> result;
@@ -30,7 +30,7 @@ const std::vector<Lesson>& lecture() {
     return read;
 }
 
-/// Calls `look` with every step and a name of it for messages.
+/// Calls `look` with every step and its name for messages.
 template <typename Look>
 void for_each_step(const Look& look) {
     for (const Lesson& lesson : lecture())
@@ -44,7 +44,7 @@ std::vector<std::string> texts_of(const LessonStep& step) {
     return texts;
 }
 
-/// Ends of sentences: a stop with a space or nothing behind it.
+/// Counts ends of sentences: a period followed by a space or nothing.
 int sentence_count(const std::string& text) {
     int count = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(LectureLessons, AreSixteenInTheOrderOfTheSlides) {
     EXPECT_EQ(steps, 103U);
 }
 
-TEST(LectureLessons, WhatALessonNeedsComesBeforeIt) {
+TEST(LectureLessons, PrerequisitesComeFirst) {
     std::set<std::string> before;
     for (const Lesson& lesson : lecture()) {
         for (const std::string& needed : lesson.needs) EXPECT_TRUE(before.contains(needed)) << lesson.id << needed;
@@ -91,7 +91,7 @@ TEST(LectureLessons, WhatALessonNeedsComesBeforeIt) {
     }
 }
 
-TEST(LectureLessons, EveryStepAnswersWhatIsGotWrong) {
+TEST(LectureLessons, EveryStepRespondsToMistakes) {
     for_each_step([](const LessonStep& step, const std::string& name) {
         if (step.ask.kind == AskKind::choice) {
             EXPECT_GE(step.ask.choices.size(), 3U) << name;
@@ -107,7 +107,7 @@ TEST(LectureLessons, EveryStepAnswersWhatIsGotWrong) {
     });
 }
 
-TEST(LectureLessons, EveryRevealShowsSomethingAndIsProvedAndNoted) {
+TEST(LectureLessons, EveryRevealShowsSomethingAndHasClaimsAndANote) {
     for_each_step([](const LessonStep& step, const std::string& name) {
         EXPECT_TRUE(!step.reveal.settings.empty() || !step.reveal.highlight.empty()) << name;
         EXPECT_FALSE(step.claims.empty()) << name;
@@ -125,7 +125,7 @@ TEST(LectureLessons, TextsAreShortEnoughForTheLastRow) {
     });
 }
 
-TEST(LectureLessons, TheRightAnswerStandsAtEachOfTheFirstThreePlaces) {
+TEST(LectureLessons, RightAnswerIsSpreadOverTheFirstThreePlaces) {
     std::map<std::ptrdiff_t, int> places;
     int choices = 0;
     for_each_step([&](const LessonStep& step, const std::string&) {

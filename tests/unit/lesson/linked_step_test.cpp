@@ -1,4 +1,4 @@
-// Links that name a step of a lesson: each step of each lesson comes back from its own, and nothing else is opened.
+// Links to a step of a lesson: each step of each lesson round-trips through its own link, and nothing else opens.
 #include <gtest/gtest.h>
 
 #include "lesson/linked_step.h"
@@ -14,7 +14,7 @@ std::string link_trouble(const std::string& text) {
     return step ? "nothing" : step.error();
 }
 
-TEST(LinkedStep, EveryStepComesBackFromItsLink) {
+TEST(LinkedStep, EveryStepRoundTripsThroughItsLink) {
     ASSERT_GT(lessons().size(), 5U);
     for (const LessonFile& file : lessons()) {
         const Lesson lesson = *load_lesson(file.id);
@@ -34,16 +34,15 @@ TEST(LinkedStep, EveryStepComesBackFromItsLink) {
     }
 }
 
-TEST(LinkedStep, WithoutAStepItIsTheFirst) {
+TEST(LinkedStep, DefaultsToTheFirstStep) {
     EXPECT_EQ(load_linked_step(*lesson_link("#lesson=depth-fighting"))->step, 0U);
 }
 
-TEST(LinkedStep, WhatIsNotThereIsSaid) {
+TEST(LinkedStep, ReportsAMissingStep) {
     const std::size_t count = load_lesson("depth-fighting")->steps.size();
     EXPECT_EQ(link_trouble("#lesson=depth-fighting&step=" + std::to_string(count)), "nothing");
-    EXPECT_EQ(
-        link_trouble("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
-        "link: step " + std::to_string(count + 1) + ": depth-fighting has the steps 1 to " + std::to_string(count));
+    EXPECT_EQ(link_trouble("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
+              "link: step " + std::to_string(count + 1) + ": depth-fighting has steps 1 to " + std::to_string(count));
     EXPECT_EQ(link_trouble("#lesson=depth-fihting"),
               "link: depth-fihting: neither a file nor a lesson (viewing-sandbox lesson --list lists them); did you "
               "mean depth-fighting?");
@@ -51,8 +50,8 @@ TEST(LinkedStep, WhatIsNotThereIsSaid) {
         EXPECT_EQ(link_trouble(other), "none") << other;
 }
 
-/// A file of one's own cannot be opened by a link, so there is none to it, whatever it calls itself.
-TEST(LinkedStep, AnOwnLessonHasNone) {
+/// A link cannot open the user's own file, so there is no link to it, whatever its id.
+TEST(LinkedStep, CustomLessonHasNoLink) {
     Lesson lesson = *load_lesson("depth-fighting");
     lesson.file = "/tmp/depth-fighting.json";
     EXPECT_FALSE(link_to(lesson, 0));

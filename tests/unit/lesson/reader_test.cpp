@@ -1,4 +1,4 @@
-// Lesson files: what is read of them, and the sentence for each thing that can be wrong.
+// Lesson files: the parsed steps, and the error for each possible fault.
 #include <gtest/gtest.h>
 
 #include "lesson/lesson.h"
@@ -29,7 +29,7 @@ const char* const small = R"({
   ]
 })";
 
-TEST(LessonReader, AStepIsWholeByItself) {
+TEST(LessonReader, StepIsCompleteByItself) {
     const Result<Lesson> lesson = parse_lesson(small, "mine.json", "");
     ASSERT_TRUE(lesson) << lesson.error();
     EXPECT_EQ(lesson->title.in(Language::ko), "내 것");
@@ -44,11 +44,11 @@ TEST(LessonReader, AStepIsWholeByItself) {
     EXPECT_EQ(first.ask.wrong[0].sample.numbers, std::vector{-10.0});
     const LessonStep& second = lesson->steps[1];
     EXPECT_EQ(second.start.params.camera, Params{}.camera);
-    EXPECT_EQ(second.revealed.camera.yaw, 100.0) << "what a reveal adds, it adds to the goal's model";
+    EXPECT_EQ(second.revealed.camera.yaw, 100.0) << "a reveal adds to the goal's model";
     EXPECT_EQ(second.revealed.camera.pitch, -5.0);
 }
 
-/// The file with one part of it replaced by another.
+/// Replaces one part of the file and returns the error.
 std::string lesson_trouble(const std::string& part, const std::string& other) {
     std::string text = small;
     const std::size_t at = text.find(part);
@@ -59,12 +59,12 @@ std::string lesson_trouble(const std::string& part, const std::string& other) {
     return lesson ? "" : lesson.error();
 }
 
-TEST(LessonReader, EachFaultIsToldWithFileStepAndField) {
+TEST(LessonReader, ReportsFaultsWithFileStepAndField) {
     EXPECT_EQ(lesson_trouble("\"hints\"", "\"hint\""),
               "mine.json: step first: ask.hint: no such field; did you mean hints?");
     EXPECT_EQ(lesson_trouble("\"number\"", "\"numbr\"").substr(0, 40), "mine.json: step first: ask.kind: must be");
     EXPECT_EQ(lesson_trouble("\"expect\": \"camera.yaw\"", "\"expect\": \"camra.yaw\""),
-              "mine.json: step first: ask.expect: there is no name camra; did you mean camera?");
+              "mine.json: step first: ask.expect: unknown name camra; did you mean camera?");
     EXPECT_NE(lesson_trouble("camera.yaw == 40", "camera.yaw == ").find("mine.json: step first: claims[0]: "),
               std::string::npos);
     EXPECT_NE(lesson_trouble("{\"camera.yaw\": 10}", "{\"camera.yow\": 10}")
@@ -79,7 +79,7 @@ TEST(LessonReader, EachFaultIsToldWithFileStepAndField) {
     EXPECT_NE(lesson_trouble("\"lesson\": 1", "\"lesson\": 2").find("mine.json: lesson: must be 1"), std::string::npos);
     EXPECT_NE(lesson_trouble("\"id\": \"second\"", "\"id\": \"first\"").find("another step has the id"),
               std::string::npos);
-    EXPECT_NE(lesson_trouble("\"say\": \"Look.\"", "\"say\": [1]").find("mine.json: step first: say: must be a text"),
+    EXPECT_NE(lesson_trouble("\"say\": \"Look.\"", "\"say\": [1]").find("mine.json: step first: say: must be a string"),
               std::string::npos);
     EXPECT_NE(
         lesson_trouble("\"allow\": [\"camera.yaw\"]", "\"allow\": [\"camera.yawn\"]").find("did you mean camera.yaw?"),
@@ -93,13 +93,13 @@ TEST(LessonReader, EachFaultIsToldWithFileStepAndField) {
               std::string::npos);
 }
 
-TEST(LessonReader, ACutFileIsNeverACrash) {
+TEST(LessonReader, TruncatedFileNeverCrashes) {
     const std::string whole = small;
     for (std::size_t length = 0; length < whole.size(); length += 7)
         EXPECT_FALSE(parse_lesson(std::string_view(whole).substr(0, length), "cut.json", ""));
 }
 
-TEST(LessonReader, TheProgramsOwnLessonsStandInTheLecturesOrder) {
+TEST(LessonReader, ShippedLessonsFollowTheLecture) {
     const std::vector<LessonFile> files = lessons();
     ASSERT_EQ(files.size(), 16U);
     EXPECT_EQ(files.front().id, "view-is-the-inverse");
@@ -114,7 +114,7 @@ TEST(LessonReader, TheProgramsOwnLessonsStandInTheLecturesOrder) {
     EXPECT_NE(load_lesson("veiw-is-the-inverse").error().find("view-is-the-inverse"), std::string::npos);
 }
 
-TEST(LessonReader, ItsCardShowsAStateOfItsOwnOrTheFirstStep) {
+TEST(LessonReader, CardShowsItsOwnStateOrTheFirstStep) {
     const Result<Lesson> without = load_lesson("orders"), with = load_lesson("fly-and-walk");
     ASSERT_TRUE(without && with);
     EXPECT_FALSE(without->picture);

@@ -1,4 +1,4 @@
-// The names by which lessons cover and point out: each is known, a misspelt one is told with the nearest.
+// The names by which lessons cover and highlight things: each is known, and a misspelled one suggests the nearest.
 #include "lesson/targets.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +9,15 @@
 namespace viewing {
 namespace {
 
-TEST(Targets, EveryNameOfTheListIsReadAsItself) {
+TEST(Targets, AcceptFormerNames) {
+    EXPECT_EQ(*read_target("button:mend"), "button:fix");
+    EXPECT_EQ(*read_target("button:normalise"), "button:normalize");
+    EXPECT_EQ(*read_target("chart:precision.quantisation"), "chart:precision.quantization");
+}
+
+TEST(Targets, EveryListedNameReadsAsItself) {
     const std::vector<std::string> names = target_names();
-    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << "none is there twice";
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << "no duplicates";
     for (const std::string& name : names) {
         const Result<std::string> read = read_target(name);
         ASSERT_TRUE(read) << read.error();
@@ -19,7 +25,7 @@ TEST(Targets, EveryNameOfTheListIsReadAsItself) {
     }
 }
 
-TEST(Targets, ThereAreTheNamesThatLessonsUse) {
+TEST(Targets, IncludesNamesThatLessonsUse) {
     for (const char* name : {"matrix:V",
                              "matrix:V[2][3]",
                              "matrix:S[3]",
@@ -41,7 +47,7 @@ TEST(Targets, ThereAreTheNamesThatLessonsUse) {
                              "view:moving_world",
                              "view:shadow_derivation",
                              "chart:precision.near",
-                             "chart:precision.quantisation",
+                             "chart:precision.quantization",
                              "column:fighting.safe_gap",
                              "column:fighting.step",
                              "fact:det_mirror",
@@ -52,7 +58,7 @@ TEST(Targets, ThereAreTheNamesThatLessonsUse) {
                              "follow:S p",
                              "lamps",
                              "button:show C",
-                             "button:normalise",
+                             "button:normalize",
                              "text:mirror_derivation",
                              "text:mirror_derivation.matrix",
                              "label:mirrored",
@@ -64,7 +70,7 @@ TEST(Targets, ThereAreTheNamesThatLessonsUse) {
     }
 }
 
-TEST(Targets, WhatTheCameraShowsMayStandBehindItsView) {
+TEST(Targets, CameraViewMayNameItsContent) {
     const Result<std::string> read = read_target("view:camera(difference)");
     ASSERT_TRUE(read) << read.error();
     EXPECT_EQ(*read, "view:camera");
@@ -72,7 +78,7 @@ TEST(Targets, WhatTheCameraShowsMayStandBehindItsView) {
     EXPECT_FALSE(read_target("view:observer(difference)"));
 }
 
-TEST(Targets, AMisspeltNameIsToldWithTheNearest) {
+TEST(Targets, MisspelledNameSuggestsTheNearest) {
     const auto error = [](const char* name) {
         const Result<std::string> read = read_target(name);
         return read ? std::string("accepted") : read.error();
@@ -84,7 +90,7 @@ TEST(Targets, AMisspeltNameIsToldWithTheNearest) {
     EXPECT_NE(error("").find("nothing in the window has this name"), std::string::npos);
 }
 
-TEST(Targets, EntriesAreCountedFromNullAndNotBeyondTheLast) {
+TEST(Targets, EntriesCountFromZeroToTheLast) {
     for (const char* name : {"matrix:V[4]", "matrix:V[0][4]", "matrix:V[0][0][0]", "matrix:V[-1]", "matrix:V[",
                              "matrix:V[2]x", "control:camera.position[3]", "control:light.position[4]"}) {
         const Result<std::string> read = read_target(name);

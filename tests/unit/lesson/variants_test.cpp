@@ -1,5 +1,5 @@
-// Who gets which variant. The numbers are those of the functions' authors, or of a second implementation in Python:
-// a sheet that was handed out must never change.
+// The assignment of variants to students. The expected numbers come from the functions' authors or from a second
+// implementation in Python: a sheet that was handed out must never change.
 #include "lesson/variants.h"
 
 #include <gtest/gtest.h>
@@ -16,22 +16,22 @@ using Places = std::vector<std::size_t>;
 
 constexpr std::uint64_t golden_gamma = 0x9e3779b97f4a7c15U;
 
-TEST(Variants, Fnv1aIsTheOneThatWasPublished) {
+TEST(Variants, Fnv1aMatchesThePublishedValues) {
     EXPECT_EQ(fnv1a(""), 0xcbf29ce484222325U);
     EXPECT_EQ(fnv1a("a"), 0xaf63dc4c8601ec8cU);
     EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8U);
-    EXPECT_EQ(fnv1a(std::string_view("\0", 1)), 0xaf63bd4c8601b7dfU) << "a byte of 0 counts";
-    EXPECT_EQ(fnv1a("\xff"), 0xaf64724c8602eb6eU) << "bytes have no sign";
+    EXPECT_EQ(fnv1a(std::string_view("\0", 1)), 0xaf63bd4c8601b7dfU) << "a zero byte counts";
+    EXPECT_EQ(fnv1a("\xff"), 0xaf64724c8602eb6eU) << "bytes are unsigned";
 }
 
-TEST(Variants, TheFinaliserIsSplitMix64s) {
+TEST(Variants, FinalizerMatchesSplitMix64) {
     EXPECT_EQ(finalised(1234567 + golden_gamma), 6457827717110365317U);
     EXPECT_EQ(finalised(1234567 + 2 * golden_gamma), 3203168211198807973U);
     EXPECT_EQ(finalised(1234567 + 3 * golden_gamma), 9817491932198370423U);
     EXPECT_EQ(finalised(0), 0U);
 }
 
-TEST(Variants, AShuffleLosesNothing) {
+TEST(Variants, ShuffleLosesNothing) {
     for (const std::uint64_t seed : {std::uint64_t{0}, ~std::uint64_t{0}, fnv1a("E16-shadow-matrix")})
         for (const std::size_t count : {0U, 1U, 2U, 3U, 17U, 1000U, 20'000U}) {
             Places order = shuffled(count, seed);
@@ -43,7 +43,7 @@ TEST(Variants, AShuffleLosesNothing) {
         }
 }
 
-TEST(Variants, AShuffleIsTheSameForEver) {
+TEST(Variants, ShuffleNeverChanges) {
     const std::uint64_t seed = fnv1a("E16-shadow-matrix");
     EXPECT_EQ(shuffled(2, seed), (Places{0, 1}));
     EXPECT_EQ(shuffled(8, seed), (Places{5, 7, 0, 4, 3, 2, 6, 1}));
@@ -52,7 +52,7 @@ TEST(Variants, AShuffleIsTheSameForEver) {
     EXPECT_EQ(shuffled(10, 0), (Places{6, 3, 2, 9, 8, 1, 4, 7, 0, 5}));
 }
 
-TEST(Variants, AStudentsVariantIsTheSameForEver) {
+TEST(Variants, VariantOfAStudentNeverChanges) {
     EXPECT_EQ(variant_of("viewing-2026", "32201234", "E16-shadow-matrix", 16), 8U);
     EXPECT_EQ(variant_of("viewing-2026", "32201234", "E01-view-matrix", 16), 12U);
     EXPECT_EQ(variant_of("", "", "E01-view-matrix", 16), 5U);
@@ -62,7 +62,7 @@ TEST(Variants, AStudentsVariantIsTheSameForEver) {
     EXPECT_EQ(variant_of("cg", "1", "x", 1'000'003), 404'973U);
 }
 
-/// The variants of a class of 90 in twelve exercises.
+/// Returns the variants of a class of 90 in twelve exercises.
 std::vector<Places> sheets_of(const std::string& course, std::size_t first_number) {
     std::vector<Places> sheets;
     for (std::size_t student = 0; student < 90; ++student) {
@@ -74,7 +74,7 @@ std::vector<Places> sheets_of(const std::string& course, std::size_t first_numbe
     return sheets;
 }
 
-TEST(Variants, NoTwoOfAClassHaveOneSheet) {
+TEST(Variants, NoTwoStudentsOfAClassShareASheet) {
     for (const auto& [course, first] : {std::pair("viewing-2026", 32'200'000U), std::pair("cg", 1U)}) {
         const std::vector<Places> sheets = sheets_of(course, first);
         int pairs = 0, common = 0;
@@ -87,13 +87,13 @@ TEST(Variants, NoTwoOfAClassHaveOneSheet) {
                 ++pairs;
             }
         EXPECT_EQ(pairs, 4005);
-        // 12 exercises, each alike with probability 1/16.
+        // 12 exercises, each equal with probability 1/16.
         EXPECT_GT(static_cast<double>(common) / pairs, 0.6) << course;
         EXPECT_LT(static_cast<double>(common) / pairs, 0.9) << course;
     }
 }
 
-TEST(Variants, EveryVariantIsSomebodys) {
+TEST(Variants, EveryVariantIsAssigned) {
     std::set<std::size_t> seen;
     for (const Places& sheet : sheets_of("viewing-2026", 32'200'000)) seen.insert(sheet.begin(), sheet.end());
     EXPECT_EQ(seen.size(), 16U);

@@ -1,5 +1,5 @@
-// Files written whole or not at all, whatever is planted beside them, and files that are not read since reading them
-// would wait for somebody.
+// Files are written completely or not at all, whatever is planted beside them. Files that would block a reader are
+// refused.
 #include "platform/file.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(Files, NothingPlantedUnderAKnownNameIsFollowed) {
+TEST_F(Files, WriteFollowsNoPlantedLink) {
     std::ofstream(folder / "victim") << "kept";
     fs::create_symlink(folder / "victim", folder / ("shot.png.partial-" + std::to_string(::getpid())));
     ASSERT_TRUE(write(folder / "shot.png", "new"));
@@ -50,7 +50,7 @@ TEST_F(Files, NothingPlantedUnderAKnownNameIsFollowed) {
     EXPECT_EQ(file_count(), 3U) << "nothing is left over";
 }
 
-TEST_F(Files, AreTheSameByWhateverName) {
+TEST_F(Files, AreTheSameUnderAnyName) {
     std::ofstream(folder / "a") << "a";
     std::ofstream(folder / "b") << "a";
     fs::create_directory(folder / "in");
@@ -72,7 +72,7 @@ TEST_F(Files, AreTheSameByWhateverName) {
     EXPECT_FALSE(are_same_file("", ""));
 }
 
-TEST_F(Files, KeepTheirMode) {
+TEST_F(Files, KeepTheirPermissions) {
     std::ofstream(folder / "old") << "old";
     fs::permissions(folder / "old", fs::perms(0640));
     ASSERT_TRUE(write(folder / "old", "new"));
@@ -80,10 +80,10 @@ TEST_F(Files, KeepTheirMode) {
     const mode_t mask = ::umask(027);
     ASSERT_TRUE(write(folder / "fresh", "new"));
     ::umask(mask);
-    EXPECT_EQ(fs::status(folder / "fresh").permissions(), fs::perms(0640)) << "as any new file";
+    EXPECT_EQ(fs::status(folder / "fresh").permissions(), fs::perms(0640)) << "like any new file";
 }
 
-TEST_F(Files, LinksAreFollowedToWhatIsNotThereYet) {
+TEST_F(Files, WriteFollowsLinksToMissingFiles) {
     fs::create_directory(folder / "below");
     fs::create_symlink("below/second", folder / "first");
     fs::create_symlink("third", folder / "below" / "second");
@@ -97,7 +97,7 @@ TEST_F(Files, LinksAreFollowedToWhatIsNotThereYet) {
     EXPECT_EQ(status.error().find((folder / "round").string() + ": cannot be written: "), 0U) << status.error();
 }
 
-TEST_F(Files, MayHaveNamesAsLongAsTheFileSystemTakes) {
+TEST_F(Files, MayHaveTheLongestNameOfTheFileSystem) {
     const fs::path longest = folder / std::string(255, 'x');
     ASSERT_TRUE(write(longest, "new"));
     EXPECT_EQ(read(longest), "new");
@@ -121,8 +121,8 @@ TEST_F(Files, OfOneResultAreWrittenTogether) {
     EXPECT_EQ(read(folder / "old") + read(folder / "second"), "newnew");
 }
 
-/// The second cannot take its name, since its folder has gone: then the first gives its own back.
-TEST_F(Files, OfOneResultNoneIsReplacedWhereOneCannotBe) {
+/// Removing the second file's folder keeps it from taking its name; the first write must then be rolled back.
+TEST_F(Files, AreAllRolledBackWhenOneFails) {
     for (const bool was_there : {true, false}) {
         const fs::path first = folder / "first", sub = folder / "sub";
         fs::remove(first);
@@ -143,7 +143,7 @@ TEST_F(Files, OfOneResultNoneIsReplacedWhereOneCannotBe) {
     }
 }
 
-TEST_F(Files, WhoEndsTheProcessRemovesWhatIsUnfinished) {
+TEST_F(Files, UnfinishedOnesAreRemovedOnTermination) {
     const std::string bytes = "new";
     const FileBytes file{folder / "file", {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}};
     std::size_t before = 0, after = 1;
@@ -157,16 +157,16 @@ TEST_F(Files, WhoEndsTheProcessRemovesWhatIsUnfinished) {
     EXPECT_EQ(after, 0U);
     ASSERT_TRUE(write(folder / "file", "more"));
     remove_unfinished_files();
-    EXPECT_EQ(file_count(), 1U) << "what has its name is finished";
+    EXPECT_EQ(file_count(), 1U) << "a file with its final name is finished";
 }
 
-TEST_F(Files, WhatTheKernelMakesUpIsNotRead) {
+TEST_F(Files, ProcFilesAreNotRead) {
     const Status readable = check_readable("/proc/self/status");
     ASSERT_FALSE(readable);
     EXPECT_EQ(readable.error(), "/proc/self/status: is not a file on a disk");
 }
 
-TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
+TEST_F(Files, PipeIsRefusedWithoutWaiting) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const Result<std::string> text = read_text_file(folder / "pipe");
     ASSERT_FALSE(text);
@@ -175,14 +175,14 @@ TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
     EXPECT_EQ(check_readable(folder / "missing").error(), (folder / "missing").string() + ": no such file");
 }
 
-TEST_F(Files, WhatMayNotBeReadSaysSo) {
+TEST_F(Files, UnreadableOnesAreReported) {
     std::ofstream(folder / "secret") << "secret";
     fs::permissions(folder / "secret", fs::perms::none);
     fs::create_directory(folder / "closed");
     std::ofstream(folder / "closed" / "file") << "file";
     fs::permissions(folder / "closed", fs::perms::none);
     fs::permissions(folder, fs::perms(0711));
-    // A superuser reads as somebody else does; without that right these calls change nothing and are not needed.
+    // The superuser reads as another user. Without that right these calls change nothing and are not needed.
     const auto own = static_cast<uid_t>(::setfsuid(65534));
     const Status secret = check_readable(folder / "secret"), inside = check_readable(folder / "closed" / "file");
     ::setfsuid(own);

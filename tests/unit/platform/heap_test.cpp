@@ -1,5 +1,5 @@
-// The heap's reserve and its large pages: where the heap then lies, and nothing lost where memory is short. In
-// children, because a process keeps the heap that it got, and at this program's beginning.
+// The heap's reserve and large pages: where the heap is, and that a shortage of memory loses nothing. Each test runs in
+// a child process, because a process keeps its heap and the reserve is set up at startup.
 #include "platform/heap.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::uintptr_t end_of_heap() {
     return reinterpret_cast<std::uintptr_t>(::sbrk(0));
 }
 
-/// Not a sanitizer's, which lies elsewhere and knows nothing of all this.
+/// False under a sanitizer, which has its own heap elsewhere.
 bool has_the_librarys_heap() {
     void* volatile block = std::malloc(64);
     const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
@@ -29,7 +29,7 @@ bool has_the_librarys_heap() {
     return is_inside;
 }
 
-/// A line of numbers of this process: "Rss", "VmFlags"; of the mapping that holds the address.
+/// Returns a line of /proc/self/smaps, such as "Rss" or "VmFlags", for the mapping that contains the address.
 std::string mapping_line(std::uintptr_t address, const std::string& name) {
     std::ifstream mappings("/proc/self/smaps");
     bool is_inside = false;
@@ -63,7 +63,7 @@ int reserved_untouched() {
 int taken_while_quick() {
     reserve_heap();
     take_large_pages(std::chrono::hours(1));
-    // The last one may not be whole.
+    // The last page may be incomplete.
     return mapping_line(end_of_heap() - (3U << 20), "VmFlags").find(" hg ") == std::string::npos ? 1 : 0;
 }
 
@@ -74,7 +74,7 @@ int ended_by_a_slow_one() {
     if (mapping_line(end - (3U << 20), "VmFlags").find(" hg ") != std::string::npos) return 1;
     for (std::uintptr_t page = end - (32U << 20); page < end; page += 1U << 20)
         if (mapping_line(page, "VmFlags").find(" hg ") != std::string::npos) return 0;
-    return 2;  // not even one was tried
+    return 2;  // no large page was tried
 }
 
 int blocks_from_it() {
@@ -97,7 +97,7 @@ int memory_where_it_may_not_grow() {
     return is_there ? 0 : 3;
 }
 
-/// Before any other test has used memory up, after which malloc may have turned to another arena.
+/// Measured before any other test uses up memory, after which malloc may switch to another arena.
 struct Found {
     bool has_heap = has_the_librarys_heap();
     int reserved = status_of_child(reserved_untouched), taken = status_of_child(taken_while_quick),
@@ -106,23 +106,23 @@ struct Found {
 };
 const Found found;
 
-TEST(Heap, IsReservedAtOnceAndNotTouched) {
+TEST(Heap, IsReservedAtStartupButNotTouched) {
     if (!found.has_heap) GTEST_SKIP();
     EXPECT_EQ(found.reserved, 0);
 }
 
-TEST(Heap, PagesAreLargeUntilOneIsSlow) {
+TEST(Heap, UsesLargePagesUntilOneIsSlow) {
     if (!found.has_heap || !std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
     EXPECT_EQ(found.taken, 0);
     EXPECT_EQ(found.ended, 0);
 }
 
-TEST(Heap, BlocksOfAPictureComeFromIt) {
+TEST(Heap, HoldsTheBlocksOfAPicture) {
     if (!found.has_heap) GTEST_SKIP();
     EXPECT_EQ(found.blocks, 0);
 }
 
-TEST(Heap, WhereItMayNotGrowThereIsMemoryStill) {
+TEST(Heap, FallsBackWhenItCannotGrow) {
     if (!found.has_heap) GTEST_SKIP();
     EXPECT_EQ(found.limited, 0);
 }

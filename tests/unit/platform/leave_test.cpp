@@ -1,4 +1,4 @@
-// Leaving: what was printed is there, and nothing that would be done at a program's end keeps it. In children.
+// Leaving flushes all output and skips everything else that runs at exit. Each test runs in a child process.
 #include "platform/leave.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 class Leave : public testing::ScratchFolder {};
 
-TEST_F(Leave, WhatWasPrintedIsWrittenOut) {
+TEST_F(Leave, FlushesOutput) {
     const std::filesystem::path file = folder_ / "printed";
     EXPECT_EXIT(
         {
@@ -28,7 +28,7 @@ TEST_F(Leave, WhatWasPrintedIsWrittenOut) {
     EXPECT_EQ(*printed, "all of it");
 }
 
-TEST_F(Leave, NothingIsDoneAtTheEndUnlessASanitizerLooks) {
+TEST_F(Leave, SkipsExitHandlersExceptUnderASanitizer) {
     EXPECT_EXIT(
         {
             std::atexit([] { std::fputs("taken down", stderr); });

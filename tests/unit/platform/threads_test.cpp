@@ -1,4 +1,4 @@
-// Whether threads can be had is tried before a driver needs them.
+// Checks that the program can start threads before a driver needs them.
 #include "platform/threads.h"
 
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 namespace viewing {
 namespace {
 
-TEST(Threads, CanBeHadHere) {
+TEST(Threads, CanBeStartedHere) {
     EXPECT_GE(threads_of_a_driver(), 5);
     EXPECT_TRUE(can_start_threads(threads_of_a_driver()));
 }
 
-TEST(Threads, CannotWhereTheyAreLimited) {
+TEST(Threads, CannotBeStartedBeyondTheLimit) {
     const pid_t child = ::fork();
     if (child == 0) {
         constexpr uid_t nobody = 65534;

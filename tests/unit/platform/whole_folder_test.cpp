@@ -1,4 +1,4 @@
-// A folder that appears whole or not at all, and never in the place of something foreign.
+// A folder that appears complete or not at all and never replaces a foreign folder.
 #include "platform/whole_folder.h"
 
 #include <gtest/gtest.h>
@@ -28,14 +28,14 @@ protected:
     fs::path place;
 };
 
-TEST_F(WholeFolders, IsNotThereBeforeItTakesItsName) {
+TEST_F(WholeFolders, AppearOnlyUnderTheirFinalName) {
     {
         Result<WholeFolder> folder = WholeFolder::begin(place / "a/b/new/");
         ASSERT_TRUE(folder) << folder.error();
         put(folder->beside() / "1.txt");
         EXPECT_FALSE(fs::exists(place / "a"));
     }
-    EXPECT_EQ(count(), 0U) << "given up, nothing is left, no parent either";
+    EXPECT_EQ(count(), 0U) << "abandoned: nothing remains, not even a parent";
     Result<WholeFolder> folder = WholeFolder::begin(place / "a/b/new/");
     put(folder->beside() / "1.txt");
     EXPECT_TRUE(folder->take_name());
@@ -43,20 +43,20 @@ TEST_F(WholeFolders, IsNotThereBeforeItTakesItsName) {
     EXPECT_EQ(count(), 1U);
 }
 
-TEST_F(WholeFolders, TakesThePlaceOfItsOwnKindAlone) {
+TEST_F(WholeFolders, ReplaceOnlyTheirOwnKind) {
     fs::create_directory(place / "old");
     put(place / "old/1.txt");
     put(place / "old/2.txt");
-    EXPECT_FALSE(WholeFolder::begin(place / "old")) << "nothing is said to be its own";
+    EXPECT_FALSE(WholeFolder::begin(place / "old")) << "no file is declared as its own";
     {
         Result<WholeFolder> folder = WholeFolder::begin(place / "old", is_text);
         ASSERT_TRUE(folder) << folder.error();
         put(folder->beside() / "3.txt");
-        put(place / "old/b.foreign");  // comes while the other one grows
+        put(place / "old/b.foreign");  // appears while the new folder grows
         put(place / "old/a.foreign");
         const Status taken = folder->take_name();
         ASSERT_FALSE(taken);
-        EXPECT_NE(taken.error().find("it holds a.foreign"), std::string::npos) << taken.error();
+        EXPECT_NE(taken.error().find("it contains a.foreign"), std::string::npos) << taken.error();
     }
     EXPECT_TRUE(fs::exists(place / "old/2.txt"));
     EXPECT_EQ(count(), 1U);
@@ -72,8 +72,8 @@ TEST_F(WholeFolders, TakesThePlaceOfItsOwnKindAlone) {
     EXPECT_EQ(count(), 1U);
 }
 
-/// What a signal's handler does.
-TEST_F(WholeFolders, IsRemovedWithAllThatIsInIt) {
+/// A signal handler removes them in this way.
+TEST_F(WholeFolders, AreRemovedWithTheirContents) {
     Result<WholeFolder> folder = WholeFolder::begin(place / "new");
     ASSERT_TRUE(folder) << folder.error();
     fs::create_directories(folder->beside() / "deep/deeper");

@@ -1,4 +1,5 @@
-// How a session begins: with its scene where that is quick, with the opening one until a large mesh is there.
+// How a session begins: with its own scene if that loads quickly, otherwise with the opening scene until a large mesh
+// is there.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// An .obj file of `count` triangles side by side, gone with this object.
+/// An .obj file of `count` triangles side by side, deleted with this object.
 struct MeshFile {
     std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("viewing-begin-" + std::to_string(getpid()) + ".obj");
@@ -35,7 +36,7 @@ struct MeshFile {
 
 constexpr int many = 300'000;
 
-TEST(SessionBegin, WhatIsThereSoonIsThereAtOnce) {
+TEST(SessionBegin, SmallSceneIsReadyImmediately) {
     const MeshFile file(3, "");
     const Result<Session> session = Session::begin(file.state(), -1.0);
     ASSERT_TRUE(session) << session.error();
@@ -44,14 +45,14 @@ TEST(SessionBegin, WhatIsThereSoonIsThereAtOnce) {
     EXPECT_EQ(session->scene().objects[0].mesh->triangle_count(), 3U);
 }
 
-TEST(SessionBegin, WhatIsWrongSoonIsSaidAtOnce) {
+TEST(SessionBegin, EarlyErrorIsReportedImmediately) {
     const MeshFile file(1, "f 1 2 99\n");
     const Result<Session> session = Session::begin(file.state(), -1.0);
     ASSERT_FALSE(session);
     EXPECT_NE(session.error().find("STATE"), std::string::npos) << session.error();
 }
 
-TEST(SessionBegin, ALargeMeshIsAwaitedBesideTheOpeningScene) {
+TEST(SessionBegin, LargeMeshLoadsBehindTheOpeningScene) {
     const MeshFile file(many, "");
     Result<Session> session = Session::begin(file.state(), 0.0);
     ASSERT_TRUE(session) << session.error();
@@ -62,10 +63,10 @@ TEST(SessionBegin, ALargeMeshIsAwaitedBesideTheOpeningScene) {
     EXPECT_FALSE(session->loading_fraction());
     ASSERT_EQ(session->scene().objects.size(), 1U);
     EXPECT_EQ(session->scene().objects[0].mesh->triangle_count(), static_cast<std::size_t>(many));
-    EXPECT_FALSE(session->can_undo()) << "it began with this scene";
+    EXPECT_FALSE(session->can_undo()) << "the session began with this scene";
 }
 
-TEST(SessionBegin, ALargeBrokenMeshLeavesTheOpeningSceneAndASentence) {
+TEST(SessionBegin, LargeBrokenMeshKeepsTheOpeningSceneAndReports) {
     const MeshFile file(many, "f 1 2 99999999\n");
     Result<Session> session = Session::begin(file.state(), 0.0);
     ASSERT_TRUE(session) << session.error();

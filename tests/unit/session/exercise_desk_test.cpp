@@ -1,5 +1,5 @@
-// The desk: every student's own sheet, and answers that are on the disk before anybody can lose them. The steps are
-// made by hand: what an exercise asks does not matter here.
+// The desk: every student's own sheet, and answers on the disk before anything can lose them. The steps are made by
+// hand, since the content of an exercise does not matter here.
 #include "session/exercise_desk.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr const char *number_id = "E06-radians", *matrix_id = "E16-shadow-matrix
                      *order_id = "E08-bsp-order";
 const Student anna{"viewing-2026", "32201234", "김학생"}, ben{"viewing-2026", "32201235", "Ben"};
 
-/// A matrix, a list, a goal, else a number; the right number is 7.
+/// Makes a matrix, list, goal or number step by its id; the right number is 7.
 LessonStep step_of(const std::string& id) {
     LessonStep step;
     step.id = id;
@@ -72,7 +72,7 @@ Verdict wrong(const std::string& tag = "") {
 
 class ExerciseDeskTest : public testing::ScratchFolder {
 protected:
-    /// A desk with this student at it and every step made.
+    /// Returns a desk with this student and every step made.
     std::unique_ptr<ExerciseDesk> desk_of(const Student& student) {
         auto desk = std::make_unique<ExerciseDesk>();
         desk->keep_in(answers_, "viewing-sandbox test");
@@ -81,7 +81,7 @@ protected:
         settle(*desk);
         return desk;
     }
-    /// Until what is being read is there and the steps are made.
+    /// Updates until the file is read and the steps are made.
     void settle(ExerciseDesk& desk) {
         for (const double end_s = now_s() + patience_s; now_s() < end_s;) {
             update(desk);
@@ -90,16 +90,16 @@ protected:
             if (desk.is_ready()) return;
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
-        ADD_FAILURE() << "the desk is never ready";
+        ADD_FAILURE() << "the desk never becomes ready";
     }
-    /// What a window does for a while.
+    /// Updates as a window does for a while.
     void wait(ExerciseDesk& desk, double seconds = 0.6) {
         for (const double end_s = now_s() + seconds; now_s() < end_s;) {
             update(desk);
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
     }
-    /// The same until the file has it; a disk may take its time.
+    /// Updates until the file has the draft; a disk may be slow.
     void wait_until_written(ExerciseDesk& desk, const Student& student, const std::vector<double>& draft) {
         const auto is_there = [&] {
             const Result<HandIn> read = load_hand_in(file_of(student));
@@ -122,7 +122,7 @@ protected:
         ADD_FAILURE() << id;
         return 0;
     }
-    /// All exercises, at that one.
+    /// Returns all exercises, positioned at this one.
     static LessonRun run_at(const ExerciseDesk& desk, const std::string& id) {
         std::vector<std::size_t> places;
         for (std::size_t i = 0; i < desk.entries().size(); ++i) places.push_back(i);
@@ -162,7 +162,7 @@ protected:
     std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-TEST_F(ExerciseDeskTest, EachStudentHasVariantsOfTheirOwn) {
+TEST_F(ExerciseDeskTest, EachStudentHasOwnVariants) {
     ExerciseDesk desk;
     desk.keep_in(answers_, "p");
     EXPECT_FALSE(desk.is_open());
@@ -175,7 +175,7 @@ TEST_F(ExerciseDeskTest, EachStudentHasVariantsOfTheirOwn) {
         desk.sit_down(student);
         EXPECT_EQ(desk.student(), student);
         EXPECT_FALSE(desk.is_ready());
-        EXPECT_EQ(desk.next_to_make(), 0U) << "everything is made anew";
+        EXPECT_EQ(desk.next_to_make(), 0U) << "every step is made again";
         for (const ExerciseDesk::Entry& entry : desk.entries()) {
             EXPECT_FALSE(entry.step);
             EXPECT_EQ(entry.variant,
@@ -186,10 +186,10 @@ TEST_F(ExerciseDeskTest, EachStudentHasVariantsOfTheirOwn) {
     }
     EXPECT_EQ(desk.points(), 0);
     EXPECT_EQ(desk.points_of(), 50);
-    EXPECT_TRUE(files().empty()) << "nothing was answered";
+    EXPECT_TRUE(files().empty()) << "nothing has been answered";
 }
 
-TEST_F(ExerciseDeskTest, AStepThatCannotBeMadeIsLeftOut) {
+TEST_F(ExerciseDeskTest, StepThatCannotBeMadeIsSkipped) {
     ExerciseDesk desk;
     desk.open();
     while (const std::optional<std::size_t> next = desk.next_to_make())
@@ -203,12 +203,12 @@ TEST_F(ExerciseDeskTest, AStepThatCannotBeMadeIsLeftOut) {
     EXPECT_EQ(run.lesson().sheet->items[1].exercise, desk.entries()[2].exercise.id);
 }
 
-TEST_F(ExerciseDeskTest, WhatIsTypedIsWrittenWithoutBeingAskedFor) {
+TEST_F(ExerciseDeskTest, TypedAnswersAreSavedAutomatically) {
     const auto desk = desk_of(anna);
     type(*desk, number_id, {0.125});
     wait_until_written(*desk, anna, {0.125});
     EXPECT_EQ(told_, "");
-    const HandIn read = written(anna);  // the desk lives on: as after a kill
+    const HandIn read = written(anna);  // the desk is still alive, as after a kill
     EXPECT_EQ(read.student, anna.number);
     EXPECT_EQ(read.course, anna.course);
     EXPECT_EQ(read.name, anna.name);
@@ -217,34 +217,34 @@ TEST_F(ExerciseDeskTest, WhatIsTypedIsWrittenWithoutBeingAskedFor) {
     EXPECT_EQ(read.find(number_id)->draft, std::optional(std::vector{0.125}));
     EXPECT_EQ(read.find(number_id)->variant, desk->entries()[place(*desk, number_id)].variant);
     EXPECT_TRUE(read.find(number_id)->attempts.empty());
-    // What comes while the file is being written is written too.
+    // Changes during a write are written too.
     for (int i = 1; i <= 50; ++i) {
         type(*desk, number_id, {static_cast<double>(i)});
         wait(*desk, 0.01);
     }
     wait_until_written(*desk, anna, {50.0});
-    EXPECT_EQ(files().size(), 1U) << "no other file is left";
+    EXPECT_EQ(files().size(), 1U) << "no other file remains";
 }
 
-TEST_F(ExerciseDeskTest, AWindowThatSleepsIsToldWhenTheLatestIsToBeWritten) {
+TEST_F(ExerciseDeskTest, SleepingWindowKnowsWhenTheNextWriteIsDue) {
     const auto desk = desk_of(anna);
     const auto draft = [this] { return written(anna).find(number_id)->draft; };
     const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
     double window_s = 100.0;
-    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "nothing waits";
+    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "no write is pending";
     type(*desk, number_id, {1.0});
     EXPECT_EQ(desk->update_due_in_s(window_s), 0.0);
     hear(desk->update(window_s));
-    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "the end of its writing wakes the window";
+    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "the end of the write wakes the window";
 
-    type(*desk, number_id, {2.0});  // meanwhile, and the person rests
+    type(*desk, number_id, {2.0});  // during the write, then no more input
     window_s += 0.1;
     for (const double end_s = now_s() + patience_s; desk->update_due_in_s(window_s) < 0.0 && now_s() < end_s;) {
         sleep();
         hear(desk->update(window_s));
     }
     EXPECT_EQ(draft(), std::optional(std::vector{1.0}));
-    ASSERT_NEAR(desk->update_due_in_s(window_s), 0.2, 1e-9) << "the disk is spared";
+    ASSERT_NEAR(desk->update_due_in_s(window_s), 0.2, 1e-9) << "writes are throttled";
     window_s += desk->update_due_in_s(window_s);
     hear(desk->update(window_s));
     for (const double end_s = now_s() + patience_s; draft() != std::vector{2.0} && now_s() < end_s;) sleep();
@@ -252,7 +252,7 @@ TEST_F(ExerciseDeskTest, AWindowThatSleepsIsToldWhenTheLatestIsToBeWritten) {
     EXPECT_EQ(told_, "");
 }
 
-TEST_F(ExerciseDeskTest, FinishWritesAtOnce) {
+TEST_F(ExerciseDeskTest, FinishWritesImmediately) {
     const auto desk = desk_of(anna);
     for (int i = 1; i <= 5; ++i) {
         type(*desk, number_id, {static_cast<double>(i)});
@@ -264,7 +264,7 @@ TEST_F(ExerciseDeskTest, FinishWritesAtOnce) {
     EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{6.0}));
 }
 
-TEST_F(ExerciseDeskTest, NothingComesBackChanged) {
+TEST_F(ExerciseDeskTest, EverythingComesBackUnchanged) {
     std::vector<double> matrix(16);
     for (std::size_t i = 0; i < 16; ++i) matrix[i] = static_cast<double>(i) / 3.0 - 1.0;
     {
@@ -286,7 +286,7 @@ TEST_F(ExerciseDeskTest, NothingComesBackChanged) {
         EXPECT_TRUE(desk->is_right(number_id));
         EXPECT_FALSE(desk->is_right(order_id));
         EXPECT_TRUE(desk->is_tried(order_id));
-        EXPECT_FALSE(desk->is_tried(matrix_id)) << "a hint is no try";
+        EXPECT_FALSE(desk->is_tried(matrix_id)) << "a hint is not an attempt";
         finish(*desk);
         EXPECT_EQ(told_, "");
     }
@@ -311,7 +311,7 @@ TEST_F(ExerciseDeskTest, NothingComesBackChanged) {
     EXPECT_EQ(run.answer().numbers, matrix);
     EXPECT_EQ(run.hints_shown(), 2);
     const std::vector<Attempt>& hints = desk->hand_in().find(matrix_id)->attempts;
-    ASSERT_EQ(hints.size(), 2U) << "each hint once";
+    ASSERT_EQ(hints.size(), 2U) << "each hint counts once";
     EXPECT_EQ(hints[0].hint, 1);
     EXPECT_EQ(hints[1].hint, 2);
     run.go_to(place(*desk, goal_id));
@@ -319,12 +319,12 @@ TEST_F(ExerciseDeskTest, NothingComesBackChanged) {
     ASSERT_TRUE(run.reached());
     EXPECT_EQ(*run.reached(), with_light(run.step().start.params, 2.5));
     const std::vector<ReplayStep>& replay = desk->hand_in().find(goal_id)->replay;
-    ASSERT_EQ(replay.size(), 2U) << "what is held is no step";
+    ASSERT_EQ(replay.size(), 2U) << "a held drag is not a step";
     EXPECT_EQ(replay[0].after_s, 2.0);
     EXPECT_EQ(replay[1].after_s, 4.5);
 }
 
-TEST_F(ExerciseDeskTest, AGoalThatWasReachedComesBackAsItWas) {
+TEST_F(ExerciseDeskTest, ReachedGoalComesBackUnchanged) {
     {
         const auto desk = desk_of(anna);
         LessonRun run = run_at(*desk, goal_id);
@@ -333,7 +333,7 @@ TEST_F(ExerciseDeskTest, AGoalThatWasReachedComesBackAsItWas) {
         desk->follow(run, with_light(run.step().start.params, 3.0), true, 3.0);
         run.take(right());
         desk->record(run, right(), with_light(run.step().start.params, 4.0));
-        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // it is revealed: played with
+        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // revealed: changed for play only
         finish(*desk);
     }
     const auto desk = desk_of(anna);
@@ -342,7 +342,7 @@ TEST_F(ExerciseDeskTest, AGoalThatWasReachedComesBackAsItWas) {
     ASSERT_TRUE(run.reached());
     EXPECT_EQ(*run.reached(), with_light(run.step().start.params, 4.0));
     const std::vector<Attempt>& attempts = desk->hand_in().find(goal_id)->attempts;
-    ASSERT_EQ(attempts.size(), 2U) << "the same mistake on the way is one attempt";
+    ASSERT_EQ(attempts.size(), 2U) << "the same mistake along the way is one attempt";
     EXPECT_EQ(attempts[0].told, "M26");
     EXPECT_TRUE(attempts[1].is_goal);
     const Result<Params> kept = apply_settings(run.step().start.params, attempts[1].settings);
@@ -350,7 +350,7 @@ TEST_F(ExerciseDeskTest, AGoalThatWasReachedComesBackAsItWas) {
     EXPECT_EQ(*kept, with_light(run.step().start.params, 4.0));
 }
 
-TEST_F(ExerciseDeskTest, ComingBackIsNoChange) {
+TEST_F(ExerciseDeskTest, ReturningChangesNothing) {
     {
         const auto desk = desk_of(anna);
         LessonRun run = run_at(*desk, goal_id);
@@ -370,7 +370,7 @@ TEST_F(ExerciseDeskTest, ComingBackIsNoChange) {
     EXPECT_TRUE(*read_text_file(file_of(anna)) == before) << *read_text_file(file_of(anna));
 }
 
-TEST_F(ExerciseDeskTest, ADraftIsNewerThanWhatWasChecked) {
+TEST_F(ExerciseDeskTest, DraftIsNewerThanTheCheckedAnswer) {
     {
         const auto desk = desk_of(anna);
         check(*desk, number_id, {{6.5}, {}}, wrong());
@@ -382,14 +382,14 @@ TEST_F(ExerciseDeskTest, ADraftIsNewerThanWhatWasChecked) {
     EXPECT_EQ(run_at(*desk, number_id).answer().numbers, std::vector{6.75});
     check(*desk, number_id, {{6.875}, {}}, wrong());
     EXPECT_EQ(run_at(*desk, number_id).answer().numbers, std::vector{6.875});
-    EXPECT_FALSE(desk->hand_in().find(number_id)->draft) << "it was checked";
+    EXPECT_FALSE(desk->hand_in().find(number_id)->draft) << "checking removes the draft";
 }
 
-TEST_F(ExerciseDeskTest, AnothersSheetIsBlankAndNothingIsLost) {
+TEST_F(ExerciseDeskTest, OtherStudentsSheetIsBlankAndNothingIsLost) {
     const auto desk = desk_of(anna);
     check(*desk, number_id, {{7.0}, {}}, right());
     type(*desk, matrix_id, std::vector<double>(16, 0.5));
-    desk->sit_down(ben);  // at once: nothing was written yet
+    desk->sit_down(ben);  // immediately: nothing is written yet
     settle(*desk);
     EXPECT_TRUE(desk->hand_in().items.empty());
     EXPECT_EQ(desk->points(), 0);
@@ -406,18 +406,18 @@ TEST_F(ExerciseDeskTest, AnothersSheetIsBlankAndNothingIsLost) {
     EXPECT_EQ(written(ben).name, "Ben");
 }
 
-TEST_F(ExerciseDeskTest, WhoeverSitsDownLastIsWhoseSheetItIs) {
+TEST_F(ExerciseDeskTest, SheetBelongsToTheLastStudent) {
     {
         const auto desk = desk_of(anna);
         LessonRun run = run_at(*desk, goal_id);
-        for (int i = 0; i < 900; ++i)  // so much that it takes a while to be read
+        for (int i = 0; i < 900; ++i)  // enough to take a while to read
             desk->record(run, wrong(std::to_string(i)), with_light(run.step().start.params, i));
         finish(*desk);
     }
     const auto desk = desk_of({"viewing-2026", "nobody", ""});
     for (int turn = 0; turn < 10; ++turn) {
         desk->sit_down(anna);
-        desk->sit_down(ben);  // while the other one's is being read
+        desk->sit_down(ben);  // while the first student's file is being read
         settle(*desk);
         wait(*desk, 0.1);
         ASSERT_EQ(desk->student(), ben);
@@ -429,7 +429,7 @@ TEST_F(ExerciseDeskTest, WhoeverSitsDownLastIsWhoseSheetItIs) {
     EXPECT_EQ(written(anna).find(goal_id)->attempts.size(), 900U);
 }
 
-TEST_F(ExerciseDeskTest, ASheetThatStillLeadsIsItsStudentsAlone) {
+TEST_F(ExerciseDeskTest, SheetInProgressStaysWithItsStudent) {
     const auto desk = desk_of(anna);
     LessonRun run = run_at(*desk, number_id);
     run.answer().numbers = {5.0};
@@ -437,21 +437,21 @@ TEST_F(ExerciseDeskTest, ASheetThatStillLeadsIsItsStudentsAlone) {
     desk->follow(run, run.step().start.params, true, now_s());
     desk->sit_down(ben);
     settle(*desk);
-    // The window's guide still shows what was begun before the number was changed.
+    // The window's guide still shows the exercise started before the number changed.
     desk->follow(run, run.step().start.params, true, now_s());
     desk->record(run, wrong("M02"), run.step().start.params);
-    EXPECT_TRUE(desk->hand_in().items.empty()) << "it was the other one's sheet";
+    EXPECT_TRUE(desk->hand_in().items.empty()) << "the sheet was the other student's";
     finish(*desk);
     EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{5.0}));
 }
 
-TEST_F(ExerciseDeskTest, FilesOfAnyNumberStayInTheFolder) {
+TEST_F(ExerciseDeskTest, FilesForAnyStudentNumberStayInTheFolder) {
     const std::string numbers[] = {"../../x", "한국", "..",   ".",   "a/b\\c", "con",
                                    " ",       "%2F",  "x\ty", "-rf", "A",      "a%62"};
     std::set<std::string> names;
     for (const std::string& number : numbers) {
         const std::string name = answers_file_name({"viewing-2026", number, ""});
-        EXPECT_TRUE(names.insert(name).second) << number << " has another one's file";
+        EXPECT_TRUE(names.insert(name).second) << number << " has another student's file";
         EXPECT_LT(name.size(), 255U);
         EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_%.~"),
                   std::string::npos)
@@ -470,7 +470,7 @@ TEST_F(ExerciseDeskTest, FilesOfAnyNumberStayInTheFolder) {
     EXPECT_LT(answers_file_name({many, "한국", ""}).size(), 255U);
     EXPECT_NE(answers_file_name({"c", many, ""}), answers_file_name({"c", more, ""}));
     EXPECT_NE(answers_file_name({"c", "1", "Anna"}), answers_file_name({"d", "1", "Anna"}));
-    EXPECT_EQ(answers_file_name({"c", "1", "Anna"}), answers_file_name({"c", "1", "Ben"})) << "a name is not a number";
+    EXPECT_EQ(answers_file_name({"c", "1", "Anna"}), answers_file_name({"c", "1", "Ben"})) << "the name is ignored";
 }
 
 TEST_F(ExerciseDeskTest, CourseAndNumberAreNotMixedUp) {
@@ -478,7 +478,7 @@ TEST_F(ExerciseDeskTest, CourseAndNumberAreNotMixedUp) {
     EXPECT_NE(answers_file_name({"ab", "c", ""}), answers_file_name({"a", "bc", ""}));
 }
 
-TEST_F(ExerciseDeskTest, WhateverTheNumberTheAnswersComeBack) {
+TEST_F(ExerciseDeskTest, AnswersComeBackForAnyStudentNumber) {
     for (const std::string& number : {std::string("../../x"), std::string("한국"), std::string(" "),
                                       std::string("x\ty"), std::string(), std::string(5000, 'x')}) {
         const Student student{"viewing-2026", number, "n"};
@@ -493,7 +493,7 @@ TEST_F(ExerciseDeskTest, WhateverTheNumberTheAnswersComeBack) {
     }
 }
 
-TEST_F(ExerciseDeskTest, ABrokenFileIsOneSentenceAndIsNotLost) {
+TEST_F(ExerciseDeskTest, BrokenFileIsReportedAndKept) {
     fs::create_directories(answers_);
     const std::string broken = R"({"answers": 1, "student": "32201234", "items": [{"exercise": "E16")";
     std::ofstream(file_of(anna)) << broken;
@@ -505,16 +505,16 @@ TEST_F(ExerciseDeskTest, ABrokenFileIsOneSentenceAndIsNotLost) {
     EXPECT_NE(told_.find(answers_file_name(anna)), std::string::npos) << told_;
     EXPECT_EQ(told_.find('\n'), std::string::npos);
     wait(desk, 0.2);
-    EXPECT_EQ(*read_text_file(file_of(anna)), broken) << "nothing was answered since";
+    EXPECT_EQ(*read_text_file(file_of(anna)), broken) << "nothing has been answered since";
     type(desk, number_id, {2.5});
     wait(desk);
     finish(desk);
     bool is_kept = false;
     for (const fs::path& file : files()) is_kept = is_kept || *read_text_file(file) == broken;
-    EXPECT_TRUE(is_kept) << "what could perhaps have been mended is gone";
+    EXPECT_TRUE(is_kept) << "the broken file, which may be repairable, is gone";
 }
 
-TEST_F(ExerciseDeskTest, WhateverIsNotedReadsBack) {
+TEST_F(ExerciseDeskTest, EveryRecordReadsBack) {
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double number : {1e301, -1e308, infinity, -infinity, std::nan(""), 5e-324}) {
         fs::remove_all(answers_);
@@ -524,12 +524,12 @@ TEST_F(ExerciseDeskTest, WhateverIsNotedReadsBack) {
         type(*desk, number_id, {number});
         finish(*desk);
         const auto again = desk_of(anna);
-        EXPECT_TRUE(again->is_right(matrix_id)) << number << " cost everything";
+        EXPECT_TRUE(again->is_right(matrix_id)) << number << " lost everything";
         finish(*again);
     }
 }
 
-TEST_F(ExerciseDeskTest, AThousandAttemptsAndMoreReadBack) {
+TEST_F(ExerciseDeskTest, MoreThanAThousandAttemptsReadBack) {
     {
         const auto desk = desk_of(anna);
         LessonRun run = run_at(*desk, number_id);
@@ -544,7 +544,7 @@ TEST_F(ExerciseDeskTest, AThousandAttemptsAndMoreReadBack) {
     EXPECT_GE(read->find(number_id)->attempts.size(), 900U);
 }
 
-TEST_F(ExerciseDeskTest, AFolderThatCannotBeMadeIsTold) {
+TEST_F(ExerciseDeskTest, MissingFolderIsReported) {
     write("file", "x");
     answers_ = folder_ / "file" / "answers";
     const auto desk = desk_of(anna);
@@ -555,7 +555,7 @@ TEST_F(ExerciseDeskTest, AFolderThatCannotBeMadeIsTold) {
     EXPECT_EQ(desk->hand_in().find(number_id)->draft, std::optional(std::vector{1.0})) << "it can still be saved";
 }
 
-TEST_F(ExerciseDeskTest, WithoutAFolderNothingIsWritten) {
+TEST_F(ExerciseDeskTest, NothingIsWrittenWithoutAFolder) {
     answers_.clear();
     const auto desk = desk_of(anna);
     type(*desk, number_id, {1.0});
@@ -566,7 +566,7 @@ TEST_F(ExerciseDeskTest, WithoutAFolderNothingIsWritten) {
     EXPECT_TRUE(files().empty());
 }
 
-TEST_F(ExerciseDeskTest, AHandInThatIsOpenedIsItsStudentsSheet) {
+TEST_F(ExerciseDeskTest, OpenedHandInBecomesItsStudentsSheet) {
     {
         const auto desk = desk_of(ben);
         check(*desk, number_id, {{7.0}, {}}, right());
@@ -583,17 +583,17 @@ TEST_F(ExerciseDeskTest, AHandInThatIsOpenedIsItsStudentsSheet) {
     for (const ExerciseDesk::Entry& entry : desk->entries())
         EXPECT_EQ(entry.variant, variant_of(ben.course, ben.number, entry.exercise.id, entry.exercise.variants.size()));
     finish(*desk);
-    EXPECT_EQ(written(ben).items.size(), 1U) << "it goes on in the folder";
+    EXPECT_EQ(written(ben).items.size(), 1U) << "it continues in the folder";
     EXPECT_EQ(written(anna).items.size(), 1U);
     const auto other = desk_of(anna);
     other->open_hand_in(folder_ / "nowhere.json");
     settle(*other);
     EXPECT_NE(told_.find("nowhere.json"), std::string::npos) << told_;
     EXPECT_EQ(other->student(), anna);
-    EXPECT_TRUE(other->hand_in().find(matrix_id)) << "a file that is not there changes nothing";
+    EXPECT_TRUE(other->hand_in().find(matrix_id)) << "a missing file changes nothing";
 }
 
-TEST_F(ExerciseDeskTest, AnOldFileThatIsOpenedDoesNotCostTheNewerAnswers) {
+TEST_F(ExerciseDeskTest, OpeningAnOldFileKeepsNewerAnswers) {
     const fs::path old = folder_ / "old.json";
     {
         const auto desk = desk_of(anna);
@@ -611,10 +611,10 @@ TEST_F(ExerciseDeskTest, AnOldFileThatIsOpenedDoesNotCostTheNewerAnswers) {
         const Result<HandIn> read = load_hand_in(file);
         is_kept = is_kept || (read && read->find(matrix_id));
     }
-    EXPECT_TRUE(is_kept) << "a right answer is nowhere any more";
+    EXPECT_TRUE(is_kept) << "a right answer is lost";
 }
 
-TEST_F(ExerciseDeskTest, AnswersToOtherNumbersAreNotShownNorCounted) {
+TEST_F(ExerciseDeskTest, AnswersToOtherNumbersAreNeitherShownNorCounted) {
     const auto desk = desk_of(anna);
     HandIn hand_in{"p", anna.course, anna.number, anna.name, {}};
     const std::size_t variant = desk->entries()[place(*desk, number_id)].variant;
@@ -627,10 +627,10 @@ TEST_F(ExerciseDeskTest, AnswersToOtherNumbersAreNotShownNorCounted) {
     const LessonRun run = run_at(*desk, number_id);
     EXPECT_FALSE(run.is_revealed());
     EXPECT_TRUE(run.answer().empty());
-    EXPECT_EQ(desk->points(), 0) << "the sheet does not show it as done";
+    EXPECT_EQ(desk->points(), 0) << "the sheet does not show the exercise as done";
 }
 
-TEST_F(ExerciseDeskTest, AForgedFileCanDoNoHarm) {
+TEST_F(ExerciseDeskTest, ForgedFileDoesNoHarm) {
     const auto desk = desk_of(anna);
     HandIn hand_in{"p", anna.course, anna.number, anna.name, {}};
     const auto item = [&](const char* id) {
@@ -654,14 +654,14 @@ TEST_F(ExerciseDeskTest, AForgedFileCanDoNoHarm) {
     EXPECT_TRUE(run.answer().empty());
     EXPECT_EQ(run.hints_shown(), 3);
     run.go_to(place(*desk, goal_id));
-    EXPECT_FALSE(run.reached()) << "the goal does not allow it";
+    EXPECT_FALSE(run.reached()) << "the goal does not allow this change";
     finish(*desk);
     EXPECT_EQ(desk->points(), 0);
 }
 
-// ---- two windows at the same answers -------------------------------------------------------------------------------
+// ---- two windows with the same answers ------------------------------------------------------------------------------
 
-TEST_F(ExerciseDeskTest, TwoWindowsCostEachOtherNothing) {
+TEST_F(ExerciseDeskTest, TwoWindowsLoseNothingOfEachOther) {
     const auto one = desk_of(anna), other = desk_of(anna);
     check(*one, number_id, {{7.0}, {}}, right());
     finish(*one);
@@ -670,9 +670,9 @@ TEST_F(ExerciseDeskTest, TwoWindowsCostEachOtherNothing) {
     check(*one, matrix_id, {std::vector<double>(16, 1.0), {}}, wrong("M33"));
     finish(*one);
     EXPECT_EQ(written(anna).items.size(), 3U);
-    EXPECT_TRUE(one->is_right(order_id)) << "it came with the writing";
+    EXPECT_TRUE(one->is_right(order_id)) << "the write merged the other window's answer";
     EXPECT_FALSE(other->is_tried(matrix_id));
-    other->read_again();  // the window is given the focus
+    other->read_again();  // the window receives focus
     finish(*other);
     EXPECT_TRUE(other->is_tried(matrix_id));
     EXPECT_EQ(other->hand_in(), one->hand_in());
@@ -680,7 +680,7 @@ TEST_F(ExerciseDeskTest, TwoWindowsCostEachOtherNothing) {
     EXPECT_EQ(told_, "");
 }
 
-TEST_F(ExerciseDeskTest, TheSameExerciseInTwoWindowsKeepsAllAttemptsAndTheLatestDraft) {
+TEST_F(ExerciseDeskTest, TwoWindowsKeepAllAttemptsAndTheLatestDraft) {
     const auto one = desk_of(anna), other = desk_of(anna);
     LessonRun old = run_at(*one, number_id);
     old.answer() = {{1.0}, {}};
@@ -689,24 +689,24 @@ TEST_F(ExerciseDeskTest, TheSameExerciseInTwoWindowsKeepsAllAttemptsAndTheLatest
     check(*other, number_id, {{2.0}, {}}, wrong());
     type(*other, number_id, {3.0});
     finish(*other);
-    one->follow(old, old.step().start.params, true, now_s());  // what was typed before is still there
+    one->follow(old, old.step().start.params, true, now_s());  // the earlier input is still there
     one->read_again();
     finish(*one);
     one->follow(old, old.step().start.params, true, now_s());
     finish(*one);
-    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{3.0})) << "it was typed later";
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{3.0})) << "this draft was typed later";
     check(*one, number_id, {{7.0}, {}}, right());
     finish(*one);
     EXPECT_EQ(written(anna).find(number_id)->attempts.size(), 2U);
 }
 
-TEST_F(ExerciseDeskTest, AStudentWhoSatDownBeforeTheExercisesWereReadHasTheirSheet) {
+TEST_F(ExerciseDeskTest, StudentChosenBeforeExercisesLoadHasTheirSheet) {
     {
         const auto desk = desk_of(anna);
         check(*desk, number_id, {{7.0}, {}}, right());
         finish(*desk);
     }
-    ExerciseDesk desk;  // as a window begins
+    ExerciseDesk desk;  // as a window starts
     desk.keep_in(answers_, "p");
     desk.sit_down(anna);
     desk.open();
@@ -717,17 +717,17 @@ TEST_F(ExerciseDeskTest, AStudentWhoSatDownBeforeTheExercisesWereReadHasTheirShe
                   variant_of(anna.course, anna.number, entry.exercise.id, entry.exercise.variants.size()));
 }
 
-TEST_F(ExerciseDeskTest, AnotherNameAloneIsTheSameSheet) {
+TEST_F(ExerciseDeskTest, ChangingOnlyTheNameKeepsTheSheet) {
     const auto desk = desk_of(anna), other = desk_of(anna);
     check(*desk, number_id, {{7.0}, {}}, right());
     finish(*desk);
     desk->sit_down({anna.course, anna.number, "Anna"});
-    EXPECT_TRUE(desk->is_ready()) << "nothing is made anew";
+    EXPECT_TRUE(desk->is_ready()) << "no step is made again";
     finish(*desk);
     EXPECT_EQ(written(anna).name, "Anna");
     check(*other, order_id, {{}, {0, 2}}, right());
     finish(*other);
-    EXPECT_EQ(written(anna).name, "Anna") << "the other window has not changed it";
+    EXPECT_EQ(written(anna).name, "Anna") << "the other window did not change the name";
     EXPECT_EQ(other->student().name, "Anna");
     desk->sit_down({anna.course, anna.number, ""});
     finish(*desk);
@@ -735,7 +735,7 @@ TEST_F(ExerciseDeskTest, AnotherNameAloneIsTheSameSheet) {
     EXPECT_EQ(desk->student().name, "");
 }
 
-TEST_F(ExerciseDeskTest, AWriteThatFailsIsMadeGoodByTheNext) {
+TEST_F(ExerciseDeskTest, FailedWriteIsRetriedByTheNext) {
     const auto desk = desk_of(anna);
     write("file", "x");
     fs::create_directories(folder_ / "deep");
@@ -750,25 +750,25 @@ TEST_F(ExerciseDeskTest, AWriteThatFailsIsMadeGoodByTheNext) {
 
 // ---- practice ------------------------------------------------------------------------------------------------------
 
-TEST_F(ExerciseDeskTest, WithoutNumberOrCourseItIsPracticeInOnePlace) {
+TEST_F(ExerciseDeskTest, PracticeWithoutNumberOrCourseHasOneFile) {
     for (const Student& nobody : {Student{}, {"viewing-2026", "", ""}, {"", "32201234", ""}, {"", "", "Kim"}}) {
         const auto desk = desk_of(nobody);
         EXPECT_TRUE(desk->is_practice());
         EXPECT_FALSE(desk->has_own_sheet());
-        EXPECT_EQ(desk->student().number, nobody.number) << "what is typed so far stays in its field";
+        EXPECT_EQ(desk->student().number, nobody.number) << "the partial input stays in its field";
         EXPECT_EQ(desk->student().course, nobody.course);
         check(*desk, number_id, {{static_cast<double>(files().size())}, {}}, wrong());
         finish(*desk);
     }
-    EXPECT_EQ(files().size(), 1U) << "answers are in as many places as there were beginnings of a number";
+    EXPECT_EQ(files().size(), 1U) << "partial numbers wrote files of their own";
     EXPECT_EQ(written({}).student, "");
     const auto desk = desk_of(anna);
     EXPECT_FALSE(desk->is_practice());
     EXPECT_TRUE(desk->has_own_sheet());
 }
 
-TEST_F(ExerciseDeskTest, PracticeIsTakenOverWhereItsNumbersAreTheStudents) {
-    // A student with the numbers of practice in one exercise and other ones in another.
+TEST_F(ExerciseDeskTest, PracticeIsAdoptedWhereTheNumbersMatch) {
+    // A student whose numbers equal those of practice in one exercise and differ in another.
     Student student{"viewing-2026", "", ""};
     {
         const auto practice = desk_of({});
@@ -791,28 +791,28 @@ TEST_F(ExerciseDeskTest, PracticeIsTakenOverWhereItsNumbersAreTheStudents) {
         finish(*practice);
     }
     const auto desk = desk_of(student);
-    EXPECT_FALSE(desk->is_right(number_id)) << "not without being asked";
-    EXPECT_EQ(desk->practised().all, 2);
-    EXPECT_EQ(desk->practised().with_own_numbers, 1);
+    EXPECT_FALSE(desk->is_right(number_id)) << "not adopted without a request";
+    EXPECT_EQ(desk->practiced().all, 2);
+    EXPECT_EQ(desk->practiced().with_own_numbers, 1);
     type(*desk, number_id, {5.0});
     desk->take_over_practice();
     EXPECT_TRUE(desk->is_right(number_id));
-    EXPECT_FALSE(desk->is_tried(matrix_id)) << "an answer to other numbers";
-    EXPECT_EQ(desk->practised().with_own_numbers, 0) << "it is here already";
-    EXPECT_EQ(desk->practised().all, 2);
+    EXPECT_FALSE(desk->is_tried(matrix_id)) << "an answer to different numbers";
+    EXPECT_EQ(desk->practiced().with_own_numbers, 0) << "already adopted";
+    EXPECT_EQ(desk->practiced().all, 2);
     finish(*desk);
-    EXPECT_EQ(written(student).find(number_id)->attempts.size(), 2U) << "the wrong one as well";
+    EXPECT_EQ(written(student).find(number_id)->attempts.size(), 2U) << "the wrong attempt too";
     EXPECT_EQ(written(student).find(number_id)->draft, std::optional(std::vector{5.0}));
     EXPECT_EQ(written(student).student, student.number);
     EXPECT_FALSE(written(student).find(matrix_id));
-    EXPECT_EQ(written({}).items.size(), 2U) << "practice keeps its own";
+    EXPECT_EQ(written({}).items.size(), 2U) << "practice keeps its answers";
 
     desk->sit_down(student, true);
     settle(*desk);
     EXPECT_TRUE(desk->is_practice());
     EXPECT_TRUE(desk->has_own_sheet()) << "there is a way back";
     EXPECT_EQ(desk->student(), student);
-    EXPECT_TRUE(desk->is_right(matrix_id)) << "what was practised is there again";
+    EXPECT_TRUE(desk->is_right(matrix_id)) << "the practice answers are back";
     check(*desk, order_id, {{}, {0, 2}}, right());
     desk->sit_down(student);
     settle(*desk);
@@ -824,11 +824,11 @@ TEST_F(ExerciseDeskTest, PracticeIsTakenOverWhereItsNumbersAreTheStudents) {
     EXPECT_EQ(told_, "");
 }
 
-// ---- a sheet that leads --------------------------------------------------------------------------------------------
+// ---- guided sheet ---------------------------------------------------------------------------------------------------
 
 class SheetGuide : public ExerciseDeskTest {};
 
-TEST_F(SheetGuide, NeverRevealsByGoingOn) {
+TEST_F(SheetGuide, AdvancingNeverReveals) {
     const auto desk = desk_of(anna);
     Session session = *Session::make(*load_state(""));
     Guide guide;
@@ -851,7 +851,7 @@ TEST_F(SheetGuide, NeverRevealsByGoingOn) {
     }
 }
 
-TEST_F(SheetGuide, KeepsWhatWasReachedAndWhatWasRight) {
+TEST_F(SheetGuide, KeepsReachedAndRightAnswers) {
     const auto desk = desk_of(anna);
     Session session = *Session::make(*load_state(""));
     Guide guide;
@@ -860,7 +860,7 @@ TEST_F(SheetGuide, KeepsWhatWasReachedAndWhatWasRight) {
     session.params = with_light(session.params, 3.25);
     guide.run()->reached() = session.params;  // as the window does in every frame
     guide.next(session);
-    EXPECT_EQ(session.params.lights, start.lights) << "another exercise begins as it was written";
+    EXPECT_EQ(session.params.lights, start.lights) << "another exercise starts from its own state";
     guide.run()->answer().numbers = {7.0};
     guide.run()->take(right());
     guide.previous(session);
@@ -868,17 +868,17 @@ TEST_F(SheetGuide, KeepsWhatWasReachedAndWhatWasRight) {
     EXPECT_EQ(session.params, with_light(start, 3.25));
     EXPECT_FALSE(guide.run()->is_revealed());
     guide.next(session);
-    EXPECT_TRUE(guide.run()->is_revealed()) << "what was right stays shown";
+    EXPECT_TRUE(guide.run()->is_revealed()) << "a right answer stays revealed";
     EXPECT_EQ(guide.run()->answer().numbers, std::vector{7.0});
     guide.leave();
     session.params.camera.yaw += 5.0;
     guide.go_to(place(*desk, goal_id), session);
     EXPECT_EQ(session.params, with_light(start, 3.25));
     guide.return_to_step(session);
-    EXPECT_EQ(session.params, start) << "as it was written";
+    EXPECT_EQ(session.params, start) << "the state of the file";
 }
 
-TEST_F(SheetGuide, BeginsWithWhatWasReachedAnotherTime) {
+TEST_F(SheetGuide, BeginsWithAnswersReachedEarlier) {
     {
         const auto desk = desk_of(anna);
         LessonRun run = run_at(*desk, goal_id);

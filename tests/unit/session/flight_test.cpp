@@ -1,4 +1,5 @@
-// Recording and playing: what is noted comes back at its times, and what somebody changes meanwhile is theirs.
+// Recording and replay: recorded changes come back at their times, and changes that the user makes meanwhile take
+// precedence.
 #include <gtest/gtest.h>
 
 #include "session/flight_recorder.h"
@@ -20,11 +21,11 @@ Params at_yaw(double yaw) {
     return params;
 }
 
-TEST(FlightRecorder, NotesWhatDiffersWithTheTimeSinceTheStart) {
+TEST(FlightRecorder, RecordsDifferencesWithTimesSinceTheStart) {
     FlightRecorder recorder;
     recorder.pass(1.0);
     recorder.note(at_yaw(1));
-    EXPECT_FALSE(recorder.end()) << "it was not begun";
+    EXPECT_FALSE(recorder.end()) << "recording has not started";
     recorder.begin();
     recorder.pass(5.0);
     recorder.note(at_yaw(1));
@@ -41,7 +42,7 @@ TEST(FlightRecorder, NotesWhatDiffersWithTheTimeSinceTheStart) {
     EXPECT_FALSE(recorder.is_recording());
 }
 
-TEST(FlightRecorder, EndsWhereNoMorePicturesFit) {
+TEST(FlightRecorder, EndsWhenNoMorePicturesFit) {
     FlightRecorder recorder;
     recorder.begin();
     for (int i = 0; i < 20'000 && !recorder.is_full(); ++i) {
@@ -55,8 +56,8 @@ TEST(FlightRecorder, EndsWhereNoMorePicturesFit) {
     EXPECT_TRUE(parse_state_document(write_flight(*flight), "f.json"));
 }
 
-/// Frames of which each changes much fill the file before there are 10,000.
-TEST(FlightRecorder, EndsBeforeItsFileWouldBeTooLarge) {
+/// Frames that each change a lot fill the file before there are 10,000.
+TEST(FlightRecorder, EndsBeforeItsFileIsTooLarge) {
     FlightRecorder recorder;
     Params params;
     SceneDescription scene;
@@ -85,7 +86,7 @@ std::shared_ptr<const Flight> two_turns() {
     return std::make_shared<const Flight>(Flight{Params{}, {{0.5, {"camera.yaw=10"}}, {1.0, {"camera.yaw=20"}}}, 1.5});
 }
 
-TEST(Replay, PlaysAFlightAtItsOwnTimesOnce) {
+TEST(Replay, PlaysAFlightOnceAtItsOwnTimes) {
     Session session = opening();
     session.params.ui.theme = Theme::light;
     Replay replay;
@@ -98,10 +99,10 @@ TEST(Replay, PlaysAFlightAtItsOwnTimesOnce) {
     }
     EXPECT_EQ(yaws, (std::vector<double>{first, first, 10, 10, 20, 20, 20}));
     EXPECT_FALSE(replay.is_playing());
-    EXPECT_EQ(session.params.ui.theme, Theme::light) << "looks are the person's";
+    EXPECT_EQ(session.params.ui.theme, Theme::light) << "appearance belongs to the user";
 }
 
-TEST(Replay, EndsWithAChangeOfSomebodyElse) {
+TEST(Replay, EndsWhenTheUserChangesSomething) {
     Session session = opening();
     Replay replay;
     replay.begin(two_turns());
@@ -110,7 +111,7 @@ TEST(Replay, EndsWithAChangeOfSomebodyElse) {
     session.params.ui.theme = Theme::projector;
     session.params.view.layout.big = BigView::camera;
     replay.update(session, 0.1);
-    EXPECT_TRUE(replay.is_playing()) << "looks and layout are no change";
+    EXPECT_TRUE(replay.is_playing()) << "appearance and layout do not count as a change";
     session.params.camera.pitch = 5.0;
     replay.update(session, 1.0);
     EXPECT_FALSE(replay.is_playing());
@@ -134,7 +135,7 @@ TEST(Replay, PlaysAHandInWithShortPauses) {
     ASSERT_EQ(changes_s.size(), 2U);
     EXPECT_NEAR(changes_s[0], 1.5, 0.11);
     EXPECT_NEAR(changes_s[1], 1.5 + 0.2 + 1.5, 0.11);
-    EXPECT_EQ(session.params.camera.yaw, step.start.params.camera.yaw) << "each is what has changed since the start";
+    EXPECT_EQ(session.params.camera.yaw, step.start.params.camera.yaw) << "an entry holds all changes since the start";
     EXPECT_EQ(session.params.camera.pitch, 2.0);
 }
 

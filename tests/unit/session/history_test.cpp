@@ -1,4 +1,4 @@
-// Undo and redo: one step between two rests.
+// Undo and redo: one step between two pauses.
 #include "session/history.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(History, StartsWithNothingToUndo) {
     EXPECT_FALSE(history.can_redo());
     EXPECT_FALSE(history.undo());
     EXPECT_FALSE(history.redo());
-    EXPECT_FALSE(history.rest(with_yaw(0))) << "resting where it was is no step";
+    EXPECT_FALSE(history.rest(with_yaw(0))) << "a pause without a change is not a step";
     EXPECT_FALSE(history.can_undo());
 }
 
@@ -40,7 +40,7 @@ TEST(History, ForgetsRedoOnlyWhenAStepIsMade) {
     History history(with_yaw(0));
     history.rest(with_yaw(1));
     history.undo();
-    EXPECT_FALSE(history.rest(with_yaw(0))) << "resting after an undo keeps redo";
+    EXPECT_FALSE(history.rest(with_yaw(0))) << "a pause after an undo keeps redo";
     EXPECT_TRUE(history.can_redo());
     EXPECT_TRUE(history.rest(with_yaw(5)));
     EXPECT_FALSE(history.can_redo());

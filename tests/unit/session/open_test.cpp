@@ -1,5 +1,5 @@
-// Opening, pasting and saving beside the interface's thread: the state before stays until the new one is there, and
-// whatever cannot be read leaves it.
+// Opening, pasting and saving on a background thread: the previous state stays until the new one is there, and input
+// that cannot be read changes nothing.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -32,7 +32,7 @@ protected:
         std::ofstream(folder_ / name, std::ios::binary) << text;
         return folder_ / name;
     }
-    /// A state whose scene is one mesh, and whose camera is its mark.
+    /// Returns a state whose scene is one mesh and whose camera identifies it.
     static std::string state_with(const std::string& mesh, double yaw) {
         Params params;
         params.camera.yaw = yaw;
@@ -57,10 +57,10 @@ protected:
     const Params opening = session.params;
 };
 
-TEST_F(SessionOpen, TheStateBeforeStaysUntilTheNewOneIsThere) {
+TEST_F(SessionOpen, PreviousStateStaysUntilTheNewOneIsRead) {
     write("own/m.obj", triangle);
     session.open(write("own/s.json", state_with("m.obj", 7)).string());
-    EXPECT_EQ(session.params, opening) << "nothing was read yet";
+    EXPECT_EQ(session.params, opening) << "nothing has been read yet";
     EXPECT_EQ(session.opening(), (folder_ / "own/s.json").string());
     session.finish_loading();
     EXPECT_EQ(session.params.camera.yaw, 7);
@@ -73,7 +73,7 @@ TEST_F(SessionOpen, TheStateBeforeStaysUntilTheNewOneIsThere) {
     EXPECT_EQ(session.params, opening);
 }
 
-TEST_F(SessionOpen, WhatCannotBeReadLeavesEverything) {
+TEST_F(SessionOpen, UnreadableFileChangesNothing) {
     write("own/broken.obj", "v 0 0 x\n");
     ASSERT_EQ(::mkfifo((folder_ / "own/pipe.json").c_str(), 0600), 0);
     for (const fs::path& file :
@@ -92,8 +92,8 @@ TEST_F(SessionOpen, WhatCannotBeReadLeavesEverything) {
     EXPECT_EQ(session.params, opening);
 }
 
-/// Theme and size of type belong to the person: what a state sets is shown while it is open.
-TEST_F(SessionOpen, LooksThatAFileSetsAreLent) {
+/// Theme and type size belong to the user: an open state shows its own values only while it is open.
+TEST_F(SessionOpen, AppearanceSetByAFileIsTemporary) {
     const UiParams own{.theme = Theme::light, .scale = 1.2};
     const fs::path plain = write("own/plain.json", R"({"camera": {"yaw": 5}})");
     const fs::path large = write("own/large.json", R"({"ui": {"theme": "projector", "scale": 1.5}})");
@@ -104,40 +104,40 @@ TEST_F(SessionOpen, LooksThatAFileSetsAreLent) {
     open(dark);
     EXPECT_EQ(session.params.ui, (UiParams{.scale = 0.8}));
     open(plain);
-    EXPECT_EQ(session.params.ui, own) << "also after two that set others";
+    EXPECT_EQ(session.params.ui, own) << "also after two states that set other values";
 
     open(large);
     session.params.ui.language = Language::ko;
     open(plain);
-    EXPECT_EQ(session.params.ui, (UiParams{own.theme, own.scale, Language::ko})) << "the language is never lent";
+    EXPECT_EQ(session.params.ui, (UiParams{own.theme, own.scale, Language::ko})) << "the language is never temporary";
 
     open(large);
     session.params.ui.scale = 1.0;
     session.rest();
     open(plain);
-    EXPECT_EQ(session.params.ui, (UiParams{Theme::projector, 1.0, Language::ko})) << "chosen by the person since";
+    EXPECT_EQ(session.params.ui, (UiParams{Theme::projector, 1.0, Language::ko})) << "the user has chosen since";
 
     open(dark);
     session.reset();
     EXPECT_EQ(session.params.ui, (UiParams{Theme::projector, 1.0, Language::ko}))
-        << "the start has nobody else's looks";
+        << "the start has the user's own appearance";
 }
 
-TEST_F(SessionOpen, AnOutcomeIsOfWhatWasOpenedLast) {
-    open(write("own/good.json", "{}"));  // and nobody asked how it went
+TEST_F(SessionOpen, OutcomeIsThatOfTheLatestOpen) {
+    open(write("own/good.json", "{}"));  // its outcome is never taken
     session.open(write("own/broken.json", "{\"camera\": 3}").string());
-    EXPECT_FALSE(session.take_outcome()) << "it is not read yet";
+    EXPECT_FALSE(session.take_outcome()) << "not read yet";
     session.finish_loading();
     const std::optional<Status> outcome = session.take_outcome();
     EXPECT_TRUE(outcome && !*outcome);
 }
 
-TEST_F(SessionOpen, APipeThatNobodyReadsHoldsUpNobody) {
+TEST_F(SessionOpen, PipeWithoutAWriterBlocksNothing) {
     const fs::path pipe = folder_ / "own/pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     session.save(pipe);
     for (int frame = 0; frame < 100; ++frame) session.update_scene();
-    EXPECT_FALSE(session.take_outcome()) << "still waiting, beside us";
+    EXPECT_FALSE(session.take_outcome()) << "still waiting on its own thread";
     const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     ASSERT_GE(reader, 0);
     char byte = 0;
@@ -149,7 +149,7 @@ TEST_F(SessionOpen, APipeThatNobodyReadsHoldsUpNobody) {
     EXPECT_FALSE(session.message.is_error) << session.message.text;
 }
 
-TEST_F(SessionOpen, UndoComesBackToTheFolderOfItsState) {
+TEST_F(SessionOpen, UndoRestoresTheFolderOfTheState) {
     write("own/m.obj", triangle);
     write("other/n.obj", triangle);
     open(write("own/s.json", state_with("m.obj", 1)));
@@ -163,7 +163,7 @@ TEST_F(SessionOpen, UndoComesBackToTheFolderOfItsState) {
     EXPECT_NE(session.text().find((folder_ / "own/m.obj").string()), std::string::npos);
 }
 
-TEST_F(SessionOpen, UndoOfWhatHasGoneLeavesTheStateAndTheHistory) {
+TEST_F(SessionOpen, UndoOfAMissingFileKeepsStateAndHistory) {
     write("own/m.obj", triangle);
     open(write("own/s.json", state_with("m.obj", 1)));
     session.params.scene = std::string("teapot");
@@ -181,11 +181,11 @@ TEST_F(SessionOpen, UndoOfWhatHasGoneLeavesTheStateAndTheHistory) {
     EXPECT_FALSE(session.can_redo());
     session.undo();
     session.finish_loading();
-    EXPECT_NE(session.params, now) << "one step back is still there";
+    EXPECT_NE(session.params, now) << "the previous step is still there";
     EXPECT_EQ(session.params.scene, SceneSource(std::string("teapot")));
 }
 
-TEST_F(SessionOpen, AFileOutsideTheStatesFolderNeedsAYes) {
+TEST_F(SessionOpen, FileOutsideTheStatesFolderNeedsPermission) {
     const fs::path mesh = write("other/m.obj", triangle);
     write("other/n.obj", triangle);
     const fs::path state = write("own/s.json", state_with("../other/m.obj", 5));
@@ -201,17 +201,17 @@ TEST_F(SessionOpen, AFileOutsideTheStatesFolderNeedsAYes) {
     EXPECT_FALSE(session.message.is_error);
 
     open(state);
-    ASSERT_NE(session.asks_to_read(), nullptr) << "a no is none for ever";
+    ASSERT_NE(session.asks_to_read(), nullptr) << "a refusal is not permanent";
     session.answer(true);
     session.finish_loading();
     EXPECT_TRUE(shows_mesh());
     EXPECT_EQ(session.params.camera.yaw, 5);
     open(write("own/t.json", state_with((folder_ / "other/n.obj").string(), 6)));
-    EXPECT_EQ(session.asks_to_read(), nullptr) << "the same folder, the same sitting";
+    EXPECT_EQ(session.asks_to_read(), nullptr) << "same folder, same session";
     EXPECT_EQ(session.params.camera.yaw, 6);
 }
 
-TEST_F(SessionOpen, ALinkLeadsOutside) {
+TEST_F(SessionOpen, FollowsLinksBeforeAsking) {
     const fs::path mesh = write("other/m.obj", triangle);
     fs::create_symlink(mesh, folder_ / "own/m.obj");
     open(write("own/s.json", state_with("m.obj", 5)));
@@ -219,11 +219,11 @@ TEST_F(SessionOpen, ALinkLeadsOutside) {
     EXPECT_EQ(session.asks_to_read()->file, mesh);
 }
 
-TEST_F(SessionOpen, WhatIsPastedHasNoFolderOfItsOwn) {
+TEST_F(SessionOpen, PastedStateHasNoFolder) {
     const fs::path mesh = write("own/m.obj", triangle);
     ASSERT_TRUE(session.paste("{\"scene\": \"teapot\"}"));
     session.finish_loading();
-    EXPECT_EQ(session.asks_to_read(), nullptr) << "an asset";
+    EXPECT_EQ(session.asks_to_read(), nullptr) << "assets need no permission";
     EXPECT_EQ(session.params.scene, SceneSource(std::string("teapot")));
     ASSERT_TRUE(session.paste(state_with(mesh.string(), 5)));
     session.finish_loading();
@@ -239,11 +239,11 @@ TEST_F(SessionOpen, WhatIsPastedHasNoFolderOfItsOwn) {
     session.rest();
     ASSERT_TRUE(session.paste(copied));
     session.finish_loading();
-    EXPECT_EQ(session.asks_to_read(), nullptr) << "it was read in this sitting already";
+    EXPECT_EQ(session.asks_to_read(), nullptr) << "already read in this session";
     EXPECT_TRUE(shows_mesh());
 }
 
-TEST_F(SessionOpen, AWindowThatBeginsWithSuchAStateAsks) {
+TEST_F(SessionOpen, StartingWithSuchAStateAsksForPermission) {
     write("other/m.obj", triangle);
     Result<Session> begun =
         Session::begin(*load_state(write("own/s.json", state_with("../other/m.obj", 5)).string()), -1.0);
@@ -252,7 +252,7 @@ TEST_F(SessionOpen, AWindowThatBeginsWithSuchAStateAsks) {
     begun->answer(true);
     begun->finish_loading();
     EXPECT_EQ(begun->params.camera.yaw, 5);
-    EXPECT_FALSE(begun->can_undo()) << "it began with this state";
+    EXPECT_FALSE(begun->can_undo()) << "the session began with this state";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Two windows of one person write the same files and are killed while they do: what one of them was told to be on the
-// disk is there at the end. The windows are processes; each tells through a pipe what was written, and is killed after
-// a seeded number of writes, so most often in the middle of one.
+// Two windows of one user write the same files and are killed meanwhile: every write that a window reported as done
+// must be there at the end. The windows are processes; each reports its writes through a pipe and is killed after a
+// seeded number of writes, so usually in the middle of one.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A process that runs until it is killed. What it sends through the pipe is an int each.
+/// A process that runs until it is killed. It sends ints through the pipe.
 class Child {
 public:
     explicit Child(const std::function<void(const std::function<void(int)>& tell)>& work) {
@@ -45,13 +45,13 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// The next that it tells; none after its end.
+    /// Returns the next reported int, or none after the end.
     std::optional<int> told() const {
         int number = 0;
         return ::read(from_, &number, sizeof number) == sizeof number ? std::optional(number) : std::nullopt;
     }
     int descriptor() const { return from_; }
-    /// kill -9; then what it had told before.
+    /// Sends SIGKILL and returns the reports sent before.
     std::vector<int> kill() {
         std::vector<int> rest;
         if (pid_ <= 0) return rest;
@@ -68,10 +68,10 @@ private:
     int from_ = -1;
 };
 
-/// Two windows, each with the numbers that it writes, one after the other from `first` on.
+/// A window that writes consecutive numbers, starting at `first`.
 using Window = std::function<void(int first, const std::function<void(int)>& tell)>;
 
-/// What was told to be written: `wanted` numbers and a few more, by two at a time, each killed now and then.
+/// Returns the numbers reported as written: at least `wanted`, by two windows at a time, each killed now and then.
 std::set<int> written_by_two(const Window& window, int wanted, unsigned seed) {
     constexpr int most_by_one = 1'000'000;
     std::mt19937 random(seed);
@@ -96,7 +96,7 @@ std::set<int> written_by_two(const Window& window, int wanted, unsigned seed) {
             if (waits[i].revents == 0) continue;
             const std::optional<int> number = two[i].child->told();
             if (!number) {
-                ADD_FAILURE() << "a window could not write";
+                ADD_FAILURE() << "a window failed to write";
                 return told;
             }
             told.insert(*number);
@@ -108,7 +108,7 @@ std::set<int> written_by_two(const Window& window, int wanted, unsigned seed) {
     for (One& one : two)
         if (one.child)
             for (const int last : one.child->kill()) told.insert(last);
-    EXPECT_GT(begun, 2) << "windows were killed";
+    EXPECT_GT(begun, 2) << "some windows were killed";
     return told;
 }
 
@@ -121,7 +121,7 @@ protected:
     const unsigned seed = 20261126;
 };
 
-/// Answers that two windows wrote `writes` times.
+/// Expects every answer that two windows reported in `writes` writes.
 void TwoWindows::expect_all_answers(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::array ids{"E01", "E02", "E03", "E04", "E05"};
@@ -151,7 +151,7 @@ void TwoWindows::expect_all_answers(int writes) const {
     for (const int number : told) EXPECT_EQ(count[number], 1) << "the answer " << number;
 }
 
-/// Steps that are done, in the same way.
+/// Does the same with finished steps.
 void TwoWindows::expect_all_steps(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     constexpr int lessons = 5, steps = 150;
@@ -184,23 +184,23 @@ void TwoWindows::expect_all_steps(int writes) const {
     }
 }
 
-TEST_F(TwoWindows, NoAnswerThatWasWrittenIsLost) {
+TEST_F(TwoWindows, NoWrittenAnswerIsLost) {
     expect_all_answers(120);
 }
 
-TEST_F(TwoWindows, NoStepThatIsDoneIsLost) {
+TEST_F(TwoWindows, NoFinishedStepIsLost) {
     expect_all_steps(80);
 }
 
 using TwoWindowsSlowTest = TwoWindows;
 
-TEST_F(TwoWindowsSlowTest, AThousandWritesAndNothingIsLost) {
+TEST_F(TwoWindowsSlowTest, AThousandWritesLoseNothing) {
     expect_all_answers(700);
     file = folder_ / "deep" / "window.json";
     expect_all_steps(300);
 }
 
-TEST_F(TwoWindows, AWindowThatIsKilledLeavesNoLock) {
+TEST_F(TwoWindows, KilledWindowLeavesNoLock) {
     Child window([this](const std::function<void(int)>& tell) {
         const FolderLock lock(folder_);
         tell(1);
@@ -209,9 +209,9 @@ TEST_F(TwoWindows, AWindowThatIsKilledLeavesNoLock) {
     ASSERT_EQ(window.told(), 1);
     const int lock = ::open((folder_ / FolderLock::file_name).c_str(), O_RDWR | O_CLOEXEC);
     ASSERT_GE(lock, 0);
-    EXPECT_NE(::flock(lock, LOCK_EX | LOCK_NB), 0) << "the window holds nothing";
+    EXPECT_NE(::flock(lock, LOCK_EX | LOCK_NB), 0) << "the window does not hold the lock";
     window.kill();
-    EXPECT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0) << "it outlived the window";
+    EXPECT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0) << "the lock outlived the window";
     ::close(lock);
 }
 
@@ -235,7 +235,7 @@ TEST_F(TwoWindows, ThreadsTakeTurnsToo) {
     EXPECT_NEAR(*read_remembered(file)->scale, 0.5 + 2 * times * 0.001, 1e-9);
 }
 
-TEST_F(TwoWindows, WhatCannotBeUnderstoodIsSetAsideEachTime) {
+TEST_F(TwoWindows, UnreadableFileIsSetAsideEachTime) {
     HandIn now;
     now.items.push_back({"E01", 0, {}, {}, {}, {}});
     fs::create_directories(file.parent_path());

@@ -1,5 +1,5 @@
-// Bad states and scenes: each is refused with one sentence that names the source, the field's path, what was wrong and
-// what is allowed.
+// Invalid states and scenes: each is refused in one sentence with the source, the field's path, the fault and the
+// allowed values.
 #include <gtest/gtest.h>
 
 #include "state/file/json.h"
@@ -9,8 +9,8 @@ namespace {
 
 struct Bad {
     std::string json;
-    std::string path;      ///< the message opens with "state.json: " and this
-    std::string fragment;  ///< and goes on to say this
+    std::string path;      ///< the message begins with "state.json: " and this
+    std::string fragment;  ///< and contains this
 };
 
 std::string box(const std::string& members) {
@@ -30,7 +30,7 @@ void expect_refused(const Bad& bad, const std::string& error, const std::string&
     const std::string opening = source + ": " + (bad.path.empty() ? "" : bad.path + ": ");
     EXPECT_EQ(error.substr(0, opening.size()), opening) << error;
     EXPECT_NE(error.find(bad.fragment), std::string::npos) << error << "\nlacks: " << bad.fragment;
-    EXPECT_EQ(error.find('\n'), std::string::npos) << "one line: " << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << "more than one line: " << error;
 }
 
 void expect_all_refused(const std::vector<Bad>& all) {
@@ -46,7 +46,7 @@ TEST(BadStates, NotJson) {
         {"", "line 1, column 1", "ends too early"},
         {"  \n ", "line 2, column 2", "ends too early"},
         {"{", "line 1, column 2", "ends too early"},
-        {std::string("{}\0 garbage {{{", 15), "not JSON", "something follows the end of the document: a NUL"},
+        {std::string("{}\0 garbage {{{", 15), "not JSON", "unexpected text after the end of the document: a NUL"},
         {R"({"version": 1)", "line 1, column 14", "ends too early"},
         {"{\n  \"version\": 1,\n}", "line 3, column 1", "unexpected"},
         {"{\n  // a comment\n}", "line 2, column 3", "comments are not allowed"},
@@ -54,9 +54,9 @@ TEST(BadStates, NotJson) {
         {R"({"camera": {"yaw": nan}})", "line 1, column 21", "NaN and infinity are not allowed"},
         {R"({"camera": {"yaw": Infinity}})", "line 1, column 20", "NaN and infinity are not allowed"},
         {R"({"camera": {"yaw": -Infinity}})", "line 1, column 21", "NaN and infinity are not allowed"},
-        {"{} {}", "line 1, column 4", "something follows the end"},
+        {"{} {}", "line 1, column 4", "unexpected text after the end"},
         {"{'version': 1}", "line 1, column 2", "unexpected"},
-        {"{\"scene\": \"open", "line 1, column 16", "not closed"},
+        {"{\"scene\": \"open", "line 1, column 16", "no closing quote"},
         {"{\"scene\": \"a\xff\"}", "line 1, column 13", "not valid UTF-8"},
         {"{\"scene\": \"a\nb\"}", "line 1, column 13", "control character"},
         {std::string("\x89PNG\r\n\x1a\n\0\0", 10), "line 1, column 1", "unexpected"},
@@ -75,7 +75,7 @@ TEST(BadStates, AbsurdDocuments) {
         {"[]", "", "must be an object, got an array"},
         {"3", "", "must be an object, got the number 3"},
         {"null", "", "must be an object, got null"},
-        {"\"text\"", "", "must be an object, got the text"},
+        {"\"text\"", "", "must be an object, got the string"},
     });
     std::string keys = "{";
     for (int i = 0; i < 1001; ++i) {
@@ -92,14 +92,14 @@ TEST(BadStates, UnknownNames) {
         {R"({"projektion": {}})", "projektion", "no such field; did you mean projection?"},
         {R"({"camera": {"zoom": 1}})", "camera.zoom", "no such field"},
         {R"({"camera": {"elevator": 1}})", "camera.elevator", "camera has position, yaw, pitch"},
-        {R"({"quaternions": 1})", "quaternions", "there are version, scene, camera"},
+        {R"({"quaternions": 1})", "quaternions", "the fields are version, scene, camera"},
         {R"({"camera.yaw": 1})", "camera.yaw", "no such field"},
         {R"({"": 1})", "", "no such field"},
         {R"({"shadow": {"colour": "#000000"}})", "shadow.colour", "did you mean shadow.color?"},
         {R"({"depth": {"offset": {"unit": 1}}})", "depth.offset.unit", "did you mean depth.offset.units?"},
         {R"({"depth": {"func": "les"}})", "depth.func",
-         "must be one of never, less, equal, lequal, greater, notequal, gequal, always, got the text \"les\"; did you "
-         "mean less?"},
+         "must be one of never, less, equal, lequal, greater, notequal, gequal, always, got the string \"les\"; did "
+         "you mean less?"},
         {R"({"depth": {"func": "LESS"}})", "depth.func", "must be one of never, less"},
         {R"({"depth": {"format": "d13"}})", "depth.format", "did you mean d10?"},
         {R"({"camera": {"navigation": "swim"}})", "camera.navigation", "must be one of fly, walk, orbit"},
@@ -115,18 +115,18 @@ TEST(BadStates, UnknownNames) {
 TEST(BadStates, WrongTypes) {
     expect_all_refused({
         {R"({"version": "1"})", "version", "must be 1"},
-        {R"({"version": 2})", "version", "must be 1, the only one that this program reads, got the number 2"},
-        {R"({"title": 3})", "title", "must be a text"},
-        {R"({"about": []})", "about", "must be a text"},
+        {R"({"version": 2})", "version", "must be 1, the only version that this program reads, got the number 2"},
+        {R"({"title": 3})", "title", "must be a string"},
+        {R"({"about": []})", "about", "must be a string"},
         {R"({"scene": 3})", "scene", "must be a scene's name"},
         {R"({"scene": ""})", "scene", "must not be empty"},
         {R"({"scene": "a\u0000b"})", "scene", "control characters"},
         {R"({"scene": ")" + repeated("a", 2000) + R"("})", "scene", "longer than 1024 bytes"},
         {R"({"camera": []})", "camera", "must be an object, got an array"},
-        {R"({"camera": {"yaw": "30"}})", "camera.yaw", "must be a number from -3600 to 3600, got the text \"30\""},
+        {R"({"camera": {"yaw": "30"}})", "camera.yaw", "must be a number from -3600 to 3600, got the string \"30\""},
         {R"({"camera": {"yaw": null}})", "camera.yaw", "got null"},
         {R"({"camera": {"position": [1, 2]}})", "camera.position", "three numbers"},
-        {R"({"camera": {"position": [1, 2, 3, 4]}})", "camera.position", "got an array of 4"},
+        {R"({"camera": {"position": [1, 2, 3, 4]}})", "camera.position", "got an array of length 4"},
         {R"({"camera": {"position": [1, true, 3]}})", "camera.position[1]", "must be a number"},
         {R"({"camera": {"position": {"x": 1}}})", "camera.position", "got an object"},
         {R"({"depth": {"test": 1}})", "depth.test", "must be true or false, got the number 1"},
@@ -135,7 +135,7 @@ TEST(BadStates, WrongTypes) {
         {R"({"lights": {}})", "lights", "an array of at most 3 lights"},
         {R"({"lights": [3]})", "lights[0]", "must be a light"},
         {R"({"planes": [[0, 1, 0, 0]]})", "planes[0]", "must be a plane"},
-        {R"({"shadow": {"color": "red"}})", "shadow.color", "must be a colour \"#rrggbb\""},
+        {R"({"shadow": {"color": "red"}})", "shadow.color", "must be a color \"#rrggbb\""},
         {R"({"shadow": {"color": "#12345"}})", "shadow.color", "#rrggbb"},
         {R"({"shadow": {"color": "#1234567"}})", "shadow.color", "#rrggbb"},
         {R"({"shadow": {"color": "#12345g"}})", "shadow.color", "#rrggbb"},
@@ -151,7 +151,7 @@ TEST(BadStates, WrongTypes) {
         {R"({"overrides": {"further": [{"light": 5}]}})", "overrides.further[0].light", "a whole number from 1 to 4"},
         {R"({"overrides": {"further": [{"plan": 2}]}})", "overrides.further[0].plan", "did you mean plane?"},
         {R"({"overrides": {"further": [{"mirror_from_world": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}})",
-         "overrides.further[0].mirror_from_world", "that of the first one is overrides.mirror_from_world"},
+         "overrides.further[0].mirror_from_world", "for the first one, use overrides.mirror_from_world"},
         {R"({"planes": [{}], "overrides": {"further": [
             {"plane": 2, "mirror_from_world": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]},
             {"plane": 2, "mirror_from_world": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}})",
@@ -162,9 +162,8 @@ TEST(BadStates, WrongTypes) {
         {R"({"overrides": {"further": [
             {"light": 2, "shadow_from_world": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}})",
          "overrides.further", "there is no light 2"},
-        {R"({"view": {"plane": 2}})", "view.plane", "must be 1: the state has no other, got 2"},
-        {R"({"lights": [{}], "view": {"light": 3}})", "view.light",
-         "must be from 1 to 2: the state has no more, got 3"},
+        {R"({"view": {"plane": 2}})", "view.plane", "must be 1: the state has only 1, got 2"},
+        {R"({"lights": [{}], "view": {"light": 3}})", "view.light", "must be from 1 to 2: the state has only 2, got 3"},
         {R"({"follow": "box"})", "follow", "must be null or"},
         {R"({"follow": {}})", "follow.object", "is missing"},
         {R"({"follow": {"object": "box", "vertex": -1}})", "follow.vertex", "whole number from 0"},
@@ -175,13 +174,14 @@ TEST(BadStates, WrongTypes) {
         {R"({"view": {"pin": {"place": "box"}}})", "view.pin.place", "allowed here: object, at"},
         {R"({"view": {"pin": {"at": [0.5]}}})", "view.pin.at", "two numbers [u, v], each from 0 to 1"},
         {R"({"view": {"pin": {"at": [0.5, 1.5]}}})", "view.pin.at[1]", "a number from 0 to 1"},
-        {R"({"view": {"layout": {"matrices": "V"}}})", "view.layout.matrices", "an array, each of it once and one of"},
+        {R"({"view": {"layout": {"matrices": "V"}}})", "view.layout.matrices",
+         "an array of different names, each one of"},
         {R"({"view": {"layout": {"matrices": ["V", "W"]}}})", "view.layout.matrices[1]",
-         "must be one of S, R, follow, V, C, P, display, got the text \"W\""},
-        {R"({"view": {"layout": {"matrices": ["V", "V"]}}})", "view.layout.matrices[1]", "stands in the list twice"},
-        {R"({"view": {"layout": {"matrices": [4]}}})", "view.layout.matrices[0]", "must be a text"},
+         "must be one of S, R, follow, V, C, P, display, got the string \"W\""},
+        {R"({"view": {"layout": {"matrices": ["V", "V"]}}})", "view.layout.matrices[1]", "appears twice in the list"},
+        {R"({"view": {"layout": {"matrices": [4]}}})", "view.layout.matrices[0]", "must be a string"},
         {R"({"view": {"layout": {"controls": ["projection.naer"]}}})", "view.layout.controls[0]",
-         "must be the path of a field or group, got the text \"projection.naer\"; did you mean projection.near?"},
+         "must be the path of a field or group, got the string \"projection.naer\"; did you mean projection.near?"},
         {R"({"view": {"layout": {"folded": ["camera"]}}})", "view.layout.folded[0]", "must be one of panel, matrices"},
         {R"({"view": {"layout": {"big": "lower"}}})", "view.layout.big", "must be one of none, camera, lower_left"},
         {R"({"projection": {"aspect": 0.05}})", "projection.aspect", "must be 0 or a number from 0.1 to 10"},
@@ -233,11 +233,11 @@ TEST(BadStates, Objects) {
         {R"({"scene": {"objects": [{"name": "", "shape": "box"}]}})", "scene.objects[0].name", "must not be empty"},
         {R"({"scene": {"objects": [{"name": "a"}]}})", "scene.objects[0].shape", "one of box, sphere"},
         {R"({"scene": {"objects": [{"name": "a", "shape": "box"}, {"name": "a", "shape": "box"}]}})",
-         "scene.objects[1].name", "called \"a\" already"},
+         "scene.objects[1].name", "already called \"a\""},
         {box(R"("shape": "cube")"), "scene.objects[1].shape", "must be one of box, sphere, torus"},
         {box(R"("shape": "spere")"), "scene.objects[1].shape", "did you mean sphere?"},
         {box(R"("shape": "box", "colour": "#ffffff")"), "scene.objects[1].colour", "did you mean color?"},
-        {box(R"("shape": "box", "scale": [1, 0, 1])"), "scene.objects[1].scale[1]", "must be other than 0"},
+        {box(R"("shape": "box", "scale": [1, 0, 1])"), "scene.objects[1].scale[1]", "must be nonzero"},
         {box(R"("shape": "box", "scale": 2)"), "scene.objects[1].scale", "three factors"},
         {box(R"("shape": "box", "scale": [1, 1e-300, 1])"), "scene.objects[1].scale[1]", "at least 1e-6"},
         {box(R"("shape": "box", "scale": [1, 1e7, 1])"), "scene.objects[1].scale[1]", "from -1e6 to 1e6"},
@@ -267,7 +267,7 @@ TEST(BadStates, Objects) {
         {R"({"scene": {"made_by": "coplaner"}})", "scene.made_by", "must be one of coplanar"},
         {R"({"scene": {"made_by": "coplaner"}})", "scene.made_by", "did you mean coplanar?"},
         {R"({"scene": {"made_by": 3}})", "scene.made_by", "must be one of coplanar"},
-        {R"({"scene": {"made_by": "coplanar", "objects": []}})", "scene.made_by", "lists its objects already"},
+        {R"({"scene": {"made_by": "coplanar", "objects": []}})", "scene.made_by", "the scene also lists objects"},
         {R"({"scene": {"made_bye": "coplanar"}})", "scene.made_bye", "did you mean made_by?"},
         {R"({"scene": {}})", "scene.objects", "is missing"},
     });
@@ -276,9 +276,9 @@ TEST(BadStates, Objects) {
 TEST(BadScenes, NameTheirFile) {
     for (const Bad& bad : std::vector<Bad>{
              {R"({"objects": [{"name": "a", "shape": "box", "scale": [1, 1, 0]}]})", "objects[0].scale[2]",
-              "other than 0"},
+              "must be nonzero"},
              {R"({"object": []})", "object", "did you mean objects?"},
-             {R"({"title": 1, "objects": []})", "title", "must be a text"},
+             {R"({"title": 1, "objects": []})", "title", "must be a string"},
              {"[]", "", "must be an object"},
          }) {
         const Result<SceneDescription> scene = parse_scene(bad.json, "room.json");
@@ -291,7 +291,8 @@ TEST(BadScenes, NameTheirFile) {
     }
     const Result<SceneDescription> scene = parse_scene(many + "]}", "room.json");
     ASSERT_FALSE(scene);
-    EXPECT_EQ(scene.error(), "room.json: objects: must be an array of at most 10000 objects, got an array of 10001");
+    EXPECT_EQ(scene.error(),
+              "room.json: objects: must be an array of at most 10000 objects, got an array of length 10001");
 }
 
 TEST(BadStates, MessagesStayShort) {

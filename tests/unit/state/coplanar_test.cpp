@@ -1,4 +1,4 @@
-// The scene `coplanar` against the numbers that it was designed with, and what its three parameters are to do.
+// The scene `coplanar` against its design values, and the effect of its three parameters.
 #include "state/mesh/coplanar.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 const glm::dvec3 viewpoint{0.0, 1.5, 4.0};
 
-/// The corners of a quad of side 2 in y = 0, placed as the object says.
+/// Returns the corners of a quad of side 2 in y = 0, placed by the object's pose.
 std::array<glm::dvec3, 4> corners_world(const ObjectDescription& object) {
     const glm::dmat4 world_from_quad = world_from_model(object.position, object.rotation, object.scale);
     std::array<glm::dvec3, 4> corners;
@@ -20,14 +20,14 @@ std::array<glm::dvec3, 4> corners_world(const ObjectDescription& object) {
     return corners;
 }
 
-/// Of the plane through three corners, towards the viewpoint's side.
+/// Returns the normal of the plane through three corners, toward the viewpoint.
 glm::dvec3 normal_world(const ObjectDescription& object) {
     const std::array<glm::dvec3, 4> corners = corners_world(object);
     const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     return glm::dot(normal, viewpoint - corners[0]) > 0.0 ? normal : -normal;
 }
 
-TEST(Coplanar, DefaultsAreTheSceneAsItWasDesigned) {
+TEST(Coplanar, DefaultsMatchTheDesign) {
     const SceneDescription scene = coplanar_scene({});
     ASSERT_EQ(scene.objects.size(), 12U);
     const struct {
@@ -61,7 +61,7 @@ TEST(Coplanar, DefaultsAreTheSceneAsItWasDesigned) {
     }
 }
 
-TEST(Coplanar, TheGapLiesAlongTheNormalAndDoesNotGrow) {
+TEST(Coplanar, GapIsMeasuredAlongTheNormalAtAnyDistance) {
     for (const CoplanarParams& params : {CoplanarParams{0.2, 8.0, 4.0}, CoplanarParams{0.2, 60.0, 400.0},
                                          CoplanarParams{10.0, 75.0, 1000.0}, CoplanarParams{0.0, 8.0, 4.0}}) {
         const SceneDescription scene = coplanar_scene(params);
@@ -75,7 +75,7 @@ TEST(Coplanar, TheGapLiesAlongTheNormalAndDoesNotGrow) {
     }
 }
 
-TEST(Coplanar, ThePictureStaysTheSameAtAnyDistance) {
+TEST(Coplanar, PictureIsTheSameAtAnyDistance) {
     const SceneDescription near = coplanar_scene({0.0, 8.0, 4.0});
     for (const double distance : {1.0, 40.0, 1000.0}) {
         const SceneDescription far = coplanar_scene({0.0, 8.0, distance});
@@ -94,7 +94,7 @@ TEST(Coplanar, ThePictureStaysTheSameAtAnyDistance) {
     EXPECT_EQ(coplanar_scene({0.01, 8.0, 40.0}).objects[0].name, "back quad at 40");
 }
 
-TEST(Coplanar, TiltTurnsAPairOutOfTheUpright) {
+TEST(Coplanar, TiltTurnsAPairFromTheVertical) {
     for (const double tilt : {0.0, 8.0, 75.0}) {
         for (const ObjectDescription& object : coplanar_scene({0.01, tilt, 4.0}).objects) {
             SCOPED_TRACE(object.name);
@@ -105,7 +105,7 @@ TEST(Coplanar, TiltTurnsAPairOutOfTheUpright) {
     }
 }
 
-TEST(Coplanar, IsLoadedWithItsParameters) {
+TEST(Coplanar, LoadsWithItsParameters) {
     const CoplanarParams params{0.2, 20.0, 7.0};
     const Result<Scene> scene = load_scene(std::string("coplanar"), "", params);
     ASSERT_TRUE(scene) << scene.error();
@@ -113,7 +113,7 @@ TEST(Coplanar, IsLoadedWithItsParameters) {
     ASSERT_EQ(scene->objects.size(), 12U);
     EXPECT_EQ(scene->objects[3].description, coplanar_scene(params).objects[3]);
     EXPECT_EQ(load_scene(std::string("coplanar"), "")->made_from, CoplanarParams{});
-    EXPECT_FALSE(load_scene(std::string("decals"), "", params)->made_from) << "lists its objects";
+    EXPECT_FALSE(load_scene(std::string("decals"), "", params)->made_from) << "this scene lists its objects";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The list of fields against the contract, written out here by hand.
+// The list of fields against the contract, which is written out here by hand.
 #include "state/fields.h"
 
 #include <gtest/gtest.h>
@@ -154,14 +154,14 @@ std::vector<std::string> names(std::string_view path) {
 
 using Names = std::vector<std::string>;
 
-TEST(Fields, AreThoseOfTheContractInItsOrder) {
+TEST(Fields, MatchTheContractInOrder) {
     ASSERT_EQ(fields().size(), std::size(contract_paths));
     for (std::size_t i = 0; i < fields().size(); ++i) {
         EXPECT_EQ(fields()[i].path, contract_paths[i]);
     }
 }
 
-TEST(Fields, EnumsHaveTheContractsNames) {
+TEST(Fields, EnumsHaveTheNamesOfTheContract) {
     EXPECT_EQ(names("camera.navigation"), (Names{"fly", "walk", "orbit"}));
     EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic"}));
     EXPECT_EQ(names("depth.func"),
@@ -206,7 +206,7 @@ TEST(Fields, NamesMatchTheirEnumerators) {
     EXPECT_EQ(name_of(ShapeKind::torus), "torus");
 }
 
-TEST(Fields, EveryFieldReachesAMemberOfItsOwn) {
+TEST(Fields, EachPathReachesItsOwnMember) {
     Params params;
     std::set<const void*> addresses;
     for (const Field& field : fields()) {
@@ -225,7 +225,7 @@ TEST(Fields, EveryFieldReachesAMemberOfItsOwn) {
         const bool stands_in_a_list = field.path.starts_with("light.") || field.path.starts_with("plane.");
         const bool is_new = addresses.insert(address).second;
         EXPECT_TRUE(is_new || field.path == "overrides.further")
-            << field.path << " names the same member as another field";
+            << field.path << " reaches the same member as another field";
         if (stands_in_a_list) {
             continue;
         }
@@ -234,8 +234,8 @@ TEST(Fields, EveryFieldReachesAMemberOfItsOwn) {
     }
 }
 
-// A change that the list cannot reach would survive this: every field is copied from a random state, one by one.
-TEST(Fields, TogetherMakeUpAllOfParams) {
+// Copies every field of a random state one by one. A member that the list cannot reach would keep its value.
+TEST(Fields, CoverAllOfParams) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Params random = testing::RandomParams(seed).make();
@@ -297,7 +297,7 @@ TEST(Fields, AreDescribed) {
     EXPECT_EQ(find_field("projection.naer"), nullptr);
 }
 
-TEST(Fields, RangesAllowWhatTheLectureAsksFor) {
+TEST(Fields, RangesIncludeTheValuesOfTheLecture) {
     EXPECT_LE(field("projection.near").min, 0.001);
     EXPECT_GE(field("projection.far").max, 1e9);
     EXPECT_EQ(field("projection.fovy").min, 1.0);
@@ -308,7 +308,7 @@ TEST(Fields, RangesAllowWhatTheLectureAsksFor) {
     EXPECT_EQ(component_range(field("plane.equation"), 3).max, 1e6);
 }
 
-TEST(Clamp, PutsNumbersBackIntoTheirRanges) {
+TEST(Clamp, ReturnsNumbersToTheirRanges) {
     Params params;
     params.projection.fovy = 400.0;
     params.projection.near = -3.0;
@@ -333,7 +333,7 @@ TEST(Clamp, PutsNumbersBackIntoTheirRanges) {
     EXPECT_EQ(params.projection.height, 1e4);
 }
 
-// Between 0 and the least aspect there is nothing: a drag jumps over it.
+// Between 0 and the smallest aspect nothing is valid: a drag jumps over the gap.
 TEST(Clamp, JumpsOverAspectsThatAreTooNarrow) {
     for (const auto& [dragged, mended] : {std::pair(-1.0, 0.0), {0.04, 0.0}, {0.06, 0.1}, {0.1, 0.1}, {99.0, 10.0}}) {
         Params params;
@@ -348,7 +348,7 @@ TEST(Clamp, WrapsAnglesByWholeTurns) {
     params.camera.yaw = 3600.0 * 3.0 + 10.0;
     params.camera.roll = -3605.0;
     params.camera.pitch = 190.0;
-    params.observer.yaw = 725.0;  // within ten turns: left as it is
+    params.observer.yaw = 725.0;  // within ten turns: unchanged
     clamp_to_ranges(params);
     EXPECT_EQ(params.camera.yaw, 10.0);
     EXPECT_EQ(params.camera.roll, -5.0);
@@ -356,7 +356,7 @@ TEST(Clamp, WrapsAnglesByWholeTurns) {
     EXPECT_EQ(params.observer.yaw, 725.0);
 }
 
-TEST(Clamp, MendsWhatBelongsTogether) {
+TEST(Clamp, RepairsRelationsBetweenFields) {
     Params params;
     params.projection.near = 50.0;
     params.planes.front().equation = {0.0, 0.0, 0.0, 3.0};
@@ -381,7 +381,7 @@ TEST(Clamp, MendsWhatBelongsTogether) {
     EXPECT_EQ(params.follow->vertex, 0);
 }
 
-// The nearest that near and far can be pushed: the mend must hold at both ends of their ranges.
+// The extremes to which near and far can be pushed: the repair must work at both ends of their ranges.
 TEST(Clamp, KeepsNearBelowFarAtTheEnds) {
     for (const double near : {1e-9, 1e-6, 1e-5, 1.0, 1e6, 1e12}) {
         for (const double far : {0.0, 1e-6, 1e-5, 1e6, 1e9, 1e12}) {

@@ -1,4 +1,4 @@
-// Which files a state may name.
+// The files that a state may name.
 #include "state/file_reach.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class FileReachTest : public testing::ScratchFolder {};
 
-TEST_F(FileReachTest, IsAFolderWithAllBelowItAndTheAssets) {
+TEST_F(FileReachTest, IsTheFolderWithSubfoldersAndTheAssets) {
     fs::create_directories(folder_ / "own/deep");
     fs::create_directories(folder_ / "owner");
     const FileReach reach = reach_of_folder(folder_ / "own");
@@ -39,7 +39,7 @@ TEST_F(FileReachTest, FollowsLinks) {
     EXPECT_FALSE(reach.includes(folder_ / "own/link/a.obj"));
 }
 
-TEST_F(FileReachTest, OfASceneFileIsItsOwnFolderToo) {
+TEST_F(FileReachTest, OfASceneFileIncludesItsOwnFolder) {
     fs::create_directories(folder_ / "own");
     fs::create_directories(folder_ / "other");
     write("other/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -1,4 +1,4 @@
-// Flights: what is written is flight_of back exactly, whatever has changed, and a broken one is told by file and frame.
+// Flights: a written flight reads back exactly, whatever has changed, and a broken file is reported by name and frame.
 #include <gtest/gtest.h>
 
 #include "random_params.h"
@@ -16,7 +16,7 @@ Result<Flight> flight_of(const std::string& text) {
     return *document->flight;
 }
 
-TEST(Flight, ChangesBetweenAnyTwoStatesLeadThereExactly) {
+TEST(Flight, ChangesBetweenAnyTwoStatesAreExact) {
     testing::RandomParams random(7);
     Params before;
     for (int i = 0; i < 300; ++i) {
@@ -61,14 +61,14 @@ TEST(Flight, ShowsTheLastPictureAtOrBeforeATime) {
     EXPECT_EQ(flight.time_s(4), 2.0);
 }
 
-TEST(Flight, EndsWithItsLastFrameWhereItDoesNotSay) {
+TEST(Flight, EndsAtItsLastFrameByDefault) {
     const Result<Flight> flight = flight_of(
         R"({"version": 1, "kind": "flight", "state": {}, "frames": [{"t": 0.25, "set": {"camera.yaw": 3}}]})");
     ASSERT_TRUE(flight) << flight.error();
     EXPECT_EQ(flight->seconds, 0.25);
 }
 
-TEST(Flight, MistakesAreToldByFileAndFrame) {
+TEST(Flight, ReportsMistakesByFileAndFrame) {
     const auto trouble = [](const std::string& frames, const std::string& more = "") {
         const Result<Flight> flight =
             flight_of(R"({"version": 1, "kind": "flight", "state": {}, )" + more + "\"frames\": [" + frames + "]}");
@@ -80,7 +80,7 @@ TEST(Flight, MistakesAreToldByFileAndFrame) {
     EXPECT_EQ(trouble(first + R"({"t": 2, "set": {"camera.yaw": "3"}})").substr(0, 46),
               "f.json: frames[1]: camera.yaw: must be a numbe");
     EXPECT_EQ(trouble(first + R"({"t": 0.5, "set": {}})"),
-              "f.json: frames[1].t: times go on: must be at least 1 as in the frame before, got 0.5");
+              "f.json: frames[1].t: must be at least 1, the time of the previous frame, got 0.5");
     EXPECT_EQ(trouble(first + R"({"t": -1, "set": {}})").substr(0, 22), "f.json: frames[1].t: m");
     EXPECT_EQ(trouble(R"({"set": {}})"), "f.json: frames[0].t: is missing");
     EXPECT_EQ(trouble(R"({"t": 0})"), "f.json: frames[0].set: is missing");

@@ -1,4 +1,4 @@
-// State files out and in: defaults, order, exactness, scenes, the `params` command.
+// Reading and writing state files: defaults, order, exactness, scenes, the `params` command.
 #include "state/file/json.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Params read(const std::string& json) {
 
 TEST(State, EmptyObjectIsTheDefaults) {
     EXPECT_EQ(read("{}"), Params{});
-    EXPECT_EQ(read("\xEF\xBB\xBF {}\n"), Params{}) << "a byte order mark is no reason to refuse";
+    EXPECT_EQ(read("\xEF\xBB\xBF {}\n"), Params{}) << "a byte order mark is accepted";
 }
 
 TEST(State, ReadsEveryKindOfField) {
@@ -41,7 +41,7 @@ TEST(State, ReadsEveryKindOfField) {
     EXPECT_EQ(std::get<std::string>(params.scene), "teapot");
     EXPECT_EQ(params.camera.position, glm::dvec3(1, 2.5, -300));
     EXPECT_EQ(params.camera.navigation, Navigation::walk);
-    EXPECT_EQ(params.camera.yaw, 30.6) << "left-out fields keep their defaults";
+    EXPECT_EQ(params.camera.yaw, 30.6) << "missing fields keep their defaults";
     EXPECT_EQ(params.projection.type, ProjectionType::orthographic);
     EXPECT_EQ(params.projection.far, 1e9);
     EXPECT_FALSE(params.depth.test);
@@ -68,7 +68,7 @@ TEST(State, ReadsEveryKindOfField) {
               (LayoutParams{BigView::lower_left, {"display", "V"}, {"camera", "projection.near"}, {"panel"}}));
 }
 
-TEST(State, WritesTheContractsFileForTheDefaults) {
+TEST(State, WritesTheDefaultsAsInTheContract) {
     EXPECT_EQ(write_state(Params{}), R"({
   "version": 1,
   "scene": "torus-and-boxes",
@@ -245,7 +245,7 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
 )");
 }
 
-TEST(State, RandomStatesComeBackExactly) {
+TEST(State, RandomStatesRoundTripExactly) {
     constexpr unsigned first_seed = 20'200'000;
     for (unsigned seed = first_seed; seed < first_seed + 200; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -257,12 +257,12 @@ TEST(State, RandomStatesComeBackExactly) {
         ASSERT_EQ(write_state(*back), written);
         Params clamped = params;
         clamp_to_ranges(clamped);
-        ASSERT_EQ(clamped, params) << "clamping must leave a valid state alone";
+        ASSERT_EQ(clamped, params) << "clamping must not change a valid state";
     }
 }
 
-// What clamp_to_ranges lets pass, the reader must accept: the panel may write it.
-TEST(State, WhateverTheClampLeavesIsAccepted) {
+// The reader must accept everything that clamp_to_ranges() passes, since the panel may write it.
+TEST(State, AcceptsEveryClampedState) {
     std::mt19937 random(7);
     const double wild[] = {-1e300, -1e12, -1e6, -4000, -180, -1, -1e-12, 0, 1e-12, 1e-7, 1, 91, 3601, 1e6, 1e13, 1e300};
     const auto pick = [&] { return wild[random() % std::size(wild)]; };
@@ -293,7 +293,7 @@ TEST(State, WhateverTheClampLeavesIsAccepted) {
     }
 }
 
-TEST(Scene, ComesBackAsItWas) {
+TEST(Scene, RoundTrips) {
     const Result<SceneDescription> scene = parse_scene(R"({"title": "T", "objects": [
         {"name": "a", "shape": "teapot", "resolution": 3, "color": "#a0B0c0"},
         {"name": "b", "shape": "mesh", "file": "x.obj", "decal": true, "rotation": [10, 20, 30]},
@@ -305,7 +305,7 @@ TEST(Scene, ComesBackAsItWas) {
     EXPECT_EQ(scene->objects[0].resolution, 3);
     EXPECT_EQ(scene->objects[1].rotation, (Angles{10, 20, 30}));
     EXPECT_TRUE(scene->objects[1].decal);
-    EXPECT_EQ(scene->objects[1].reading, (MeshReading{30.0, true})) << "where nothing is said";
+    EXPECT_EQ(scene->objects[1].reading, (MeshReading{30.0, true})) << "by default";
     EXPECT_EQ(scene->objects[2].reading, (MeshReading{12.5, false}));
     EXPECT_EQ(scene->objects[3].scale.y, -2.0);
     const Result<SceneDescription> again = parse_scene(write_scene(*scene), "again");
@@ -313,7 +313,7 @@ TEST(Scene, ComesBackAsItWas) {
     EXPECT_EQ(*again, *scene);
 }
 
-TEST(Scene, MadeByAFormulaComesBackAsThat) {
+TEST(Scene, MadeByAFormulaRoundTripsAsItsParameters) {
     const Result<SceneDescription> scene = parse_scene(R"({"title": "T", "made_by": "coplanar"})", "s.json");
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->made_by, SceneFormula::coplanar);
@@ -323,7 +323,7 @@ TEST(Scene, MadeByAFormulaComesBackAsThat) {
     EXPECT_EQ(*parse_scene(written, "again"), *scene);
 }
 
-TEST(Scene, IsWrittenAsItWasGiven) {
+TEST(Scene, IsWrittenInTheFormItWasGiven) {
     EXPECT_NE(write_state(read(R"({"scene": "my/room.json"})")).find(R"("scene": "my/room.json")"), std::string::npos);
     const std::string inline_scene = write_state(read(R"({"scene": {"objects": [{"name": "b", "shape": "box"}]}})"));
     EXPECT_NE(inline_scene.find(R"("name": "b")"), std::string::npos);

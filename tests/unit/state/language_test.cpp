@@ -1,5 +1,5 @@
-// Languages come from .po files alone: a further one needs no more than its file, shown here with the pseudo-language;
-// what is wrong with a file is a sentence, and English goes on.
+// Languages come from .po files alone: another language needs only its file, shown here with the pseudo-language. A
+// faulty file is reported in one sentence, and the language stays English.
 #include "state/person/language.h"
 
 #include <gtest/gtest.h>
@@ -33,11 +33,11 @@ protected:
     void write(const std::string& content) const { std::ofstream(folder / "text" / "ko.po") << content; }
 
     const fs::path assets = assets_directory();
-    // Tests run beside each other.
+    // Tests run in parallel.
     const fs::path folder = fs::path(::testing::TempDir()) / ("language-test-" + std::to_string(::getpid()));
 };
 
-TEST_F(LanguageTest, AFileWithATranslationOfEachTextIsALanguage) {
+TEST_F(LanguageTest, FullyTranslatedFileIsALanguage) {
     const Result<std::string> korean = read_text_file(assets / "text" / "ko.po");
     ASSERT_TRUE(korean);
     const Result<std::vector<PoEntry>> entries = read_po(*korean);
@@ -60,7 +60,7 @@ TEST_F(LanguageTest, AFileWithATranslationOfEachTextIsALanguage) {
     EXPECT_EQ(spoken_texts(), "");
 }
 
-TEST_F(LanguageTest, WhatIsWrongWithItsFileIsASentenceAndEnglishGoesOn) {
+TEST_F(LanguageTest, FaultyFileIsReportedAndEnglishStays) {
     for (const char* const content : {"", "msgid \"Scene\"\n", "hello\n"}) {
         if (*content) write(content);
         const Status spoken = speak(Language::ko);
@@ -72,7 +72,7 @@ TEST_F(LanguageTest, WhatIsWrongWithItsFileIsASentenceAndEnglishGoesOn) {
     }
 }
 
-TEST_F(LanguageTest, ATextWithoutOrWithAnUncertainTranslationIsEnglish) {
+TEST_F(LanguageTest, MissingOrFuzzyTranslationFallsBackToEnglish) {
     write(
         "msgid \"Scene\"\nmsgstr \"장면\"\n\nmsgid \"Undo\"\nmsgstr \"\"\n\n#, fuzzy\nmsgid \"Redo\"\nmsgstr "
         "\"다시\"\n");
@@ -82,7 +82,7 @@ TEST_F(LanguageTest, ATextWithoutOrWithAnUncertainTranslationIsEnglish) {
     EXPECT_STREQ(tr("Redo"), "Redo");
 }
 
-TEST(SystemLanguage, IsTheFirstThatIsSetAndEnglishWhereItIsNoneOfOurs) {
+TEST(SystemLanguage, IsTheFirstVariableSetOrEnglish) {
     struct Case {
         const char *all, *messages, *lang;
         Language expected;
@@ -103,7 +103,7 @@ TEST(SystemLanguage, IsTheFirstThatIsSetAndEnglishWhereItIsNoneOfOurs) {
     for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) ::unsetenv(variable);
 }
 
-TEST(Languages, EachHasANameOfItsOwn) {
+TEST(Languages, HaveTheirOwnNames) {
     ASSERT_EQ(names_of<Language>().size(), language_count);
     EXPECT_STREQ(own_name(Language::en), "English");
     EXPECT_STREQ(own_name(Language::ko), "한국어");

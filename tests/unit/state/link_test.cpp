@@ -1,4 +1,5 @@
-// Links: every state comes back from its own exactly, and what is no link, or a hostile one, is told in a sentence.
+// Links: every state round-trips through its own link exactly, and an invalid or hostile link is reported in a
+// sentence.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -10,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// "#1" and any bytes, deflated.
+/// Returns "#1" and the deflated bytes, whatever they are.
 std::string link_of(const std::string& text) {
     static constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     uLongf size = compressBound(text.size());
@@ -43,7 +44,7 @@ void expect_back(const Params& params) {
     EXPECT_EQ(link_fragment(back->params), fragment);
 }
 
-TEST(Link, EveryPresetComesBack) {
+TEST(Link, EveryPresetRoundTrips) {
     ASSERT_GT(presets().size(), 50U);
     for (const NamedFile& preset : presets()) {
         SCOPED_TRACE(preset.name);
@@ -53,7 +54,7 @@ TEST(Link, EveryPresetComesBack) {
     EXPECT_LT(link_fragment(Params{}).size(), 30U);
 }
 
-TEST(Link, AThousandRandomStatesComeBack) {
+TEST(Link, AThousandRandomStatesRoundTrip) {
     testing::RandomParams random(23);
     for (int i = 0; i < 1000; ++i) {
         SCOPED_TRACE(i);
@@ -67,35 +68,36 @@ TEST(Link, NamesAPresetOrAStepOfALesson) {
     ASSERT_TRUE(room->preset);
     EXPECT_EQ(room->preset->name, "room");
     EXPECT_EQ(trouble_with("#lesson=depth-fighting&step=3"),
-              "this is a lesson's link: viewing-sandbox lesson depth-fighting --step 3");
-    EXPECT_EQ(trouble_with("#step=3&lesson=mine"), "this is a lesson's link: viewing-sandbox lesson mine --step 3");
-    EXPECT_EQ(trouble_with("#lesson=mine"), "this is a lesson's link: viewing-sandbox lesson mine --step 1");
+              "this link opens a lesson: use viewing-sandbox lesson depth-fighting --step 3");
+    EXPECT_EQ(trouble_with("#step=3&lesson=mine"),
+              "this link opens a lesson: use viewing-sandbox lesson mine --step 3");
+    EXPECT_EQ(trouble_with("#lesson=mine"), "this link opens a lesson: use viewing-sandbox lesson mine --step 1");
     EXPECT_EQ(trouble_with("#preset=roon").substr(0, 27), "link: roon: no such preset ");
     for (const char* bad : {"#preset=", "#preset=-", "#preset=../room", "#preset=/etc/passwd", "#preset=a.json"})
         EXPECT_TRUE(trouble_with(bad).starts_with("link: ")) << bad << trouble_with(bad);
     for (const char* bad :
          {"#lesson=", "#lesson=a b", "#lesson=a&step=x", "#lesson=a&step=99999", "#lesson=a&step=0", "#lesson=a&step="})
-        EXPECT_EQ(trouble_with(bad), "link: it names no lesson and step") << bad;
+        EXPECT_EQ(trouble_with(bad), "link: it does not name a lesson and a step") << bad;
 }
 
-TEST(Link, UnknownPartsAreRefused) {
+TEST(Link, RefusesUnknownParts) {
     constexpr const char* known = "a state, preset=NAME, or lesson=ID and step=N";
     const std::string state = link_fragment(Params{});
     EXPECT_TRUE(load_state(state + "&"));
-    EXPECT_EQ(trouble_with("#preset=room&colour=red"),
-              std::string("link: colour=… means nothing here; known are ") + known);
-    EXPECT_EQ(trouble_with(state + "&x=1"), std::string("link: x=… means nothing here; known are ") + known);
+    EXPECT_EQ(trouble_with("#preset=room&colour=red"), std::string("link: colour=… is unknown; use ") + known);
+    EXPECT_EQ(trouble_with(state + "&x=1"), std::string("link: x=… is unknown; use ") + known);
     EXPECT_EQ(trouble_with("#preset=room&hello"),
-              std::string("link: hello behind its # is neither a state nor KEY=VALUE; known are ") + known);
+              std::string("link: hello after the # is neither a state nor KEY=VALUE; use ") + known);
     for (const std::string& twice : {std::string("#preset=room&preset=room"), state + "&" + state.substr(1)})
-        EXPECT_EQ(trouble_with(twice), std::string("link: two of one kind behind its #; ") + known + ", each once");
+        EXPECT_EQ(trouble_with(twice),
+                  std::string("link: a part appears twice after the #; use ") + known + ", each once");
     for (const std::string& bad : {std::string("#"), std::string("#step=2&&"), "#preset=room&" + state.substr(1),
                                    std::string("#preset=room&lesson=depth-fighting")})
         EXPECT_TRUE(trouble_with(bad).starts_with("link: ")) << bad << trouble_with(bad);
     EXPECT_EQ(trouble_with("#preset=room&step=2"), "link: step=N needs lesson=ID");
 }
 
-TEST(Link, IsToldFromAStateThatMentionsOne) {
+TEST(Link, DiffersFromAStateThatMentionsOne) {
     const Result<LoadedState> state =
         state_in_text("{\"about\": \"see viewing-sandbox.html#preset=room\"}", "standard input");
     ASSERT_TRUE(state) << state.error();
@@ -104,7 +106,7 @@ TEST(Link, IsToldFromAStateThatMentionsOne) {
     EXPECT_EQ(state_in_text("{\"camera\": 1}", "standard input").error().substr(0, 22), "standard input: camera");
 }
 
-TEST(Link, IsToldFromFilesAndPresets) {
+TEST(Link, DiffersFromFilesAndPresets) {
     for (const char* link :
          {"#1abc", "http://a#1", "https://a/b.html", "file:///tmp/v.html#1", "viewing-sandbox.html#1"})
         EXPECT_TRUE(is_link(link)) << link;
@@ -112,7 +114,7 @@ TEST(Link, IsToldFromFilesAndPresets) {
         EXPECT_FALSE(is_link(other)) << other;
 }
 
-TEST(Link, BrokenOnesAreRefusedWithASentence) {
+TEST(Link, RefusesBrokenLinksWithASentence) {
     const std::string whole = link_fragment(load_state("room")->params);
     for (std::size_t length = 2; length < whole.size(); ++length)
         EXPECT_EQ(trouble_with(whole.substr(0, length)), "link: it is cut off or damaged") << length;
@@ -120,26 +122,25 @@ TEST(Link, BrokenOnesAreRefusedWithASentence) {
         std::string changed = whole;
         changed[at] = changed[at] == 'A' ? 'B' : 'A';
         const Result<LoadedState> state = load_state(changed);
-        if (state)  // bits that fill up a byte say nothing
+        if (state)  // the padding bits of the last byte carry nothing
             EXPECT_EQ(state->params, load_state("room")->params) << at;
         else
             EXPECT_TRUE(state.error().starts_with("link: ")) << at << ": " << state.error();
     }
-    EXPECT_EQ(trouble_with(whole + "AAAA"), "link: something follows the end of its state");
-    EXPECT_EQ(trouble_with("#2" + whole.substr(2)), "link: its form has version 2, this program reads version 1");
-    EXPECT_EQ(trouble_with("https://example.org/"), "link: no # with a state behind it");
-    EXPECT_EQ(
-        trouble_with("#hello"),
-        "link: hello behind its # is neither a state nor KEY=VALUE; known are a state, preset=NAME, or lesson=ID and "
-        "step=N");
+    EXPECT_EQ(trouble_with(whole + "AAAA"), "link: unexpected data after the end of its state");
+    EXPECT_EQ(trouble_with("#2" + whole.substr(2)), "link: its format has version 2, but this program reads version 1");
+    EXPECT_EQ(trouble_with("https://example.org/"), "link: there is no # followed by a state");
+    EXPECT_EQ(trouble_with("#hello"),
+              "link: hello after the # is neither a state nor KEY=VALUE; use a state, preset=NAME, or lesson=ID and "
+              "step=N");
     EXPECT_NE(trouble_with(link_of("{\"scene\": \"\xff\"}")).find("UTF-8"), std::string::npos);
     EXPECT_EQ(trouble_with(link_of("{\"camera\": {\"yav\": 1}}")),
               "link: camera.yav: no such field; did you mean camera.yaw?");
     EXPECT_TRUE(trouble_with(link_of("{} {}")).starts_with("link: line 1"));
 }
 
-/// A few kilobytes that would unpack to a gigabyte: nothing beyond the limit is unpacked.
-TEST(Link, ABombIsLeftPacked) {
+/// A few hundred kilobytes that would unpack to 200 MiB: nothing beyond the limit may be unpacked.
+TEST(Link, DoesNotUnpackABomb) {
     const std::string bomb = link_of(std::string(200U << 20U, ' '));
     ASSERT_LT(bomb.size(), 400'000U);
     EXPECT_EQ(trouble_with(bomb), "link: its state is longer than 16 MiB");

@@ -1,4 +1,4 @@
-// Lights and planes taken out of their lists: what belongs to the others stays with them.
+// Removing lights and planes from their lists: the others keep all their data.
 #include "state/lists.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Four lights and eight planes that can be told apart, as can the matrices of each.
+/// Returns four lights and eight planes that all differ, as do their matrices.
 Params full() {
     Params params;
     for (std::size_t light = 1; light < most_lights; ++light)
@@ -22,7 +22,7 @@ Params full() {
     return params;
 }
 
-TEST(RemoveLight, MovesThoseBehindItUp) {
+TEST(RemoveLight, MovesTheLaterOnesUp) {
     const Params before = full();
     Params params = before;
     remove_light(params, 1);
@@ -38,7 +38,7 @@ TEST(RemoveLight, MovesThoseBehindItUp) {
     }
 }
 
-TEST(RemovePlane, MovesThoseBehindItUp) {
+TEST(RemovePlane, MovesTheLaterOnesUp) {
     const Params before = full();
     Params params = before;
     remove_plane(params, 6);
@@ -50,7 +50,7 @@ TEST(RemovePlane, MovesThoseBehindItUp) {
     EXPECT_EQ(params.overrides[7], PlaneOverrides{});
 }
 
-TEST(RemovePlane, TheChosenOneStaysChosen) {
+TEST(RemovePlane, KeepsTheChosenOneChosen) {
     struct Case {
         int chosen;
         std::size_t removed;

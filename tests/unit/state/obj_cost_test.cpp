@@ -1,5 +1,5 @@
-// Small OBJ files that cost much: what reading them takes, in steps, stays in proportion to their length, or is refused
-// before it is spent.
+// Small OBJ files with a high cost: the steps to read one are proportional to its length, or the file is refused before
+// it costs them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,9 +26,9 @@ TEST(ObjCost, ManyNormalsAtOnePositionTakeAFewStepsEach) {
     ObjVertices vertices(content, mesh);
     std::vector<std::uint32_t> first;
     for (const ObjCorner& corner : content.corners) first.push_back(vertices.vertex(corner));
-    EXPECT_EQ(mesh.positions.size(), content.corners.size()) << "each pair is a vertex of its own";
+    EXPECT_EQ(mesh.positions.size(), content.corners.size()) << "each pair is its own vertex";
     for (std::size_t i = 0; i < content.corners.size(); ++i) {
-        ASSERT_EQ(vertices.vertex(content.corners[i]), first[i]) << "and found again";
+        ASSERT_EQ(vertices.vertex(content.corners[i]), first[i]) << "lookup finds the same vertex";
         ASSERT_EQ(glm::dvec3(mesh.positions[first[i]]),
                   content.positions[static_cast<std::size_t>(content.corners[i].position)]);
         ASSERT_EQ(mesh.normals[first[i]], content.normals[static_cast<std::size_t>(content.corners[i].normal)]);
@@ -36,7 +36,7 @@ TEST(ObjCost, ManyNormalsAtOnePositionTakeAFewStepsEach) {
     EXPECT_LE(vertices.steps(), 2U * 16 * content.corners.size());
 }
 
-TEST(ObjCost, AFaceThatTurnsLeftThroughoutIsCutWithoutATest) {
+TEST(ObjCost, ConvexFaceIsCutWithoutATest) {
     std::vector<glm::dvec3> round;
     for (int i = 0; i < 255; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / 255;
@@ -52,7 +52,7 @@ TEST(ObjCost, AFaceThatTurnsLeftThroughoutIsCutWithoutATest) {
     EXPECT_EQ(cutter.tests(), 0U);
 }
 
-/// A polygon about the origin whose corners have random distances: no two edges cross.
+/// Returns a polygon around the origin with corners at random distances: no two edges cross.
 std::vector<glm::dvec3> star(std::mt19937& random, int corners) {
     std::vector<glm::dvec3> polygon;
     for (int i = 0; i < corners; ++i) {
@@ -67,7 +67,7 @@ double twice_area_seen(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
     return glm::cross(b - a, c - a).z;
 }
 
-TEST(ObjCost, ConcaveFacesAreCoveredOnceInTheTestsThatArePromised) {
+TEST(ObjCost, ConcaveFacesAreCoveredOnceWithinThePromisedTests) {
     std::mt19937 random(11);
     for (int round = 0; round < 200; ++round) {
         const int count = 4 + round;
@@ -87,7 +87,7 @@ TEST(ObjCost, ConcaveFacesAreCoveredOnceInTheTestsThatArePromised) {
         for (std::size_t i = 0; i < triangles.size(); i += 3) {
             const double seen =
                 twice_area_seen(polygon[triangles[i]], polygon[triangles[i + 1]], polygon[triangles[i + 2]]);
-            EXPECT_GT(seen, -1e-9) << "no triangle is turned over";
+            EXPECT_GT(seen, -1e-9) << "no triangle is flipped";
             area += seen;
         }
         EXPECT_NEAR(area, wanted, 1e-6) << count;
@@ -95,8 +95,8 @@ TEST(ObjCost, ConcaveFacesAreCoveredOnceInTheTestsThatArePromised) {
     }
 }
 
-/// A comb whose valleys lie close together, and one corner more that turns inwards, far away: in a grid over all of
-/// them the valleys are in one cell.
+/// Returns a comb with close valleys and one distant reflex corner: a grid over all reflex corners has all valleys in
+/// one cell.
 std::vector<glm::dvec3> stubborn(int teeth) {
     const double far_away = 1e9;
     std::vector<glm::dvec3> polygon = {{0.0, -1.0, 0.0},
@@ -111,7 +111,7 @@ std::vector<glm::dvec3> stubborn(int teeth) {
     return polygon;
 }
 
-/// The OBJ text of so many faces with the same corners, which it counts from the end.
+/// Writes this many OBJ faces with the same corners, counted from the end.
 std::string faces(const std::vector<glm::dvec3>& polygon, int count) {
     std::ostringstream text;
     text.precision(17);
@@ -124,7 +124,7 @@ std::string faces(const std::vector<glm::dvec3>& polygon, int count) {
     return text.str();
 }
 
-TEST(ObjCost, AConcaveFaceBeyondTheTestsIsRefusedByItsLine) {
+TEST(ObjCost, ConcaveFaceBeyondTheTestLimitIsRefusedWithItsLine) {
     const std::vector<glm::dvec3> polygon = stubborn(40'000);
     PolygonCutter cutter;
     std::vector<std::uint32_t> triangles;
@@ -137,11 +137,11 @@ TEST(ObjCost, AConcaveFaceBeyondTheTestsIsRefusedByItsLine) {
     const Result<ObjMesh> mesh = read_obj(stream, 1, "comb.obj", {}, nullptr);
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error(), "comb.obj: line " + std::to_string(polygon.size() + 9) +
-                                ": face 2 has 80005 corners: to cut it up takes more than 100 million tests; cut it "
-                                "into triangles before");
+                                ": face 2 has 80005 corners: triangulating it takes more than 100 million tests; "
+                                "triangulate it in the file");
 }
 
-TEST(ObjCost, SmallConcaveFacesAreCutHoweverManyThereAre) {
+TEST(ObjCost, SmallConcaveFacesAreCutInAnyNumber) {
     std::mt19937 random(13);
     const std::vector<glm::dvec3> polygon = star(random, 12);
     PolygonCutter cutter;

@@ -1,4 +1,4 @@
-// Normals that are made for Wavefront OBJ files without them: what is flat stays flat, what is round looks round.
+// Generated normals for Wavefront OBJ files without normals: flat surfaces stay flat, round ones look round.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ glm::dvec3 normal_at(const Mesh& mesh, std::size_t triangle, std::size_t corner)
     return mesh.normals[mesh.indices[3 * triangle + corner]];
 }
 
-/// Every corner's normal against that of its own triangle: the largest angle in degrees.
+/// Returns the largest angle in degrees between a corner's normal and its triangle's.
 double largest_bend_deg(const Mesh& mesh) {
     double least = 1.0;
     for (std::size_t triangle = 0; triangle < mesh.triangle_count(); ++triangle)
@@ -39,14 +39,14 @@ double largest_bend_deg(const Mesh& mesh) {
     return glm::degrees(std::acos(std::clamp(least, -1.0, 1.0)));
 }
 
-/// How many normals meet at a place.
+/// Counts the normals that meet at a position.
 std::size_t normals_at(const Mesh& mesh, const glm::vec3& place) {
     std::size_t count = 0;
     for (const glm::vec3& position : mesh.positions) count += glm::length(position - place) < 1e-5F;
     return count;
 }
 
-/// A box with edges of random length in a random pose, each side a quad, or two triangles.
+/// Writes a box with random edge lengths in a random pose, each side a quad or two triangles.
 std::string box(std::mt19937& random, bool in_triangles) {
     std::normal_distribution<double> normal;
     const glm::dvec3 a = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
@@ -71,20 +71,20 @@ std::string box(std::mt19937& random, bool in_triangles) {
     return text.str();
 }
 
-TEST(ObjNormals, OfABoxAreThoseOfItsSides) {
+TEST(ObjNormals, BoxHasThoseOfItsSides) {
     std::mt19937 random(seed);
     for (int i = 0; i < 40; ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", box " + std::to_string(i));
         const std::string text = box(random, i % 2 == 1);
         const Mesh mesh = read(text);
         EXPECT_LT(largest_bend_deg(mesh), 0.1);
-        EXPECT_EQ(mesh.positions.size(), 24U) << "four corners a side, also where it is two triangles";
+        EXPECT_EQ(mesh.positions.size(), 24U) << "four corners a side, even of two triangles";
         EXPECT_LT(largest_bend_deg(read(text, 89.0)), 0.1);
         EXPECT_NEAR(largest_bend_deg(read(i % 2 == 1 ? "s off\n" + text : text, 0.0)), 0.0, 0.1);
     }
 }
 
-/// Two squares with a common edge that meet at an angle: 0 is flat.
+/// Writes two squares that share an edge and meet at an angle: 0 is flat.
 std::string hinge(double angle_deg, const std::string& before = "", const std::string& between = "") {
     const double angle = glm::radians(angle_deg);
     std::ostringstream text;
@@ -96,7 +96,7 @@ std::string hinge(double angle_deg, const std::string& before = "", const std::s
     return text.str();
 }
 
-TEST(ObjNormals, AnEdgeIsSmoothUpToTheCreaseAngle) {
+TEST(ObjNormals, EdgeIsSmoothUpToTheCreaseAngle) {
     for (const double crease : {0.0, 10.0, 30.0, 89.0, 90.0, 120.0, 179.0}) {
         for (const double angle : {crease - 0.5, crease, crease + 0.5}) {
             if (angle < 0.0) continue;
@@ -108,24 +108,24 @@ TEST(ObjNormals, AnEdgeIsSmoothUpToTheCreaseAngle) {
                 << "halfway between two equal squares";
         }
     }
-    EXPECT_EQ(read(hinge(30.0)).positions.size(), 6U) << "30 degrees by default";
+    EXPECT_EQ(read(hinge(30.0)).positions.size(), 6U) << "the default is 30 degrees";
     EXPECT_EQ(read(hinge(30.5)).positions.size(), 8U);
     EXPECT_EQ(read(hinge(179.9), 180.0).positions.size(), 6U);
 }
 
-TEST(ObjNormals, SmoothingGroupsAreObeyed) {
+TEST(ObjNormals, FollowSmoothingGroups) {
     EXPECT_EQ(read(hinge(80.0, "s 1\n")).positions.size(), 6U) << "one group is smooth at any angle";
     EXPECT_EQ(read(hinge(80.0, "s 1\n"), 0.0).positions.size(), 6U);
     EXPECT_EQ(read(hinge(80.0, "s on\n")).positions.size(), 6U);
-    EXPECT_EQ(read(hinge(5.0, "s 1\n", "s 2\n")).positions.size(), 8U) << "two groups never";
-    EXPECT_EQ(read(hinge(5.0, "s 1\n", "s 01\n")).positions.size(), 6U) << "one group, named twice";
+    EXPECT_EQ(read(hinge(5.0, "s 1\n", "s 2\n")).positions.size(), 8U) << "two groups are never smooth";
+    EXPECT_EQ(read(hinge(5.0, "s 1\n", "s 01\n")).positions.size(), 6U) << "both names mean one group";
     EXPECT_EQ(read(hinge(5.0, "s off\n")).positions.size(), 8U);
     EXPECT_EQ(read(hinge(5.0, "s 0\n"), 180.0).positions.size(), 8U);
     EXPECT_EQ(read(hinge(5.0, "s 1\n", "s off\n")).positions.size(), 8U);
-    EXPECT_EQ(read(hinge(5.0, "", "s 1\n")).positions.size(), 8U) << "what stands before the first is in no group";
+    EXPECT_EQ(read(hinge(5.0, "", "s 1\n")).positions.size(), 8U) << "faces before the first group have none";
 }
 
-/// A tube without ends of `sides` quads.
+/// Writes a tube of `sides` quads without caps.
 std::string tube(int sides) {
     std::ostringstream text;
     text.precision(17);
@@ -140,19 +140,19 @@ std::string tube(int sides) {
     return text.str();
 }
 
-TEST(ObjNormals, OfARoundTubePointAwayFromItsAxis) {
+TEST(ObjNormals, RoundTubePointsAwayFromItsAxis) {
     const Mesh round = read(tube(24)), edged = read(tube(8));
     ASSERT_EQ(round.positions.size(), 48U);
     for (std::size_t i = 0; i < round.positions.size(); ++i) {
         const glm::vec3 out = glm::normalize(round.positions[i] * glm::vec3(1, 0, 1));
         EXPECT_LT(glm::length(round.normals[i] - out), 1e-5);
     }
-    EXPECT_EQ(edged.positions.size(), 32U) << "45 degrees from side to side";
+    EXPECT_EQ(edged.positions.size(), 32U) << "45 degrees between sides";
     EXPECT_LT(largest_bend_deg(edged), 0.1);
 }
 
-// A pyramid of many sides: about its tip each side is smooth with the next, so all share one normal.
-TEST(ObjNormals, AreJoinedAcrossEdgesRoundATip) {
+// A pyramid with many sides: around its tip each side is smooth with the next, so all share one normal.
+TEST(ObjNormals, AreJoinedAcrossEdgesAroundATip) {
     std::ostringstream text;
     text << "v 0 2 0\n";
     for (int i = 0; i < 16; ++i)
@@ -164,7 +164,7 @@ TEST(ObjNormals, AreJoinedAcrossEdgesRoundATip) {
     EXPECT_EQ(normals_at(mesh, {0, 1, 0}), 1U);
 }
 
-TEST(ObjNormals, OneFaceWithoutTakesNothingFromTheOthers) {
+TEST(ObjNormals, FaceWithoutNormalsLeavesTheOthers) {
     const std::string given = "vn 0 0.6 0.8\n";
     const Mesh mesh = read(hinge(10.0, given + "f 1//1 2//1 4//1 3//1\n") + "f 3//1 6//1 4\n");
     std::set<std::size_t> made;
@@ -187,7 +187,7 @@ TEST(ObjNormals, BothSidesOfASheetKeepTheirOwn) {
     }
 }
 
-TEST(ObjNormals, ManyFacesAtOneEdgeTakeATimeInProportion) {
+TEST(ObjNormals, ManyFacesAtOneEdgeTakeProportionalTime) {
     std::string text = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\n";
     for (int i = 0; i < 200'000; ++i) text += i % 2 == 0 ? "f 1 2 3\n" : "f 1 2 4\n";
     EXPECT_EQ(read(text).triangle_count(), 200'000U);

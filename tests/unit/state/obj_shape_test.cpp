@@ -1,4 +1,4 @@
-// Shapes of Wavefront OBJ files, held against a reader of the test's own: doubles by strtod, centred by long doubles.
+// Shapes of Wavefront OBJ files against the test's own reader: doubles by strtod, centered in long double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,8 +37,8 @@ std::string exact(double number) {
     return text.data();
 }
 
-/// Where the vertices lie once their bounds are centred and 2 long.
-std::vector<glm::dvec3> centred(const Text& text) {
+/// Returns the vertices with their bounds centered and scaled to 2.
+std::vector<glm::dvec3> centered(const Text& text) {
     std::vector<glm::dvec3> places(text.vertices.size());
     std::array<long double, 3> min{}, max{};
     const auto number = [&](std::size_t vertex, std::size_t axis) {
@@ -60,9 +60,9 @@ std::vector<glm::dvec3> centred(const Text& text) {
     return places;
 }
 
-/// A solid of seeded random corners about the origin, moved and scaled, as a fan of triangles.
+/// Makes a solid of seeded random corners around the origin, moved and scaled, as a fan of triangles.
 Text random_solid(std::mt19937& random, const glm::dvec3& offset, double scale) {
-    std::uniform_int_distribution<int> eighths(-80, 80);  // exact in a sum with 2^k
+    std::uniform_int_distribution<int> eighths(-80, 80);  // sums with 2^k are exact
     Text text;
     for (int i = 0; i < 12; ++i) {
         std::array<std::string, 3> vertex;
@@ -75,9 +75,9 @@ Text random_solid(std::mt19937& random, const glm::dvec3& offset, double scale) 
     return text;
 }
 
-/// By position: which vertex of the text each vertex of the mesh is, in the order in which the fan names them.
+/// Expects each vertex of the mesh at the place of its vertex in the text, in the order of the fan.
 void expect_places(const Mesh& mesh, const Text& text, double within) {
-    const std::vector<glm::dvec3> places = centred(text);
+    const std::vector<glm::dvec3> places = centered(text);
     ASSERT_EQ(mesh.indices.size(), 30U);
     for (std::size_t face = 0; face < 10; ++face) {
         const std::size_t named[] = {0, face + 1, face + 2 > 11 ? 1 : face + 2};
@@ -88,7 +88,7 @@ void expect_places(const Mesh& mesh, const Text& text, double within) {
     }
 }
 
-TEST(ObjShape, StaysFarFromTheOriginAndAtEverySize) {
+TEST(ObjShape, IsKeptFarFromTheOriginAndAtEverySize) {
     std::mt19937 random(seed);
     const glm::dvec3 far_away[] = {{0, 0, 0},
                                    {0x1p17, 0, 0},
@@ -103,14 +103,14 @@ TEST(ObjShape, StaysFarFromTheOriginAndAtEverySize) {
             const Text text = random_solid(random, offset, scale);
             const Result<ObjMesh> mesh = read(text.whole());
             ASSERT_TRUE(mesh) << mesh.error();
-            // What the text itself says to 17 digits limits what any reader of doubles can tell.
+            // The 17 digits of the text limit the precision of any reader of doubles.
             const double told =
                 4.0 * std::ldexp(std::max({std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)}), -53);
             expect_places(mesh->mesh, text, 1e-6 + told);
         }
 }
 
-TEST(ObjShape, AMoveByAPowerOfTwoChangesNoBit) {
+TEST(ObjShape, PowerOfTwoOffsetChangesNoBit) {
     std::mt19937 random(seed);
     for (int i = 0; i < 50; ++i) {
         const std::mt19937 same = random;
@@ -125,7 +125,7 @@ TEST(ObjShape, AMoveByAPowerOfTwoChangesNoBit) {
     }
 }
 
-TEST(ObjShape, WithoutFittingTheOriginSaysWhereTheFileHasIt) {
+TEST(ObjShape, UnfittedOriginRestoresFileCoordinates) {
     std::mt19937 random(seed);
     for (const glm::dvec3& offset : {glm::dvec3(0.0), glm::dvec3(413207.25, 6204811.5, 88.0)}) {
         const Text text = random_solid(random, offset, 1.0);
@@ -142,11 +142,11 @@ TEST(ObjShape, WithoutFittingTheOriginSaysWhereTheFileHasIt) {
     }
 }
 
-TEST(ObjShape, AQuadThatIsNotFlatIsCutFromTheFirstCornerToTheThird) {
+TEST(ObjShape, NonplanarQuadIsCutFromFirstToThirdCorner) {
     const Result<ObjMesh> mesh = read("v 0 0 0\nv 2 1 0\nv 2 0 2\nv 0 1 2\nf 1 4 3 2\n");
     ASSERT_TRUE(mesh);
     ASSERT_EQ(mesh->mesh.indices.size(), 6U);
-    // The first and the third of the face are those at the lower height.
+    // The face's first and third corners are the lower ones.
     for (std::size_t triangle = 0; triangle < 2; ++triangle) {
         int low = 0;
         for (std::size_t i = 0; i < 3; ++i) low += mesh->mesh.positions[mesh->mesh.indices[3 * triangle + i]].y < 0.0F;
@@ -175,7 +175,7 @@ bool is_inside(const Polygon2& polygon, const glm::dvec2& point) {
     return inside;
 }
 
-/// About the origin at random distances.
+/// Makes a star around the origin with random distances.
 Polygon2 star(std::mt19937& random, int corners) {
     Polygon2 polygon;
     for (int i = 0; i < corners; ++i) {
@@ -186,7 +186,7 @@ Polygon2 star(std::mt19937& random, int corners) {
     return polygon;
 }
 
-/// A gear: teeth with straight flanks, as wide as the gaps.
+/// Makes a gear whose straight-sided teeth are as wide as the gaps.
 Polygon2 gear(int teeth) {
     Polygon2 polygon;
     for (int i = 0; i < 4 * teeth; ++i) {
@@ -196,7 +196,7 @@ Polygon2 gear(int teeth) {
     return polygon;
 }
 
-/// A comb with teeth of random length on a straight back.
+/// Makes a comb with teeth of random length on a straight back.
 Polygon2 comb(std::mt19937& random, int teeth) {
     Polygon2 polygon = {{0.0, -1.0}, {1.0 * teeth, -1.0}, {1.0 * teeth, 0.0}};
     for (int i = teeth - 1; i >= 0; --i) {
@@ -206,7 +206,7 @@ Polygon2 comb(std::mt19937& random, int teeth) {
     return polygon;
 }
 
-/// A band that winds inwards, `turns` times round.
+/// Makes a band that winds inward in `turns` turns.
 Polygon2 spiral(int turns, int corners_a_turn) {
     Polygon2 outer, inner;
     for (int i = 0; i <= turns * corners_a_turn; ++i) {
@@ -219,7 +219,7 @@ Polygon2 spiral(int turns, int corners_a_turn) {
     return outer;
 }
 
-/// Turned into space, cut there, and looked at in its own plane again.
+/// Rotates the polygon in space, cuts it there, and checks the result in its own plane.
 void expect_filled(const Polygon2& polygon, std::mt19937& random, const std::string& what) {
     SCOPED_TRACE(what + " of " + std::to_string(polygon.size()) + " corners, seed " + std::to_string(seed));
     std::normal_distribution<double> normal;
@@ -236,7 +236,7 @@ void expect_filled(const Polygon2& polygon, std::mt19937& random, const std::str
     for (std::size_t i = 0; i < triangles.size(); i += 3) {
         const glm::dvec2 &a = polygon[triangles[i]], &b = polygon[triangles[i + 1]], &c = polygon[triangles[i + 2]];
         const double part = shoelace({a, b, c});
-        ASSERT_GT(part, -1e-9 * area) << "no triangle is turned over";
+        ASSERT_GT(part, -1e-9 * area) << "no triangle is flipped";
         covered += part;
         if (part > 1e-7 * area / static_cast<double>(polygon.size())) {
             ASSERT_TRUE(is_inside(polygon, (a + b + c) / 3.0)) << "triangle " << i / 3;
@@ -245,7 +245,7 @@ void expect_filled(const Polygon2& polygon, std::mt19937& random, const std::str
     EXPECT_NEAR(covered, area, 1e-9 * area);
 }
 
-TEST(ObjShape, PolygonsOfAnyNumberOfCornersAreCoveredOnce) {
+TEST(ObjShape, PolygonsOfAnySizeAreCoveredOnce) {
     std::mt19937 random(seed);
     for (const int count : {4, 5, 6, 7, 9, 17, 40, 128, 254, 256, 257, 300, 1000, 2500, 5000}) {
         expect_filled(star(random, count), random, "star");
@@ -255,7 +255,7 @@ TEST(ObjShape, PolygonsOfAnyNumberOfCornersAreCoveredOnce) {
     }
 }
 
-TEST(ObjShape, AHundredThousandCornersTakeLooksInProportion) {
+TEST(ObjShape, AHundredThousandCornersTakeProportionalTime) {
     std::mt19937 random(seed);
     for (const Polygon2& polygon : {star(random, 100'000), comb(random, 50'000), gear(25'000), spiral(200, 250)}) {
         std::vector<glm::dvec3> corners;

@@ -1,4 +1,4 @@
-// Wavefront OBJ files, good and broken.
+// Valid and broken Wavefront OBJ files.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -20,7 +20,7 @@ protected:
     }
     Mesh load(const std::string& content) const { return read(content).mesh; }
 
-    /// What is said of a file that is read, without its name; "" for nothing.
+    /// Returns the notes on a readable file, without its name; "" if there are none.
     std::string notes(const std::string& content) const {
         const std::string opening = (folder_ / "m.obj").string() + ": ";
         std::string all;
@@ -31,7 +31,7 @@ protected:
         return all;
     }
 
-    /// What the message says after the file's name.
+    /// Returns the message after the file name.
     std::string refusal(const std::string& content) const {
         const std::filesystem::path file = write("broken.obj", content);
         const Result<ObjMesh> mesh = load_obj(file);
@@ -46,7 +46,7 @@ protected:
     }
 };
 
-/// The area of all triangles, and the area as seen from +z (negative from behind).
+/// Returns the area of all triangles and the signed area seen from +z (negative from behind).
 std::pair<double, double> areas(const Mesh& mesh) {
     double area = 0.0;
     double seen = 0.0;
@@ -67,17 +67,17 @@ TEST_F(Obj, QuadsBecomeTwoTriangles) {
     EXPECT_EQ(mesh.triangle_count(), 2U);
     EXPECT_EQ(mesh.positions.size(), 4U);
     ASSERT_EQ(mesh.normals.size(), 4U);
-    EXPECT_NEAR(mesh.normals[0].z, 1.0, 1e-6) << "made, since the file has none";
+    EXPECT_NEAR(mesh.normals[0].z, 1.0, 1e-6) << "generated, since the file has none";
     const auto [area, seen] = areas(mesh);
-    EXPECT_NEAR(area, 4.0, 1e-6) << "side 4 was scaled to side 2";
+    EXPECT_NEAR(area, 4.0, 1e-6) << "side 4 is scaled to side 2";
     EXPECT_NEAR(seen, 4.0, 1e-6);
     const Bounds bounds = bounds_of(mesh);
     EXPECT_NEAR(glm::length(bounds.center()), 0.0, 1e-6);
     EXPECT_NEAR(bounds.size().x, 2.0, 1e-6);
 }
 
-// An L of six corners: area 3 of the 2 × 2 square around it. A fan would cover the notch.
-TEST_F(Obj, ConcavePolygonsAreCutRight) {
+// An L of six corners covers 3 of its 2 × 2 square. A fan would cover the notch.
+TEST_F(Obj, ConcavePolygonsAreCutCorrectly) {
     const std::string corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
     for (const char* face : {"f 1 2 3 4 5 6", "f 2 3 4 5 6 1", "f 3 4 5 6 1 2", "f 4 5 6 1 2 3", "f 5 6 1 2 3 4"}) {
         const Mesh mesh = load(corners + face + "\n");
@@ -88,10 +88,10 @@ TEST_F(Obj, ConcavePolygonsAreCutRight) {
     }
     const auto [area, seen] = areas(load(corners + "f 6 5 4 3 2 1\n"));
     EXPECT_NEAR(area, 3.0, 1e-6);
-    EXPECT_NEAR(seen, -3.0, 1e-6) << "the winding stays";
+    EXPECT_NEAR(seen, -3.0, 1e-6) << "the winding is kept";
 }
 
-TEST_F(Obj, BigPolygonsAreFilled) {
+TEST_F(Obj, LargePolygonsAreFilled) {
     std::string content;
     std::string face = "f";
     constexpr int corners = 1000;
@@ -108,7 +108,7 @@ TEST_F(Obj, BigPolygonsAreFilled) {
 TEST_F(Obj, NegativeIndicesCountFromTheEnd) {
     const Mesh mesh = load("v 9 9 9\n" + std::string(square) + "f -4 -3 -2 -1\n");
     EXPECT_EQ(mesh.triangle_count(), 2U);
-    EXPECT_EQ(mesh.positions.size(), 4U) << "an unused vertex counts for nothing";
+    EXPECT_EQ(mesh.positions.size(), 4U) << "an unused vertex does not count";
     EXPECT_NEAR(bounds_of(mesh).size().x, 2.0, 1e-6);
 }
 
@@ -116,7 +116,7 @@ TEST_F(Obj, FacesMayComeBeforeTheirVertices) {
     EXPECT_EQ(load("f 1 2 3\n" + std::string(square)).triangle_count(), 1U);
 }
 
-TEST_F(Obj, NormalsOfTheFileAreUsedWhereThereAreSome) {
+TEST_F(Obj, NormalsOfTheFileAreUsed) {
     const std::string normals = "vn 0 3 4\nvn 1 0 0\n";
     const Mesh mesh = load(square + normals + "f 1//1 2//1 3//1\nf 1//1 3//2 4//1\n");
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
@@ -125,10 +125,10 @@ TEST_F(Obj, NormalsOfTheFileAreUsedWhereThereAreSome) {
     EXPECT_NEAR(mesh.normals[0].z, 0.8, 1e-6);
     const Mesh partly = load(square + normals + "f 1//1 2//1 3//1\nf 1 3 4\n");
     ASSERT_EQ(partly.positions.size(), 6U);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(partly.normals[i].z, 0.8, 1e-6) << "a face without takes nothing away";
-    for (int i = 3; i < 6; ++i) EXPECT_NEAR(partly.normals[i].z, 1.0, 1e-6) << "made";
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(partly.normals[i].z, 0.8, 1e-6) << "kept beside a face without";
+    for (int i = 3; i < 6; ++i) EXPECT_NEAR(partly.normals[i].z, 1.0, 1e-6) << "generated";
     const Mesh zero = load(std::string(square) + "vn 0 0 0\nf 1//1 2//1 3//1\n");
-    EXPECT_NEAR(zero.normals[0].z, 1.0, 1e-6) << "a normal of length 0 is none";
+    EXPECT_NEAR(zero.normals[0].z, 1.0, 1e-6) << "a zero normal is replaced";
 }
 
 TEST_F(Obj, ToleratesTexturesCommentsAndLineEndings) {
@@ -138,14 +138,14 @@ TEST_F(Obj, ToleratesTexturesCommentsAndLineEndings) {
     EXPECT_EQ(mesh.triangle_count(), 1U);
 }
 
-TEST_F(Obj, AByteOrderMarkMayComeFirst) {
+TEST_F(Obj, AcceptsALeadingByteOrderMark) {
     EXPECT_EQ(load("\xef\xbb\xbf" + std::string(square) + "f 1 2 3 4\n").triangle_count(), 2U);
     EXPECT_EQ(refusal("v 0 0 0\n\xef\xbb\xbfv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-              "line 4: face 1 names vertex 3, but there are 2")
-        << "nowhere else";
+              "line 4: face 1 refers to vertex 3, but the file has 2")
+        << "only at the beginning";
 }
 
-TEST_F(Obj, AMessageQuotesTheWordThatIsWrongAndNoMore) {
+TEST_F(Obj, MessageQuotesOnlyTheWrongWord) {
     EXPECT_EQ(refusal("v 0 0 root:x:0:0:/root:/bin/sh secret\n"), "line 1: not a number: root:x:0:0:/root:/bi…");
     EXPECT_EQ(refusal("v 0 0 \xe2\x80\xae"
                       "1\x1b[2J\n"),
@@ -156,10 +156,10 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(""), "not an OBJ file, or an empty one: it has no vertices and no faces");
     EXPECT_EQ(refusal("hello\n"), "not an OBJ file, or an empty one: it has no vertices and no faces");
     EXPECT_EQ(refusal(square), "has only vertices (4) and no faces: nothing to shade");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 5\n"), "line 5: face 1 names vertex 5, but there are 4");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 5\n"), "line 5: face 1 refers to vertex 5, but the file has 4");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nf 1 2 -5\n"),
-              "line 6: face 2 names vertex -5, which there is not");
-    EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "line 5: face 1 names vertex 0, which there is not");
+              "line 6: face 2 refers to vertex -5, which does not exist");
+    EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "line 5: face 1 refers to vertex 0, which does not exist");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2\n"), "line 5: a face with fewer than three corners");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 /3\n"), "line 5: not a corner of a face: /3");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/-\n"), "line 5: not a corner of a face: 3/-");
@@ -177,7 +177,7 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with an area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n"),
-              "is 1·10⁻³¹⁰ units across, and shapes are told apart from 1·10⁻³⁰⁰ on: scale its coordinates up");
+              "is 1·10⁻³¹⁰ units across, but must be at least 1·10⁻³⁰⁰: scale its coordinates up");
     EXPECT_NE(refusal(std::string("\x7f"
                                   "ELF\0\0\1\2",
                                   8))
@@ -208,8 +208,8 @@ void expect_same(const Mesh& a, const Mesh& b, const std::string& where) {
     EXPECT_EQ(a.indices, b.indices) << where;
 }
 
-// One mesh, written in the ways in which programs and people write it.
-TEST_F(Obj, WhatDoesNoHarmChangesNothing) {
+// One mesh in the various forms that programs and people write.
+TEST_F(Obj, HarmlessVariationsChangeNothing) {
     const std::string plain = ramp();
     const Mesh mesh = load(plain);
     ASSERT_EQ(mesh.triangle_count(), 8U);
@@ -243,7 +243,7 @@ TEST_F(Obj, WhatDoesNoHarmChangesNothing) {
     EXPECT_EQ(refusal(replaced(plain, "f 1 2 3 4", "f 1 2 3 4/1//")), "line 7: not a corner of a face: 4/1//");
 }
 
-TEST_F(Obj, LinesThatEndAtABlockAreReadWhole) {
+TEST_F(Obj, LinesThatEndAtABlockAreReadCompletely) {
     const Mesh mesh = load(ramp());
     constexpr std::size_t block = 256U << 10U;
     for (const char* end : {"\n", "\r\n", "\r", " \\\n "}) {
@@ -256,25 +256,26 @@ TEST_F(Obj, LinesThatEndAtABlockAreReadWhole) {
             expect_same(load(text), mesh, end);
             EXPECT_EQ(refusal(text + "f 1 2 9\n"), "line " +
                                                        std::to_string(13 + (std::string(end) == " \\\n " ? 1 : 0)) +
-                                                       ": face 6 names vertex 9, but there are 6");
+                                                       ": face 6 refers to vertex 9, but the file has 6");
         }
     }
 }
 
-TEST_F(Obj, MessagesNameTheLineThatAStatementBeginsAt) {
+TEST_F(Obj, MessagesNameTheFirstLineOfAStatement) {
     EXPECT_EQ(refusal("v 0 0 0\rv 1 0 0\r\n\nv 0 1 0\r\rf 1 2 x\r"), "line 6: not a corner of a face: x");
     EXPECT_EQ(refusal(ramp() + "f 1 \\\n2 \\\nx\n"), "line 12: not a corner of a face: x");
-    EXPECT_EQ(refusal(ramp() + "\nf 1 2 \\\n7\nf 1 2 8\n"), "line 13: face 6 names vertex 7, but there are 6");
+    EXPECT_EQ(refusal(ramp() + "\nf 1 2 \\\n7\nf 1 2 8\n"), "line 13: face 6 refers to vertex 7, but the file has 6");
     EXPECT_EQ(refusal(ramp() + "f 1 2 \\"), "line 12: a face with fewer than three corners");
     std::string far_apart = "v 0 0 0\nv 1 0 0\n#\n#\nv 0 1 0\nv 1 1 nan\nf 1 2 3\n#\nf 1 2 3\nf 1 2 4\n";
     EXPECT_EQ(refusal(far_apart), "line 6: vertex 4 has a coordinate that is not a finite number");
-    EXPECT_EQ(refusal(replaced(far_apart, "f 1 2 4", "f 1 2 5")), "line 10: face 3 names vertex 5, but there are 4");
+    EXPECT_EQ(refusal(replaced(far_apart, "f 1 2 4", "f 1 2 5")),
+              "line 10: face 3 refers to vertex 5, but the file has 4");
     EXPECT_EQ(refusal("f 1 2 " + replaced(std::string(3U << 20U, 'x'), "xx", "\\\n")),
               "line 1: a line longer than 1 MiB")
-        << "also one that is put together";
+        << "also by line continuation";
 }
 
-TEST_F(Obj, ARefusalNamesWhatTheFileHas) {
+TEST_F(Obj, RefusalNamesTheContentOfTheFile) {
     const std::string vertices = ramp_vertices;
     EXPECT_EQ(refusal(vertices + "l 1 2 3 4 1\nl 5 6\n"), "has only lines (2) and no faces: nothing to shade");
     EXPECT_EQ(refusal(vertices + "p 1 2 3\np 4 5 6\n"), "has only points (2) and no faces: nothing to shade");
@@ -284,7 +285,7 @@ TEST_F(Obj, ARefusalNamesWhatTheFileHas) {
               "has only vertices (6) and no faces: nothing to shade; line 7: not understood: F 1 2 3");
 }
 
-TEST_F(Obj, OtherEncodingsAreNamed) {
+TEST_F(Obj, NamesOtherEncodings) {
     const auto wide = [](const std::string& text, bool is_big_endian, int zeros) {
         std::string made;
         for (const char letter : text)
@@ -301,7 +302,7 @@ TEST_F(Obj, OtherEncodingsAreNamed) {
     EXPECT_EQ(refusal("\0\0\0\0"s), "line 1: binary data");
 }
 
-TEST_F(Obj, WhatIsLeftOutOrReplacedIsSaid) {
+TEST_F(Obj, ReportsOmissionsAndReplacements) {
     const std::string plain = ramp();
     EXPECT_EQ(notes(plain), "");
     EXPECT_EQ(notes(replaced(plain, "f 4 3 6", "f\u00a04 3 6")),
@@ -312,27 +313,27 @@ TEST_F(Obj, WhatIsLeftOutOrReplacedIsSaid) {
     const std::string named =
         replaced(replaced(plain, "f 1 2 3 4", "f 1//1 2//1 3//1 4//1"), "f 1 5 2", "f 1//9 5 2//8");
     EXPECT_EQ(notes(named),
-              "line 7: face 1 names normal 1, but there are 0; corners that got a normal made from the "
-              "faces: 6");
+              "line 7: face 1 refers to normal 1, but the file has 0; corners whose normal comes from "
+              "the faces instead: 6");
     EXPECT_EQ(notes("vn 0 0 0\n" + named),
-              "line 1: normal 1 points nowhere; corners that got a normal made from the "
-              "faces: 6");
+              "line 1: normal 1 has no direction; corners whose normal comes from "
+              "the faces instead: 6");
     EXPECT_EQ(notes(plain + "f 1 2//-1 3\n"),
-              "line 12: face 6 names normal -1, which there is not; corners that got a "
-              "normal made from the faces: 1");
+              "line 12: face 6 refers to normal -1, which does not exist; corners whose "
+              "normal comes from the faces instead: 1");
     const Mesh without = load(named), mesh = load(plain);
     expect_same(without, mesh, "normals that there are not");
     EXPECT_EQ(notes("v 0 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nf 1 2 3 4\nf 1 2 3\nf 4 3 2 1\n"),
-              "line 5: face 1 crosses itself and is filled by a fan, as 1 more");
+              "line 5: face 1 crosses itself and is filled with a triangle fan (and 1 more)");
 }
 
-TEST_F(Obj, WhatIsNoFileIsRefused) {
+TEST_F(Obj, RefusesFoldersAndMissingFiles) {
     EXPECT_EQ(load_obj(folder_ / "none.obj").error(), (folder_ / "none.obj").string() + ": no such file");
     EXPECT_EQ(load_obj(folder_).error(), folder_.string() + ": is a directory, not a file");
     EXPECT_NE(load_obj("/dev/zero").error().find("is not a file"), std::string::npos);
 }
 
-/// A height field of side × side quads with normals.
+/// Writes a height field of side × side quads with normals.
 std::string height_field(int side) {
     std::string content;
     content.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 120);
@@ -371,14 +372,14 @@ TEST_F(Obj, AMillionTrianglesLoadWithProgress) {
     EXPECT_LT(seconds.count(), 30.0) << "a few seconds at most in a release build";
 }
 
-TEST_F(Obj, CanBeCancelled) {
+TEST_F(Obj, CanBeCanceled) {
     const std::filesystem::path file = write("big.obj", height_field(300));
     WorkProgress progress;
-    progress.cancelled = true;
-    EXPECT_EQ(load_obj(file, {}, &progress).error(), file.string() + ": loading was cancelled");
+    progress.canceled = true;
+    EXPECT_EQ(load_obj(file, {}, &progress).error(), file.string() + ": loading was canceled");
 }
 
-TEST_F(Obj, ProgressOnlyGrows) {
+TEST_F(Obj, ProgressNeverDecreases) {
     const std::filesystem::path file = write("big.obj", height_field(300));
     WorkProgress progress;
     std::atomic<bool> done{false};

@@ -1,4 +1,4 @@
-// Random states within the ranges of the list of fields, for round trips.
+// Random states within the ranges of the list of fields, for round-trip tests.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ private:
         const Range range = component_range(field, component);
         const double value = field.logarithmic ? std::exp(uniform(std::log(range.min), std::log(range.max)))
                                                : uniform(range.min, range.max);
-        // Round numbers and the ends of the range come up too.
+        // Include round numbers and the ends of the range.
         const int kind = whole(0, 9);
         return std::clamp(kind == 0   ? range.min
                           : kind == 1 ? range.max

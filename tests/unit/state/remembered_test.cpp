@@ -1,4 +1,4 @@
-// What the window remembers from one time to the next: read back as written, and one sentence for what is broken.
+// The window's settings between runs: they read back as written, and broken ones are reported in one sentence.
 #include "state/person/remembered.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
+TEST_F(RememberedTest, ReadsBackOrIsEmptyWithoutAFile) {
     EXPECT_EQ(*read_remembered(file), Remembered{});
     EXPECT_EQ(*read_remembered({}), Remembered{});
     for (const Remembered& each :
@@ -37,7 +37,7 @@ TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
     EXPECT_TRUE(write_remembered({}, Remembered{}));
 }
 
-TEST_F(RememberedTest, SaysInOneSentenceWhatIsBroken) {
+TEST_F(RememberedTest, ReportsABrokenFileInOneSentence) {
     for (const char* text : {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"language": "xx"})",
                              R"({"scale": 1e9})", R"({"scale": "large"})", R"({"window": 3})", R"({"window": {}})",
                              R"({"window": {"position": [0], "size": [800, 600]}})",
@@ -49,11 +49,11 @@ TEST_F(RememberedTest, SaysInOneSentenceWhatIsBroken) {
         EXPECT_NE(error.find("broken.json"), std::string::npos) << text << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
     }
-    EXPECT_EQ(error_of(R"({"theme": "dark", "later": "version"})"), "") << "of a later version is taken what is known";
+    EXPECT_EQ(error_of(R"({"theme": "dark", "later": "version"})"), "") << "known fields of a later version are used";
 }
 
-/// What a window changes is the window's, what it leaves alone is the file's.
-TEST(MergedRemembered, EachWindowChangesWhatItTouches) {
+/// A window's changes win; everything else comes from the file.
+TEST(MergedRemembered, EachWindowChangesOnlyItsOwnFields) {
     const WindowPlace here{{1, 2}, {800, 600}}, there{{3, 4}, {900, 700}};
     const Remembered known{Theme::dark, 1.0, here, {{"lens", {1, {0}}}}, {}, Language::en, {"c", "1", "Kim"}};
     Remembered kept = known, now = known;
@@ -73,15 +73,15 @@ TEST(MergedRemembered, EachWindowChangesWhatItTouches) {
                           Language::ko,
                           {"c", "2", "Lee"}};
     EXPECT_EQ(merged(kept, known, now), both);
-    EXPECT_EQ(merged(both, known, now), both) << "once more changes nothing";
+    EXPECT_EQ(merged(both, known, now), both) << "merging again changes nothing";
     now.student = {"c", "3", "Park"};
     now.lessons["lens"].step = 6;
-    EXPECT_EQ(merged(kept, known, now).student.number, "3") << "the one that was changed last";
+    EXPECT_EQ(merged(kept, known, now).student.number, "3") << "the latest change wins";
     EXPECT_EQ(merged(kept, known, now).lessons.at("lens").step, 6U);
-    EXPECT_EQ(merged({}, known, now).theme, std::nullopt) << "another window has forgotten everything";
+    EXPECT_EQ(merged({}, known, now).theme, std::nullopt) << "another window has cleared everything";
 }
 
-TEST(MergedRemembered, FilesStandInTheOrderInWhichTheyWereOpened) {
+TEST(MergedRemembered, FilesAreInTheOrderOfOpening) {
     const auto recent = [](std::vector<std::string> kept, std::vector<std::string> known,
                            std::vector<std::string> now) {
         const auto of = [](std::vector<std::string> files) {
@@ -95,28 +95,28 @@ TEST(MergedRemembered, FilesStandInTheOrderInWhichTheyWereOpened) {
     EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"a", "b"}));
     EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"x", "a", "b"})) << "opened elsewhere";
     EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"n", "a", "b"}), (Files{"n", "x", "a", "b"})) << "in both";
-    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"b", "a"}), (Files{"b", "x", "a"})) << "opened once more";
+    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"b", "a"}), (Files{"b", "x", "a"})) << "opened again";
     EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a"}), (Files{"a", "b"})) << "a window that keeps fewer";
     EXPECT_EQ(recent({}, {}, {"a", "b"}), (Files{"a", "b"}));
     Files many;
     for (int i = 0; i < 25; ++i) many.push_back(std::to_string(i));
     EXPECT_EQ(recent(many, {}, {"new"}).front(), "new");
-    EXPECT_LE(recent(many, {}, {"new"}).size(), 20U) << "more is not read again";
+    EXPECT_LE(recent(many, {}, {"new"}).size(), 20U) << "the reader accepts no more";
 }
 
-TEST_F(RememberedTest, WhatCannotBeWrittenIsASentence) {
+TEST_F(RememberedTest, FailedWriteIsReported) {
     const fs::path in_the_way = write("file", "in the way");
     const Status written = write_remembered(in_the_way / "window.json", {Theme::light, {}, {}});
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().find(in_the_way.string()), std::string::npos);
 }
 
-TEST_F(RememberedTest, StandsWhereThePersonsSettingsAre) {
+TEST_F(RememberedTest, UsesTheUsersSettingsFolder) {
     const char* const home = std::getenv("HOME");
     const std::string home_before = home ? home : "";
     ::setenv("XDG_CONFIG_HOME", "/settings", 1);
     EXPECT_EQ(remembered_file(), "/settings/viewing-sandbox/window.json");
-    ::setenv("XDG_CONFIG_HOME", "relative", 1);  // such ones do not count
+    ::setenv("XDG_CONFIG_HOME", "relative", 1);  // relative paths do not count
     ::setenv("HOME", "/home/ann", 1);
     EXPECT_EQ(remembered_file(), "/home/ann/.config/viewing-sandbox/window.json");
     ::unsetenv("XDG_CONFIG_HOME");
@@ -125,13 +125,13 @@ TEST_F(RememberedTest, StandsWhereThePersonsSettingsAre) {
     if (home) ::setenv("HOME", home_before.c_str(), 1);
 }
 
-TEST(WindowPlaces, AreTakenOnlyWhereTheWindowCanBeTakenHoldOf) {
+TEST(WindowPlaces, AreUsedOnlyIfTheWindowCanBeGrabbed) {
     const std::array screens{WindowPlace{{0, 0}, {1920, 1080}}, WindowPlace{{1920, 0}, {1280, 720}}};
     EXPECT_TRUE(is_reachable({{100, 100}, {800, 600}}, screens));
     EXPECT_TRUE(is_reachable({{-600, 0}, {800, 600}}, screens));
     EXPECT_TRUE(is_reachable({{3000, 300}, {800, 600}}, screens));
     EXPECT_FALSE(is_reachable({{-750, 0}, {800, 600}}, screens));
-    EXPECT_FALSE(is_reachable({{100, -20}, {800, 600}}, screens)) << "its title is above the screen";
+    EXPECT_FALSE(is_reachable({{100, -20}, {800, 600}}, screens)) << "its title bar is above the screen";
     EXPECT_FALSE(is_reachable({{2500, 900}, {800, 600}}, screens));
     EXPECT_FALSE(is_reachable({{100, 100}, {800, 600}}, std::span<const WindowPlace>()));
 }

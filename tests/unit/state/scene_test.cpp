@@ -1,4 +1,4 @@
-// Scenes with their meshes, the scenes and presets that come with the sandbox, and how a STATE argument is found.
+// Scenes with their meshes, the shipped scenes and presets, and how a STATE argument is found.
 #include "state/scene.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ SceneDescription one_object(ShapeKind shape) {
     return {{object}};
 }
 
-TEST(Scenes, TheAssetsAreFound) {
+TEST(Scenes, AssetsAreFound) {
     ASSERT_FALSE(assets_directory().empty()) << "set VIEWING_SANDBOX_ASSETS";
 }
 
@@ -84,11 +84,11 @@ TEST(Scenes, LoadFromSeveralThreads) {
     EXPECT_EQ(loaded, 20);
 }
 
-TEST(Scenes, TheOnesOfTheIssueAreThereAndLoad) {
+TEST(Scenes, ShippedOnesExistAndLoad) {
     std::vector<std::string> names;
     for (const NamedFile& file : scenes()) {
         names.push_back(file.name);
-        EXPECT_NE(file.title, file.name) << "has a title of its own";
+        EXPECT_NE(file.title, file.name) << "has its own title";
         EXPECT_TRUE(file.about.ends_with(".")) << file.name;
         const Result<Scene> scene = load_scene(file.name, "");
         ASSERT_TRUE(scene) << scene.error();
@@ -101,7 +101,7 @@ TEST(Scenes, TheOnesOfTheIssueAreThereAndLoad) {
                                                "torus-and-boxes", "triangle-cycle", "walkthrough"}));
 }
 
-TEST(Scenes, TheOpeningOneIsComposedAsDesigned) {
+TEST(Scenes, OpeningSceneHasItsComposition) {
     const Result<Scene> scene = load_scene(Params{}.scene, "");
     ASSERT_TRUE(scene);
     for (const char* name : {"torus", "box", "small box"}) {
@@ -111,12 +111,12 @@ TEST(Scenes, TheOpeningOneIsComposedAsDesigned) {
     EXPECT_LT(scene->bounds_world.size().x / 2.0, 4.0);
 }
 
-TEST(Scenes, TheWalkthroughKeepsItsDoorwaysOpen) {
+TEST(Scenes, WalkthroughKeepsItsDoorwaysOpen) {
     const Result<Scene> scene = load_scene(std::string("walkthrough"), "");
     ASSERT_TRUE(scene);
     EXPECT_GE(scene->objects.size(), 40U);
     EXPECT_LE(scene->objects.size(), 80U);
-    // A walk at eye height, from outside the entrance down the corridor and out at the end, and into three rooms.
+    // A walk at eye height: from the entrance down the corridor and out at the end, and into three rooms.
     const glm::dvec3 route[] = {{0, 1.7, 11}, {0, 1.7, -11}, {0, 1.7, 5},   {-5, 1.7, 5}, {0, 1.7, 5},
                                 {0, 1.7, 6},  {3.5, 1.7, 6}, {0, 1.7, 6},   {0, 1.7, -6}, {-5, 1.7, -6},
                                 {0, 1.7, -6}, {0, 1.7, -5},  {4.0, 1.7, -5}};
@@ -132,7 +132,7 @@ TEST(Scenes, TheWalkthroughKeepsItsDoorwaysOpen) {
     }
 }
 
-TEST_F(SceneFiles, MeshesAreRelativeToTheScenesFile) {
+TEST_F(SceneFiles, MeshPathsAreRelativeToTheSceneFile) {
     std::filesystem::create_directories(folder_ / "meshes");
     write("meshes/t.obj", triangle_obj);
     write("room.json", R"({"objects": [{"name": "t", "shape": "mesh", "file": "meshes/t.obj"}]})");
@@ -141,10 +141,10 @@ TEST_F(SceneFiles, MeshesAreRelativeToTheScenesFile) {
     EXPECT_EQ(by_path->objects[0].mesh->triangle_count(), 1U);
     const Result<Scene> by_base = load_scene(std::string("room.json"), folder_);
     ASSERT_TRUE(by_base) << by_base.error();
-    EXPECT_EQ(by_base->objects[0].mesh, by_path->objects[0].mesh) << "the same file is read once";
+    EXPECT_EQ(by_base->objects[0].mesh, by_path->objects[0].mesh) << "one file is read once";
 }
 
-TEST_F(SceneFiles, AChangedMeshIsReadAgain) {
+TEST_F(SceneFiles, ChangedMeshIsReadAgain) {
     SceneDescription scene = one_object(ShapeKind::mesh);
     scene.objects[0].file = write("t.obj", triangle_obj).string();
     EXPECT_EQ(load_scene(scene, "")->objects[0].mesh->triangle_count(), 1U);
@@ -152,7 +152,7 @@ TEST_F(SceneFiles, AChangedMeshIsReadAgain) {
     EXPECT_EQ(load_scene(scene, "")->objects[0].mesh->triangle_count(), 2U);
 }
 
-TEST_F(SceneFiles, BadOnesAreRefusedByNameAndField) {
+TEST_F(SceneFiles, BadOnesAreRefusedWithNameAndField) {
     const auto error = [this](const char* content) {
         write("room.json", content);
         const Result<Scene> scene = load_scene(std::string("room.json"), folder_);
@@ -165,8 +165,7 @@ TEST_F(SceneFiles, BadOnesAreRefusedByNameAndField) {
               "room.json: objects[0].file: " + (folder_ / "broken.obj").string() +
                   ": not an OBJ file, or an empty one: it has no vertices and no faces");
     EXPECT_EQ(error(R"({"objects": [{"name": "t", "shape": "box", "scale": [0, 1, 1]}]})"),
-              "room.json: objects[0].scale[0]: must be other than 0: nothing would be left of the object, got the "
-              "number 0");
+              "room.json: objects[0].scale[0]: must be nonzero: 0 would flatten the object, got the number 0");
     EXPECT_EQ(load_scene(std::string("missing.json"), folder_).error(),
               "scene: " + (folder_ / "missing.json").string() + ": no such file");
     const std::string unknown = load_scene(std::string("teapod"), folder_).error();
@@ -178,15 +177,15 @@ TEST_F(SceneFiles, BadOnesAreRefusedByNameAndField) {
     EXPECT_NE(load_scene(folder_.string(), "").error().find("is a directory"), std::string::npos);
 }
 
-/// As where a file is dropped on the window.
-TEST_F(SceneFiles, OneWhoseNameNoStateCouldHoldIsRefused) {
+/// Such a name may come from a file dropped on the window.
+TEST_F(SceneFiles, NameThatIsNotUtf8IsRefused) {
     const std::filesystem::path mesh = write("caf\xe9.obj", triangle_obj);
     const Result<Scene> scene = load_scene(mesh.string(), "");
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().find("caf\\xe9.obj: the file's name is not UTF-8"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().find("caf\\xe9.obj: the file name is not UTF-8"), std::string::npos) << scene.error();
 }
 
-TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
+TEST_F(SceneFiles, MeshIsPlacedOnTheFloor) {
     const std::filesystem::path file = write("t.obj", triangle_obj);
     const SceneDescription description = scene_of_mesh(file);
     ASSERT_EQ(description.objects.size(), 1U);
@@ -196,7 +195,7 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     EXPECT_NEAR(scene->bounds_world.min.y, 0.0, 1e-6);
     EXPECT_NEAR(scene->bounds_world.size().x, 2.0, 1e-6);
     const Result<Scene> by_name = load_scene(file.string(), "");
-    ASSERT_TRUE(by_name) << "the path of an OBJ file is a scene too";
+    ASSERT_TRUE(by_name) << "an OBJ path is a scene too";
     EXPECT_EQ(by_name->objects[0].mesh, scene->objects[0].mesh);
     Params params;
     params.scene = description;
@@ -210,7 +209,7 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     EXPECT_EQ(load_scene(path, "", {}, {.origin = "--mesh"}).error(), "--mesh: " + path + ": no such file");
 }
 
-/// All corners of an object in the world.
+/// Returns all corners of an object in the world.
 std::vector<glm::dvec3> corners_world(const Scene& scene, std::size_t object) {
     std::vector<glm::dvec3> corners;
     for (const glm::vec3& position : scene.objects[object].mesh->positions)
@@ -218,8 +217,8 @@ std::vector<glm::dvec3> corners_world(const Scene& scene, std::size_t object) {
     return corners;
 }
 
-// A shed whose measures an exercise sheet gives, and a copy of it where maps count from.
-TEST_F(SceneFiles, AMeshThatIsNotFittedKeepsItsFilesCoordinates) {
+// A shed with the measures of an exercise sheet, and a copy at map coordinates.
+TEST_F(SceneFiles, UnfittedMeshKeepsItsFileCoordinates) {
     write("shed.obj", "v 10 0 -6\nv 16 0 -6\nv 16 4 -2\nv 10 4 -2\nf 1 2 3 4\n");
     write("map.obj",
           "v 413210.25 6204800 -6\nv 413216.25 6204800 -6\nv 413216.25 6204804 -2\nv 413210.25 6204804 -2\n"
@@ -235,18 +234,18 @@ TEST_F(SceneFiles, AMeshThatIsNotFittedKeepsItsFilesCoordinates) {
     const Result<Scene> scene = load_scene(*description, folder_);
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(corners_world(*scene, 0), (std::vector<glm::dvec3>{{10, 0, -6}, {16, 0, -6}, {16, 4, -2}, {10, 4, -2}}));
-    // T R S about the origin of the file: (x, y, z) becomes (1 + z, 2 y, −x).
+    // The product T R S about the origin of the file: (x, y, z) becomes (1 + z, 2 y, −x).
     const std::vector<glm::dvec3> turned = corners_world(*scene, 1);
     EXPECT_LT(glm::length(turned[0] - glm::dvec3(-5, 0, -10)), 1e-9);
     EXPECT_LT(glm::length(turned[2] - glm::dvec3(-1, 8, -16)), 1e-9);
     EXPECT_LT(glm::length(corners_world(*scene, 2)[2] - glm::dvec3(1, 2.0 / 3.0, 2.0 / 3.0)), 1e-6);
-    EXPECT_EQ(corners_world(*scene, 3)[2], glm::dvec3(413216.25, 6204804, -2)) << "no digit is lost far away";
+    EXPECT_EQ(corners_world(*scene, 3)[2], glm::dvec3(413216.25, 6204804, -2)) << "no digit is lost at a distance";
     EXPECT_EQ(scene->bounds_world.max.y, 6204804.0);
     EXPECT_NE(scene->objects[0].mesh, scene->objects[2].mesh);
     EXPECT_EQ(scene->objects[0].mesh, scene->objects[1].mesh);
 }
 
-TEST_F(SceneFiles, TheCreaseAngleIsAnObjectsOwn) {
+TEST_F(SceneFiles, CreaseAngleBelongsToTheObject) {
     write("fold.obj", "v -1 0 0\nv 0 0 0\nv 0 0 1\nv -1 0 1\nv 0 1 0\nv 0 1 1\nf 1 4 3 2\nf 2 3 6 5\n");
     SceneDescription description = one_object(ShapeKind::mesh);
     description.objects[0].file = "fold.obj";
@@ -259,13 +258,13 @@ TEST_F(SceneFiles, TheCreaseAngleIsAnObjectsOwn) {
     EXPECT_EQ(scene->objects[1].mesh->positions.size(), 6U);
 }
 
-TEST_F(SceneFiles, WhatIsLeftOutOfAMeshIsSaidEachTime) {
+TEST_F(SceneFiles, OmissionsOfAMeshAreReportedEachTime) {
     const std::filesystem::path file = write("t.obj", std::string(triangle_obj) + "face 1 2 3\n");
     const std::string note = file.string() + ": line 5: not understood: face 1 2 3";
     for (int i = 0; i < 2; ++i) {
         const Result<Scene> alone = load_scene(file.string(), "", {}, {.origin = "STATE"});
         ASSERT_TRUE(alone) << alone.error();
-        EXPECT_EQ(alone->notes, std::vector<std::string>{"STATE: " + note}) << "also of a mesh that was kept";
+        EXPECT_EQ(alone->notes, std::vector<std::string>{"STATE: " + note}) << "also for a cached mesh";
     }
     write("room.json",
           R"({"objects": [{"name": "b", "shape": "box"}, {"name": "t", "shape": "mesh", "file": "t.obj"}]})");
@@ -275,12 +274,12 @@ TEST_F(SceneFiles, WhatIsLeftOutOfAMeshIsSaidEachTime) {
     EXPECT_EQ(room->notes[0], (folder_ / "room.json").string() + ": objects[1].file: " + note);
 }
 
-TEST_F(SceneFiles, LoadingCanBeCancelled) {
+TEST_F(SceneFiles, LoadingCanBeCanceled) {
     SceneDescription scene = one_object(ShapeKind::mesh);
     scene.objects[0].file = write("t.obj", triangle_obj).string();
     WorkProgress progress;
-    progress.cancelled = true;
-    EXPECT_NE(load_scene(scene, "", {}, {.progress = &progress}).error().find("cancelled"), std::string::npos);
+    progress.canceled = true;
+    EXPECT_NE(load_scene(scene, "", {}, {.progress = &progress}).error().find("canceled"), std::string::npos);
 }
 
 TEST(Presets, AllLoadWithTheirScenes) {
@@ -298,7 +297,7 @@ TEST(Presets, AllLoadWithTheirScenes) {
         ASSERT_TRUE(state) << state.error();
         const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
-        EXPECT_TRUE(preset.name == "opening" || state->params != Params{}) << "differs from the opening state";
+        EXPECT_TRUE(preset.name == "opening" || state->params != Params{}) << "must differ from the opening state";
         Params clamped = state->params;
         clamp_to_ranges(clamped);
         EXPECT_EQ(clamped, state->params);
@@ -306,26 +305,26 @@ TEST(Presets, AllLoadWithTheirScenes) {
     EXPECT_GT(grouped, all.size() - 10);
 }
 
-TEST(Presets, StandInTheOrderOfTheLectureTopicByTopic) {
+TEST(Presets, FollowTheLectureTopicByTopic) {
     const std::vector<NamedFile> all = presets();
     std::vector<std::string> topics;
     for (const NamedFile& preset : all)
         if (topics.empty() || preset.group != topics.back()) topics.push_back(preset.group);
     EXPECT_EQ(topics, (std::vector<std::string>{"", "Camera", "Hidden surfaces", "Depth buffer", "Depth fighting",
                                                 "Shadow", "Mirror", "Planes and lights"}));
-    // lecture.json has each of them once and nothing else: what it leaves out would stand behind the last topic.
+    // lecture.json names each preset once and nothing else: a missing one would come after the last topic.
     const std::string order = *read_text_file(assets_directory() / "lecture.json");
     std::size_t at = 0;
     for (const NamedFile& preset : all) {
         const std::size_t next = order.find('"' + preset.name + '"');
-        ASSERT_NE(next, std::string::npos) << preset.name << " has no place in lecture.json";
+        ASSERT_NE(next, std::string::npos) << preset.name << " is missing from lecture.json";
         EXPECT_GT(next, at) << preset.name;
         at = next;
     }
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(order, ',')) + 1, all.size());
 }
 
-TEST(Presets, AStateKnowsThePresetThatItCameFrom) {
+TEST(Presets, StateKnowsItsPreset) {
     const Result<LoadedState> walk = load_state("walk"), opening = load_state("");
     ASSERT_TRUE(walk && walk->preset);
     EXPECT_EQ(walk->preset->name, "walk");
@@ -334,11 +333,11 @@ TEST(Presets, AStateKnowsThePresetThatItCameFrom) {
     EXPECT_EQ(opening->preset->name, "opening");
     const Result<LoadedState> file = load_state((assets_directory() / "presets" / "walk.json").string());
     ASSERT_TRUE(file);
-    EXPECT_FALSE(file->preset) << "a file of one's own has no sentence to show";
+    EXPECT_FALSE(file->preset) << "a custom file has no sentence";
 }
 
-/// The first slides: where the camera is and what is done to the world are one relation.
-TEST(Presets, MovingTheWorldByMinusTenIsMovingTheCameraByTen) {
+/// The first slides: moving the camera and moving the world are equivalent.
+TEST(Presets, MovingTheWorldByMinusTenMovesTheCameraByTen) {
     const Params camera = load_state("camera-plus-ten")->params, world = load_state("world-minus-ten")->params;
     const glm::dvec3 step(0.0, 0.0, 10.0);
     EXPECT_EQ(camera.camera.position - world.camera.position, step);
@@ -351,7 +350,7 @@ TEST(Presets, MovingTheWorldByMinusTenIsMovingTheCameraByTen) {
     EXPECT_EQ(camera.planes.front().equation + glm::dvec4(0.0, 0.0, 0.0, 10.0), world.planes.front().equation);
 }
 
-TEST(Presets, TheOnesOfTheLectureAreThere) {
+TEST(Presets, IncludeThoseOfTheLecture) {
     std::vector<std::string> names;
     for (const NamedFile& preset : presets()) {
         names.push_back(preset.name);
@@ -395,7 +394,7 @@ TEST(Presets, OpeningIsTheDefaults) {
     EXPECT_EQ(left_out->base, named->base);
 }
 
-TEST(Presets, UnknownNamesListTheNearest) {
+TEST(Presets, UnknownNameSuggestsTheNearest) {
     const Result<LoadedState> state = load_state("orthografic");
     ASSERT_FALSE(state);
     EXPECT_NE(state.error().find("orthografic: neither a file nor a preset (viewing-sandbox presets lists them); did "
@@ -419,7 +418,7 @@ TEST_F(SceneFiles, StatesAreFoundByPath) {
     EXPECT_EQ(load_state(bad).error(), bad + ": projection.naer: no such field; did you mean projection.near?");
 }
 
-TEST_F(SceneFiles, StatesAreReadFromATextThatIsNamed) {
+TEST_F(SceneFiles, StatesAreReadFromNamedText) {
     const Result<LoadedState> state = state_in_text(R"({"camera": {"yaw": 6}})", "standard input");
     ASSERT_TRUE(state) << state.error();
     EXPECT_EQ(state->params.camera.yaw, 6.0);

@@ -1,4 +1,4 @@
-// A folder of the test's own, gone with it.
+// A temporary folder for a test, deleted at its end.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -20,11 +20,11 @@ std::string refusal(const Settings& settings) {
     return params ? "" : params.error();
 }
 
-TEST(Settings, NothingChangesNothing) {
+TEST(Settings, EmptyListChangesNothing) {
     EXPECT_EQ(set({}), Params{});
 }
 
-TEST(Settings, TheContractsExamples) {
+TEST(Settings, ExamplesOfTheContract) {
     const Params params = set({"projection.near=0.01", "light.position=[2,5,1,0]", "depth.func=always"});
     EXPECT_EQ(params.projection.near, 0.01);
     EXPECT_EQ(params.lights.front().position, glm::dvec4(2, 5, 1, 0));
@@ -37,7 +37,7 @@ TEST(Settings, ApplyInOrder) {
     EXPECT_EQ(set({"light.position=[1,2,3,1]", "light.position[0]=7"}).lights.front().position, glm::dvec4(7, 2, 3, 1));
 }
 
-TEST(Settings, GroupsChangeOnlyWhatTheyName) {
+TEST(Settings, GroupsChangeOnlyTheirNamedFields) {
     const Params params = set({R"(camera={"yaw": 3, "navigation": "orbit"})", R"(depth={"offset": {"units": 2}})"});
     EXPECT_EQ(params.camera.yaw, 3.0);
     EXPECT_EQ(params.camera.pitch, -16.4);
@@ -46,7 +46,7 @@ TEST(Settings, GroupsChangeOnlyWhatTheyName) {
     EXPECT_EQ(params.depth.offset.factor, 0.0);
 }
 
-TEST(Settings, ValueIsJsonElseText) {
+TEST(Settings, ValueIsJsonOrElseText) {
     EXPECT_EQ(set({"ui.theme=light"}).ui.theme, Theme::light);
     EXPECT_EQ(set({"ui.theme=\"light\""}).ui.theme, Theme::light);
     EXPECT_EQ(std::get<std::string>(set({"scene=folder/my scene=2.json"}).scene), "folder/my scene=2.json");
@@ -71,7 +71,7 @@ TEST(Settings, ReachIntoValues) {
         9.0);
 }
 
-TEST(Settings, RulesBetweenFieldsHoldAtTheEndOnly) {
+TEST(Settings, RelationsBetweenFieldsAreCheckedAtTheEnd) {
     const Params params =
         set({"projection.near=50", "projection.far=100", "plane.equation[1]=0", "plane.equation[2]=1"});
     EXPECT_EQ(params.projection.near, 50.0);
@@ -81,32 +81,32 @@ TEST(Settings, RulesBetweenFieldsHoldAtTheEndOnly) {
     EXPECT_NE(refusal({"light.position=[0,0,0,0]"}).find("--set light.position: must not be zero"), std::string::npos);
 }
 
-TEST(Settings, Refusals) {
+TEST(Settings, AreRefusedWithAReason) {
     const std::pair<std::string, std::string> cases[] = {
         {"projection.near", "--set projection.near: must be PATH=VALUE"},
         {"=3", "--set =3: must be PATH=VALUE"},
         {"", "--set : must be PATH=VALUE"},
         {"projection.naer=1", "--set projection.naer: no such field; did you mean projection.near?"},
         {"near=1", "--set near: no such field; did you mean projection.near?"},
-        {"projection.near=abc", "--set projection.near: must be a number from 1e-6 to 1e6, got the text \"abc\""},
-        {"projection.near=", "--set projection.near: must be a number from 1e-6 to 1e6, got the text \"\""},
-        {"projection.near=NaN", "got the text \"NaN\""},
+        {"projection.near=abc", "--set projection.near: must be a number from 1e-6 to 1e6, got the string \"abc\""},
+        {"projection.near=", "--set projection.near: must be a number from 1e-6 to 1e6, got the string \"\""},
+        {"projection.near=NaN", "got the string \"NaN\""},
         {"projection.near=1e999", "--set projection.near: the number 1e999 is too large"},
         {"projection.near=-1", "--set projection.near: must be a number from 1e-6"},
         {"projection=3", "--set projection: must be an object, got the number 3"},
         {"camera={\"yaw\":1,\"yaw\":2}", "--set camera: yaw: appears twice"},
         {"camera={\"jaw\":1}", "--set camera.jaw: no such field; did you mean camera.yaw?"},
         {"light.position[4]=1", "--set light.position: must be four numbers"},
-        {"light.position[9]=1", "--set light.position[9]: there is no such element, the array has 4"},
+        {"light.position[9]=1", "--set light.position[9]: no such element: the length of the array is 4"},
         {"light.position[x]=1", "--set light.position: \"[x]\" is not an index"},
         {"light.position[=1", "is not an index"},
         {"light.position[99999999999]=1", "is not an index"},
-        {"light.position[0]x=1", "\"x\" cannot follow"},
-        {"light.position.x=1", "--set light.position: has no fields, it is an array of 4"},
-        {"camera.yaw[0]=1", "--set camera.yaw: has no elements, it is the number 30.6"},
-        {"scene.objects[0]=1", "--set scene: has no fields, it is the text \"torus-and-boxes\""},
+        {"light.position[0]x=1", "must not be followed by \"x\""},
+        {"light.position.x=1", "--set light.position: has no fields: it is an array of length 4"},
+        {"camera.yaw[0]=1", "--set camera.yaw: has no elements: it is the number 30.6"},
+        {"scene.objects[0]=1", "--set scene: has no fields: it is the string \"torus-and-boxes\""},
         {"lights[0].colour=1", "--set lights[0].colour: no such field"},
-        {"lights[1].position=[0,1,0,0]", "--set lights[1]: there is no such element, the array has 0"},
+        {"lights[1].position=[0,1,0,0]", "--set lights[1]: no such element: the length of the array is 0"},
         {"version=2", "--set version: must be 1"},
         {"title=x", "--set title: no such field"},
         {"scene=\xff", "--set scene: must be valid UTF-8"},

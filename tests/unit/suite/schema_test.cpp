@@ -1,6 +1,6 @@
-// The JSON schema of a suite against its reader: what one takes the other takes. Random documents, right and wrong, are
-// judged by both; what a schema cannot say (names that collide, a picture's pixels, what an entry tests) is not among
-// them.
+// The JSON schema of a suite and its reader accept the same documents. The test gives both random documents, valid and
+// invalid; rules that a schema cannot express (names that collide, a picture's pixels, what an entry tests) are left
+// out.
 #include "suite/schema.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of each key what may stand there, then what may not; JSON.
+/// Valid, then invalid values of each key, as JSON.
 struct Choices {
     const char* key;
     std::vector<const char*> right, wrong;
@@ -88,7 +88,7 @@ private:
         std::string text = "{\"name\": \"e" + std::to_string(i) + (one_in(60) ? "\\u0007" : "") + "\"";
         for (const std::string& part : {some_of(entry_choices, 2), some_of(setting_choices, 2)})
             if (!part.empty()) text += ", " + part;
-        // What may be set of a lesson's step is a rule that no schema can say.
+        // No schema can express which settings a lesson's step allows.
         if (!has(text, "lesson") && !has(text, "exercise") && one_in(3)) text += ", " + value_of(set_choices);
         return text + "}";
     }
@@ -114,7 +114,7 @@ private:
     std::mt19937 random_;
 };
 
-TEST(SuiteSchema, TakesWhatTheReaderTakes) {
+TEST(SuiteSchema, AcceptsWhatTheReaderAccepts) {
     if (std::system("/usr/bin/python3 -c 'from jsonschema import Draft202012Validator' 2>/dev/null") != 0)
         GTEST_SKIP() << "no validator: Debian's package python3-jsonschema has it";
     const fs::path folder = fs::temp_directory_path() / ("suite-schema-" + std::to_string(::getpid()));

@@ -1,4 +1,4 @@
-// The parts of a suite that need no GL: names, numbers, shards, workers that misbehave, and what reports are made of.
+// The parts of a suite that need no GL: names, numbers, shards, workers that misbehave, and the parts of reports.
 #include "suite/suite.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(SafeFileName, IsReadableAndSafeEverywhere) {
     EXPECT_LE(safe_file_name(std::string(1000, 'x')).size(), 150U);
 }
 
-TEST(NumbersApart, TellsPlacesBeyondTheTolerance) {
+TEST(NumbersApart, ListsPlacesBeyondTheTolerance) {
     const Json expected = Json::parse(R"({"S": [[4, 1], [0, -3]], "text": "a", "gone": 1, "big": 1e6})");
     const Json actual = Json::parse(R"({"S": [[4, 1.001], [0, -3]], "text": "b", "new": null, "big": 1000500})");
     const auto paths = [&](double tolerance) {
@@ -90,7 +90,7 @@ TEST(Shards, HaveEachEntryOnceAndEqualTimes) {
     }
 }
 
-/// A program that plays the worker: it reads "entry": N and does what N asks of it.
+/// A program that plays the worker: it reads "entry": N and behaves as N says.
 class Workers : public testing::Test {
 protected:
     void SetUp() override {
@@ -117,14 +117,14 @@ done
     RunWish wish(int count) const {
         RunWish wish;
         wish.worker = {(folder_ / "worker").string()};
-        wish.entry_timeout_s = 4.0;  // for a worker to begin, too
+        wish.entry_timeout_s = 4.0;  // also for the start of a worker
         for (int i = 0; i < count; ++i) wish.chosen.push_back(static_cast<std::size_t>(i));
         return wish;
     }
     fs::path folder_;
 };
 
-TEST_F(Workers, ThatCrashHangOrBabbleFailTheirEntryAlone) {
+TEST_F(Workers, ThatCrashHangOrBabbleFailOnlyTheirEntry) {
     for (const int jobs : {1, 3}) {
         const Suite suite = suite_of(12);
         RunWish wanted = wish(12);
@@ -145,14 +145,14 @@ TEST_F(Workers, ThatCrashHangOrBabbleFailTheirEntryAlone) {
             }
         }
         EXPECT_EQ(results.entries[3].reasons.front(), "the program crashed: signal 11 (Segmentation fault)");
-        EXPECT_EQ(results.entries[5].reasons.front(), "not done within 4 s");
+        EXPECT_EQ(results.entries[5].reasons.front(), "not finished within 4 s");
         EXPECT_NE(results.entries[7].reasons.front().find("no JSON at all"), std::string::npos);
         EXPECT_EQ(results.entries[9].reasons.front(), "the program crashed: exit status 9");
         EXPECT_EQ(results.entries[9].output, "it hurts\n");
     }
 }
 
-TEST_F(Workers, ThatCannotBeginEndTheRun) {
+TEST_F(Workers, ThatCannotStartEndTheRun) {
     std::ofstream(folder_ / "worker") << "#!/bin/sh\necho 'no OpenGL here' >&2\nexit 3\n";
     const Suite suite = suite_of(2);
     const GatheredResults results = run_entries(suite, wish(2));
@@ -162,7 +162,7 @@ TEST_F(Workers, ThatCannotBeginEndTheRun) {
 
     RunWish nobody = wish(2);
     nobody.worker = {(folder_ / "nobody").string()};
-    nobody.entry_timeout_s = 3600.0;  // which nobody waits for
+    nobody.entry_timeout_s = 3600.0;  // far longer than the test waits
     const GatheredResults none = run_entries(suite, nobody);
     ASSERT_TRUE(none.failure);
     EXPECT_NE(none.failure->complaint.find("cannot be started"), std::string::npos) << none.failure->complaint;
@@ -183,7 +183,7 @@ RunResult made_run() {
     return run;
 }
 
-TEST(Report, PageHoldsForeignTextsWithoutObeyingThem) {
+TEST(Report, PageEscapesForeignTexts) {
     const std::string page = report_page(made_run());
     EXPECT_EQ(page.find("{{"), std::string::npos) << "a place is not filled";
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
@@ -199,9 +199,9 @@ TEST(Report, JunitCountsAndEscapes) {
     EXPECT_NE(xml.find("<system-err>]]&gt;</system-err>"), std::string::npos) << xml;
 }
 
-TEST(Report, JunitHoldsNothingThatXmlCannotWrite) {
+TEST(Report, JunitContainsNothingThatXmlForbids) {
     RunResult run = made_run();
-    run.entries.front().name = "a\xef\xbf\xbe b\xff";  // U+FFFE, and a byte that is no UTF-8
+    run.entries.front().name = "a\xef\xbf\xbe b\xff";  // U+FFFE, and an invalid UTF-8 byte
     run.entries.front().output = "first\n\x1b[31m\xe2\x80\xaesecond";
     const std::string xml = junit_of(run);
     EXPECT_TRUE(is_utf8(xml));
@@ -210,7 +210,7 @@ TEST(Report, JunitHoldsNothingThatXmlCannotWrite) {
     EXPECT_NE(xml.find("<system-err>first\n\\u001b[31m\\u202esecond</system-err>"), std::string::npos) << xml;
 }
 
-TEST(Report, OfManyEntriesIsReadBackToo) {
+TEST(Report, OfManyEntriesIsAlsoReadBack) {
     const fs::path folder = fs::temp_directory_path() / ("suite-many-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     RunResult run = made_run();
@@ -240,10 +240,10 @@ protected:
     const fs::path folder = fs::temp_directory_path() / ("suite-files-" + std::to_string(::getpid()));
 };
 
-/// Small files that would stand for much are refused before it is made.
-TEST_F(SuiteFiles, ThatStandForTooMuchAreRefused) {
+/// Small files that would expand too much are refused before expansion.
+TEST_F(SuiteFiles, ThatExpandTooMuchAreRefused) {
     const std::string too_much =
-        "suite.json: entries: have more than 128 MiB of settings, masks and texts with those of the defaults";
+        "suite.json: entries: have more than 128 MiB of settings, masks and texts, including the defaults";
     const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 3000) + "]";
     const std::string set = "\"defaults\":{\"set\":[" + repeated(R"("projection.near=0.5")", 1000) + "]}";
     EXPECT_EQ(refusal_of("{\"suite\":1," + set + "," + entries + "}"), too_much);
@@ -255,14 +255,14 @@ TEST_F(SuiteFiles, ThatStandForTooMuchAreRefused) {
         "\"defaults\":{\"problems\":{\"must\":[" + repeated("\"" + std::string(1000, 'x') + "\"", 64) + "]}}";
     EXPECT_EQ(refusal_of("{\"suite\":1," + sentences + "," + entries + "}"), too_much);
     EXPECT_EQ(refusal_of("{\"suite\":1,\"entries\":[" + repeated(R"({"each":"preset","name":"{}"})", 5000) + "]}"),
-              "suite.json: entries: are more than 100000 with those that stand for several");
+              "suite.json: entries: are more than 100000, counting all those of \"each\"");
 }
 
-TEST_F(SuiteFiles, WithNamesThatAreNoUtf8AreRefusedAsAFolder) {
+TEST_F(SuiteFiles, WithNamesThatAreNotUtf8AreRefusedAsAFolder) {
     std::ofstream(folder / "b\xff.json") << "{}";
     const Result<Suite> suite = load_suite(folder.string());
     ASSERT_FALSE(suite);
-    EXPECT_NE(suite.error().find("b\\xff.json: the file's name is not UTF-8"), std::string::npos) << suite.error();
+    EXPECT_NE(suite.error().find("b\\xff.json: the file name is not UTF-8"), std::string::npos) << suite.error();
 }
 
 TEST(Report, ReadsBackWhatItWrote) {

@@ -1,4 +1,4 @@
-// Catalogues: the reader of .po files, what is looked up in them, and the pseudo-language.
+// Catalogs: the reader of .po files, lookup, and the pseudo-language.
 #include "text/catalogue.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-TEST(Po, TextsOverSeveralLinesWithEscapes) {
+TEST(Po, ReadsMultilineTextsWithEscapes) {
     const auto entries = read_po(
         "# a comment\n"
         "msgid \"\"\nmsgstr \"Language: ko\\n\"\n\n"
@@ -25,24 +25,24 @@ TEST(Po, TextsOverSeveralLinesWithEscapes) {
     EXPECT_EQ((*entries)[2].translation, "");
 }
 
-TEST(Po, ASlipIsToldWithItsLine) {
+TEST(Po, ReportsAMistakeWithItsLine) {
     const auto message = [](std::string_view content) {
         const auto entries = read_po(content);
         return entries ? std::string("accepted") : entries.error();
     };
-    EXPECT_EQ(message("msgid \"a\nmsgstr \"b\"\n"), "line 1: a text must stand between double quotes on one line");
+    EXPECT_EQ(message("msgid \"a\nmsgstr \"b\"\n"), "line 1: a string must be in double quotes on one line");
     EXPECT_EQ(message("msgid \"a\"\nmsgid \"b\"\n"), "line 2: a msgstr is missing before this line");
     EXPECT_EQ(message("msgid \"a\"\n"), "line 1: a msgstr is missing before this line");
     EXPECT_EQ(message("msgstr \"a\"\n"), "line 1: a msgstr must follow a msgid");
-    EXPECT_EQ(message("msgid \"a\\q\"\nmsgstr \"\"\n"), "line 1: after a backslash there must be n, t, \\ or \"");
-    EXPECT_EQ(message("msgid \"a\"b\"\nmsgstr \"\"\n"), "line 1: a double quote inside a text must be written \\\"");
-    EXPECT_EQ(message("\"a\"\n"), "line 1: a text must follow a msgid or a msgstr");
+    EXPECT_EQ(message("msgid \"a\\q\"\nmsgstr \"\"\n"), "line 1: a backslash must be followed by n, t, \\ or \"");
+    EXPECT_EQ(message("msgid \"a\"b\"\nmsgstr \"\"\n"), "line 1: a double quote inside a string must be written \\\"");
+    EXPECT_EQ(message("\"a\"\n"), "line 1: a string must follow a msgid or a msgstr");
     EXPECT_EQ(message("msgctxt \"x\"\n"),
-              "line 1: a line begins with msgid, msgstr, # or a double quote, not with \"msgctxt\"");
-    EXPECT_EQ(message("msgid \"a\"\nmsgstr \"\"\n\nmsgid \"a\"\nmsgstr \"\"\n"), "line 4: \"a\" is there twice");
+              "line 1: a line must begin with msgid, msgstr, # or a double quote, not with \"msgctxt\"");
+    EXPECT_EQ(message("msgid \"a\"\nmsgstr \"\"\n\nmsgid \"a\"\nmsgstr \"\"\n"), "line 4: \"a\" appears twice");
 }
 
-TEST(Po, PlacesOfATemplate) {
+TEST(Po, FindsPlaceholdersOfATemplate) {
     using Places = std::vector<std::string>;
     EXPECT_EQ(*places_in("{count} of {all} and {count}"), (Places{"all", "count"}));
     EXPECT_EQ(*places_in("{{no}} {z:>7}"), Places{"z:>7"});
@@ -50,15 +50,15 @@ TEST(Po, PlacesOfATemplate) {
     EXPECT_FALSE(places_in("closed}"));
 }
 
-class CatalogueTest : public ::testing::Test {
+class CatalogTest : public ::testing::Test {
 protected:
-    ~CatalogueTest() override { speak_english(); }
+    ~CatalogTest() override { speak_english(); }
     static std::string differ() {
         return say("{count} of {all} differ", "count"_a = 3, "all"_a = grouped_number(4000));
     }
 };
 
-TEST_F(CatalogueTest, EnglishIsShownAsItStands) {
+TEST_F(CatalogTest, EnglishIsShownUnchanged) {
     const char* english = "Scene";
     EXPECT_EQ(tr(english), english);
     EXPECT_EQ(differ(), "3 of 4,000 differ");
@@ -67,7 +67,7 @@ TEST_F(CatalogueTest, EnglishIsShownAsItStands) {
     EXPECT_EQ(say_count(1200, "one node", "{count} nodes in {where}", "where"_a = "front"), "1,200 nodes in front");
 }
 
-TEST_F(CatalogueTest, ATranslationMayPutThePlacesInAnotherOrder) {
+TEST_F(CatalogTest, TranslationMayReorderPlaceholders) {
     speak(std::vector<PoEntry>{{"{count} of {all} differ", "{all} 중 {count}", false, 1}, {"Scene", "장면", false, 2}});
     EXPECT_EQ(differ(), "4,000 중 3");
     EXPECT_STREQ(tr("Scene"), "장면");
@@ -75,7 +75,7 @@ TEST_F(CatalogueTest, ATranslationMayPutThePlacesInAnotherOrder) {
     EXPECT_STREQ(tr("scene"), "scene");
 }
 
-TEST_F(CatalogueTest, ABrokenOrMissingTranslationIsEnglish) {
+TEST_F(CatalogTest, BrokenOrMissingTranslationFallsBackToEnglish) {
     for (const char* broken : {"{cuont}", "{count", "}", "{count:q}", "{0} {7}", ""}) {
         speak(std::vector<PoEntry>{{"{count} of {all} differ", broken, false, 1}});
         EXPECT_EQ(differ(), "3 of 4,000 differ") << broken;
@@ -84,7 +84,7 @@ TEST_F(CatalogueTest, ABrokenOrMissingTranslationIsEnglish) {
     EXPECT_STREQ(tr("Scene"), "Scene");
 }
 
-TEST_F(CatalogueTest, WhatWasLookedUpStaysWhenTheLanguageChanges) {
+TEST_F(CatalogTest, LookedUpTextSurvivesALanguageChange) {
     speak(std::vector<PoEntry>{{"Scene", "장면", false, 1}});
     const char* shown = tr("Scene");
     speak_english();
@@ -93,7 +93,7 @@ TEST_F(CatalogueTest, WhatWasLookedUpStaysWhenTheLanguageChanges) {
     EXPECT_STREQ(tr("Scene"), "Szene");
 }
 
-TEST_F(CatalogueTest, ThePseudoLanguageIsLongerAndHasNoEnglishLetterButInPlaces) {
+TEST_F(CatalogTest, PseudoLanguageIsLongerWithoutEnglishLetters) {
     const std::string_view english = "Of {all} pixels, {count:>5} differ from the picture before.";
     const std::string pseudo = pseudo_text(english);
     EXPECT_EQ(pseudo.front(), '[');

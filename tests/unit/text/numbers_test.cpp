@@ -25,7 +25,7 @@ TEST(Numbers, FixedDecimalsHaveARealMinusAndNoNegativeZero) {
     EXPECT_EQ(number_text(-infinity, 2), "−∞");
 }
 
-TEST(Numbers, FiguresAreSignificantDigitsWithoutZerosAtTheEnd) {
+TEST(Numbers, FiguresAreSignificantDigitsWithoutTrailingZeros) {
     EXPECT_EQ(figures(0.25), "0.25");
     EXPECT_EQ(figures(3456.0), "3500");
     EXPECT_EQ(figures(-0.5), "−0.5");
@@ -36,18 +36,18 @@ TEST(Numbers, FiguresAreSignificantDigitsWithoutZerosAtTheEnd) {
     EXPECT_EQ(figures(-infinity), "−∞");
 }
 
-TEST(Numbers, OnlyNothingIsNoPercentAndOnlyAllAreAHundred) {
-    EXPECT_EQ(percent(0.125), "12.5 %");
-    EXPECT_EQ(percent(0.0), "0.0 %");
-    EXPECT_EQ(percent(1.0), "100.0 %");
-    EXPECT_EQ(percent(1e-7), "< 0.1 %");
-    EXPECT_EQ(percent(1.0 - 1e-7), "> 99.9 %");
-    EXPECT_EQ(percent(0.4951, 0), "50 %");
-    EXPECT_EQ(percent(0.996, 0), "> 99 %");
-    EXPECT_EQ(percent(0.00052, 2), "0.05 %");
+TEST(Numbers, OnlyZeroIsZeroPercentAndOnlyAllIsAHundred) {
+    EXPECT_EQ(percent(0.125), "12.5%");
+    EXPECT_EQ(percent(0.0), "0.0%");
+    EXPECT_EQ(percent(1.0), "100.0%");
+    EXPECT_EQ(percent(1e-7), "< 0.1%");
+    EXPECT_EQ(percent(1.0 - 1e-7), "> 99.9%");
+    EXPECT_EQ(percent(0.4951, 0), "50%");
+    EXPECT_EQ(percent(0.996, 0), "> 99%");
+    EXPECT_EQ(percent(0.00052, 2), "0.05%");
 }
 
-TEST(Numbers, CountsAreInGroupsOfThree) {
+TEST(Numbers, CountsAreGroupedByThree) {
     EXPECT_EQ(grouped_number(0), "0");
     EXPECT_EQ(grouped_number(999), "999");
     EXPECT_EQ(grouped_number(1000), "1,000");
@@ -55,19 +55,19 @@ TEST(Numbers, CountsAreInGroupsOfThree) {
     EXPECT_EQ(grouped_number(1234567), "1,234,567");
 }
 
-TEST(Numbers, RaisedDigits) {
+TEST(Numbers, SuperscriptDigits) {
     EXPECT_EQ(raised_text(24), "²⁴");
     EXPECT_EQ(raised_text(-5), "⁻⁵");
     EXPECT_EQ(raised_text(0), "⁰");
 }
 
-TEST(Numbers, CodeHasTheKeyboardsMinusAndAllItsDecimals) {
+TEST(Numbers, CodeHasAsciiMinusAndAllDecimals) {
     EXPECT_EQ(plain_decimals(-0.5, 3), "-0.500");
     EXPECT_EQ(plain_decimals(2.0, 0), "2");
     EXPECT_EQ(plain_decimals(1e20, 1), "100000000000000000000.0");
 }
 
-TEST(Numbers, WhatIsWrittenExactlyReadsBackExactly) {
+TEST(Numbers, ExactTextReadsBackExactly) {
     std::mt19937_64 random(7);
     for (int i = 0; i < 10'000; ++i) {
         const double value = std::ldexp(std::uniform_real_distribution(-1.0, 1.0)(random),
@@ -77,7 +77,7 @@ TEST(Numbers, WhatIsWrittenExactlyReadsBackExactly) {
     }
 }
 
-TEST(Numbers, OnlyAWholeFiniteNumberIsOne) {
+TEST(Numbers, OnlyAWholeFiniteNumberIsAccepted) {
     EXPECT_EQ(parse_double("-.5"), -0.5);
     EXPECT_EQ(parse_double("1e-3"), 0.001);
     for (const char* text : {"", " 1", "1 ", "+1", "1,5", "1.5x", "0x10", "inf", "nan", "1e999", "--1"}) {
@@ -85,12 +85,11 @@ TEST(Numbers, OnlyAWholeFiniteNumberIsOne) {
     }
 }
 
-// ---- numbers of a text that somebody pastes
-// --------------------------------------------------------------------------
+// ---- numbers in pasted text -----------------------------------------------------------------------------------------
 
 using Doubles = std::vector<double>;
 
-TEST(NumbersIn, TakesAMatrixFromWhereverItIsPasted) {
+TEST(NumbersIn, ReadsAMatrixPastedFromAnyLanguage) {
     EXPECT_EQ(numbers_in("array([[ 1., -2e-3,  0. ],\n       [3.5, 4., -0.25]], dtype=float64)"),
               (Doubles{1, -0.002, 0, 3.5, 4, -0.25}));
     EXPECT_EQ(numbers_in("np.array([[1, 2], [3, 4]], dtype=np.float32)"), (Doubles{1, 2, 3, 4}));
@@ -103,30 +102,30 @@ TEST(NumbersIn, TakesAMatrixFromWhereverItIsPasted) {
     EXPECT_EQ(numbers_in("1\t2\n3\n"), (Doubles{1, 2, 3}));
 }
 
-TEST(NumbersIn, KnowsBothMinusSigns) {
-    EXPECT_EQ(numbers_in("−3.5, −1/4, 1e−2"), (Doubles{-3.5, -0.25, 0.01})) << "a real minus, wherever a minus may be";
+TEST(NumbersIn, AcceptsBothMinusSigns) {
+    EXPECT_EQ(numbers_in("−3.5, −1/4, 1e−2"), (Doubles{-3.5, -0.25, 0.01})) << "U+2212 wherever a minus may be";
     EXPECT_EQ(numbers_in("-3.5 -1/4 1e-2 2E+1"), (Doubles{-3.5, -0.25, 0.01, 20}));
     EXPECT_EQ(numbers_in("+4"), Doubles{4});
 }
 
-TEST(NumbersIn, AMinusBelongsToWhatFollows) {
+TEST(NumbersIn, MinusBelongsToTheNextNumber) {
     EXPECT_EQ(numbers_in("- 2"), Doubles{-2});
     EXPECT_EQ(numbers_in("3 - 4"), (Doubles{3, -4}));
     EXPECT_EQ(numbers_in("3-4"), (Doubles{3, -4}));
-    EXPECT_EQ(numbers_in("-, 5"), Doubles{5}) << "a dash by itself";
+    EXPECT_EQ(numbers_in("-, 5"), Doubles{5}) << "a lone dash";
     EXPECT_EQ(numbers_in("−\n5"), Doubles{5});
 }
 
-TEST(NumbersIn, DigitsInAWordAreNone) {
+TEST(NumbersIn, IgnoresDigitsInWords) {
     EXPECT_EQ(numbers_in("float64"), Doubles{});
     EXPECT_EQ(numbers_in("x1 = 2"), Doubles{2});
     EXPECT_EQ(numbers_in("m_00: 3, v2.x: 4"), (Doubles{3, 4}));
     EXPECT_EQ(numbers_in("vec3(1, 2, 3)"), (Doubles{1, 2, 3}));
-    EXPECT_EQ(numbers_in("그림자3 4"), (Doubles{3, 4})) << "only Latin words swallow digits";
+    EXPECT_EQ(numbers_in("그림자3 4"), (Doubles{3, 4})) << "only Latin words absorb digits";
     EXPECT_EQ(numbers_in("30° 5px"), (Doubles{30, 5}));
 }
 
-TEST(NumbersIn, WhatIsHalfANumberIsNoMoreThanThat) {
+TEST(NumbersIn, IncompleteNumberReadsUpToTheBreak) {
     EXPECT_EQ(numbers_in("1e"), Doubles{1});
     EXPECT_EQ(numbers_in("1e+"), Doubles{1});
     EXPECT_EQ(numbers_in("1."), Doubles{1});
@@ -139,13 +138,13 @@ TEST(NumbersIn, WhatIsHalfANumberIsNoMoreThanThat) {
     EXPECT_EQ(numbers_in(std::string_view("1\0002", 4)), (Doubles{1, 2}));
 }
 
-TEST(NumbersIn, EveryOneIsFinite) {
+TEST(NumbersIn, AreAllFinite) {
     for (const char* const text :
          {"1e999", "-1e999", "1/0", "0/0", "-5/0", "1e-999", "1e308/1e-308", "inf nan Infinity"})
         for (const double number : numbers_in(text)) EXPECT_TRUE(std::isfinite(number)) << text;
 }
 
-TEST(NumbersIn, ThereIsAnEnd) {
+TEST(NumbersIn, StopsAtItsLimit) {
     std::string text;
     for (int i = 0; i < 10'000; ++i) text += std::to_string(i) + " ";
     const Doubles numbers = numbers_in(text);
@@ -155,7 +154,7 @@ TEST(NumbersIn, ThereIsAnEnd) {
     EXPECT_EQ(numbers_in(std::string(1'000'000, 'x')).size(), 0U);
 }
 
-TEST(NumbersIn, WhatTheProgramWritesReadsBack) {
+TEST(NumbersIn, ProgramOutputReadsBack) {
     std::mt19937_64 random(11);
     std::string plain, code;
     Doubles values;

@@ -1,4 +1,4 @@
-// Characters of UTF-8, against counts made by eye.
+// UTF-8 characters, checked against counts made by eye.
 #include "text/words.h"
 
 #include <gtest/gtest.h>
@@ -22,33 +22,33 @@ TEST(Words, LoseWholeCharactersAtTheEnd) {
     }
 }
 
-TEST(Words, InAMessageAreCutBetweenCharacters) {
+TEST(Words, AreCutBetweenCharacters) {
     const std::string line = one_line("x" + std::string(198, 'y') + "½½");
     EXPECT_EQ(line, "x" + std::string(198, 'y') + "…");
 }
 
-TEST(Words, AreOneOrMany) {
+TEST(Words, HaveSingularAndPlural) {
     EXPECT_EQ(counted(0, "step"), "0 steps");
     EXPECT_EQ(counted(1, "step"), "1 step");
     EXPECT_EQ(counted(1024, "entry", "entries"), "1,024 entries");
 }
 
-TEST(Words, OfALongMessageKeepBeginningAndEnd) {
+TEST(Words, LongMessageKeepsBeginningAndEnd) {
     EXPECT_EQ(without_middle("a/b.png: no such folder", 23), "a/b.png: no such folder");
     EXPECT_EQ(without_middle("[[[[[[[[: no folder", 10), "[[[[[ … older");
-    EXPECT_EQ(without_middle("그림자그림자", 10), "그 … 림자") << "between characters, of three bytes each";
+    EXPECT_EQ(without_middle("그림자그림자", 10), "그 … 림자") << "cut between characters of three bytes each";
 }
 
-TEST(Words, InAMessageShowWhatWouldHideOrTurnText) {
+TEST(Words, MessageEscapesInvisibleAndBidiCharacters) {
     EXPECT_EQ(printable("é 그 🙂 a"), "é 그 🙂 a");
     EXPECT_EQ(printable("a\nb\x1b[31m\x7f"), "a\\u000ab\\u001b[31m\\u007f");
     EXPECT_EQ(printable("\xc2\x9b"), "\\u009b") << "C1";
     EXPECT_EQ(printable("a\xe2\x80\x8b\xef\xbb\xbf\xc2\xad"
                         "b"),
               "a\\u200b\\ufeff\\u00adb")
-        << "of no width";
-    EXPECT_EQ(printable("\xe2\x80\x8d"), "\xe2\x80\x8d") << "a joiner, which scripts need";
-    EXPECT_EQ(printable("\xef\xbf\xbe\xf0\x9f\xbf\xbf"), "\\ufffe\\u1ffff") << "no characters";
+        << "zero width";
+    EXPECT_EQ(printable("\xe2\x80\x8d"), "\xe2\x80\x8d") << "a joiner, which some scripts need";
+    EXPECT_EQ(printable("\xef\xbf\xbe\xf0\x9f\xbf\xbf"), "\\ufffe\\u1ffff") << "noncharacters";
     EXPECT_EQ(printable("\xe2\x80\xae"
                         "gnp.exe"),
               "\\u202egnp.exe");
@@ -57,10 +57,10 @@ TEST(Words, InAMessageShowWhatWouldHideOrTurnText) {
     EXPECT_EQ(printable("\xff"
                         "a\xe2\x80"),
               "\\xffa\\xe2\\x80")
-        << "no UTF-8";
+        << "not UTF-8";
 }
 
-TEST(Words, OfAFileAreQuotedUpToTwentyCharacters) {
+TEST(Words, QuoteAtMostTwentyCharactersOfAFile) {
     EXPECT_EQ(excerpt("12345678901234567890"), "12345678901234567890");
     EXPECT_EQ(excerpt("123456789012345678901"), "12345678901234567890…");
     EXPECT_EQ(excerpt("그그그그그그그그그그그그그그그그그그그그그"), "그그그그그그그그그그그그그그그그그그그그…");

@@ -1,4 +1,4 @@
-// All exact methods draw the same picture as ray casting, away from edges, on random scenes with interpenetration,
+// Every exact method draws the same picture as ray casting, except at edges, on random scenes with interpenetration,
 // cycles and polygons cut by the near plane. VIEWING_TEST_SCENES=5000 tries more than the usual 300.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ double area_of(std::span<const Polygon> fragments, std::span<const int> order) {
     return sum;
 }
 
-TEST(Agreement, ExactMethodsDrawWhatRayCastingDraws) {
+TEST(Agreement, ExactMethodsMatchRayCasting) {
     std::int64_t compared = 0, cuts = 0;
     int painter_wrong = 0;
     const int count = random_scene_count();
@@ -49,12 +49,12 @@ TEST(Agreement, ExactMethodsDrawWhatRayCastingDraws) {
         compared += difference(reference, reference).compared;
         cuts += newell.counters.splits;
     }
-    EXPECT_GT(painter_wrong, count / 2) << "the scenes are hard enough to need an exact method";
+    EXPECT_GT(painter_wrong, count / 2) << "the scenes need an exact method";
     EXPECT_GT(cuts, 5 * count);
-    EXPECT_GT(compared, count * test_width * test_height / 2) << "most pixels are no edges";
+    EXPECT_GT(compared, count * test_width * test_height / 2) << "most pixels are not at edges";
 }
 
-TEST(Difference, ForgivesWhatTheReferenceShowsWithinAPixel) {
+TEST(Difference, ForgivesValuesOfTheReferenceWithinAPixel) {
     IdImage reference(6, 5);
     for (int y = 0; y < 5; ++y) {
         for (int x = 3; x < 6; ++x) reference.ids[reference.index(x, y)] = 7;

@@ -1,4 +1,5 @@
-// The BSP tree: area kept, independent of the eye, walked once each, right; and what it does with degenerate input.
+// The BSP tree: it preserves area, does not depend on the eye, visits each polygon once, draws right, and survives
+// degenerate input.
 #include "visibility/bsp.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::array splitters{BspSplitter::first, BspSplitter::random, BspSplitter::fewest_splits,
                                BspSplitter::balanced};
 
-/// Every structural property of a finished tree; front children lie in front, pieces in their plane.
+/// Expects every structural property of a finished tree: front children are in front, fragments in their node's plane.
 void expect_well_formed(const BspTree& tree, std::span<const Polygon> input) {
     EXPECT_NEAR(total_area(tree.fragments), total_area(input), 1e-9 * total_area(input));
     std::vector<int> held(tree.fragments.size(), 0);
@@ -28,7 +29,7 @@ void expect_well_formed(const BspTree& tree, std::span<const Polygon> input) {
             ++held.at(static_cast<std::size_t>(node.first_fragment + k));
             const Polygon& fragment = tree.fragments[static_cast<std::size_t>(node.first_fragment + k)];
             EXPECT_EQ(side_of_plane(fragment, node.plane, 2 * tree.epsilon), PlaneSide::coplanar);
-            // On the side of every ancestor that the tree says.
+            // On the side of every ancestor that the tree records.
             for (int child = static_cast<int>(i), up = node.parent; up >= 0; child = up, up = tree.nodes[up].parent) {
                 const bool is_front = tree.nodes[up].front == child;
                 EXPECT_NE(is_front, tree.nodes[up].back == child);
@@ -51,7 +52,7 @@ void expect_every_fragment_once(const BspTree& tree, const BspWalk& walk) {
     EXPECT_EQ(walk.visits.size(), tree.nodes.size());
 }
 
-TEST(Bsp, RandomScenesForEverySplitter) {
+TEST(Bsp, IsRightOnRandomScenesForEverySplitter) {
     for (int scene = 0; scene < 12; ++scene) {
         SCOPED_TRACE(seed + scene);
         Random random(seed + scene);
@@ -73,7 +74,7 @@ TEST(Bsp, RandomScenesForEverySplitter) {
     }
 }
 
-TEST(Bsp, EyeSidesOnTheWalkAreThoseOfThePlanes) {
+TEST(Bsp, WalkReportsTheEyeSideOfEachPlane) {
     Random random(seed);
     const BspTree tree = build_bsp(random_polygons(random));
     const Viewpoint viewpoint = random_viewpoint(random);
@@ -83,7 +84,7 @@ TEST(Bsp, EyeSidesOnTheWalkAreThoseOfThePlanes) {
     }
 }
 
-TEST(Bsp, OneTreeServesEveryCameraAndABuildRepeats) {
+TEST(Bsp, OneTreeServesEveryCameraAndRebuildsEqual) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
@@ -121,10 +122,10 @@ TEST(Bsp, FewestSplitsCutsLessAndBalancedIsShallower) {
     EXPECT_LT(counters(BspSplitter::fewest_splits).splits, counters(BspSplitter::first).splits / 2);
     EXPECT_LT(counters(BspSplitter::balanced).depth, counters(BspSplitter::first).depth);
     EXPECT_LE(counters(BspSplitter::balanced).depth, counters(BspSplitter::fewest_splits).depth);
-    EXPECT_EQ(counters(BspSplitter::random).splits, counters(BspSplitter::random).splits) << "a fixed seed";
+    EXPECT_EQ(counters(BspSplitter::random).splits, counters(BspSplitter::random).splits) << "the seed is fixed";
 }
 
-TEST(Bsp, ThreeCyclicBarsComeOutRightFromAllSides) {
+TEST(Bsp, DrawsThreeCyclicBarsRightFromAllSides) {
     const std::vector<Polygon> bars = cyclic_bars();
     const BspTree tree = build_bsp(bars);
     EXPECT_GE(tree.counters.splits, 1);
@@ -143,21 +144,21 @@ TEST(Bsp, ConvexMeshIsAChainWithoutSplits) {
     const std::vector<Polygon> polygons = polygons_of(std::span(&instance, 1)).polygons;
     const BspTree tree = build_bsp(polygons);
     EXPECT_EQ(tree.counters.splits, 0);
-    EXPECT_EQ(tree.nodes.size(), 25U) << "the triangles of the base lie in one plane";
+    EXPECT_EQ(tree.nodes.size(), 25U) << "the base is one plane";
     EXPECT_EQ(tree.counters.depth, 25);
     for (const BspNode& node : tree.nodes) EXPECT_EQ(node.front, -1);
     const Viewpoint inside = viewpoint_at({0, -0.3, 0.2}, {0.3, -0.4, -1}, {.near = 0.01});
     const BspWalk walk = walk_bsp(tree, inside.eye_world(), BspOrder::back_to_front);
     EXPECT_EQ(difference(ray_cast_image(polygons, inside), paint(tree.fragments, walk.fragments, inside)).different, 0)
-        << "an eye inside a mesh sees its far side";
+        << "from inside a mesh the eye sees its far side";
 }
 
-TEST(Bsp, CoplanarAndDuplicatePolygonsShareANodeAndTheLowestNumberIsSeen) {
+TEST(Bsp, CoplanarPolygonsShareANodeAndTheLowestNumberWins) {
     std::vector<Polygon> polygons;
     add(polygons, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
     add(polygons, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
     add(polygons, {{-1, 1, 0}, {1, 1, 0}, {0, -1, 0}});
-    add(polygons, {{-1, -1, 0}, {0, 1, 0}, {1, -1, 0}});  // turned over
+    add(polygons, {{-1, -1, 0}, {0, 1, 0}, {1, -1, 0}});  // flipped
     const Viewpoint viewpoint = viewpoint_on_z();
     const IdImage reference = ray_cast_image(polygons, viewpoint);
     EXPECT_EQ(std::count(reference.ids.begin(), reference.ids.end(), 1), 0);
@@ -177,7 +178,7 @@ TEST(Bsp, CoplanarAndDuplicatePolygonsShareANodeAndTheLowestNumberIsSeen) {
 }
 
 TEST(Bsp, EyeInASplittingPlaneSeesTheRestRight) {
-    // The eye and the view direction lie in the plane of the first polygon, which divides the two others.
+    // The eye and the view direction are in the plane of the first polygon, which divides the other two.
     std::vector<Polygon> polygons;
     add(polygons, {{0, -2, -2}, {0, -2, 2}, {0, 2, 0}});
     add(polygons, {{0.5, -1, 0}, {2, -1, 0}, {1, 1, 0}});
@@ -215,24 +216,24 @@ TEST(Bsp, StopsAtItsBudgetWithASentenceAndLosesNothing) {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 60; ++i) add(polygons, {random.vec3(2), random.vec3(2), random.vec3(2)});
     const BspTree tree = build_bsp(polygons, {.splitter = BspSplitter::first, .max_fragments = 100});
-    EXPECT_EQ(tree.problem, "The BSP tree stopped at its budget of 100 fragments; what was left is drawn unsorted.");
+    EXPECT_EQ(tree.problem, "The BSP tree stopped at its budget of 100 fragments; the rest is drawn unsorted.");
     EXPECT_NEAR(total_area(tree.fragments), total_area(polygons), 1e-9 * total_area(polygons));
     EXPECT_LT(tree.fragments.size(), 160U);
     EXPECT_TRUE(std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const BspNode& n) { return !n.sorted; }));
     expect_every_fragment_once(tree, walk_bsp(tree, {0, 0, 10, 1}, BspOrder::back_to_front));
 }
 
-TEST(Bsp, CancelledIsDefinedAndEmptyIsEmpty) {
+TEST(Bsp, HandlesCancellationAndEmptyInput) {
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
     WorkProgress progress;
     EXPECT_EQ(build_bsp(polygons, {}, &progress).problem, "");
     EXPECT_EQ(progress.fraction, 1.0F);
-    progress.cancelled = true;
-    const BspTree cancelled = build_bsp(polygons, {}, &progress);
-    EXPECT_EQ(cancelled.problem, "The BSP tree is not finished: it was cancelled.");
-    EXPECT_EQ(cancelled.nodes.size(), 1U);
-    EXPECT_EQ(cancelled.fragments.size(), polygons.size());
+    progress.canceled = true;
+    const BspTree canceled = build_bsp(polygons, {}, &progress);
+    EXPECT_EQ(canceled.problem, "The BSP tree is not finished: it was canceled.");
+    EXPECT_EQ(canceled.nodes.size(), 1U);
+    EXPECT_EQ(canceled.fragments.size(), polygons.size());
     const BspTree empty = build_bsp({});
     EXPECT_TRUE(empty.nodes.empty());
     EXPECT_TRUE(walk_bsp(empty, {0, 0, 1, 1}, BspOrder::back_to_front).fragments.empty());

@@ -1,4 +1,4 @@
-// What the methods cost on many objects: memory in proportion to the polygons, and an end soon after cancelling.
+// The methods' cost on many objects: memory in proportion to the polygons, and a quick end after cancellation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::atomic<std::size_t> allocated_bytes{0};
 
 }  // namespace
 
-// Not inlined, so that each new is seen to belong to its delete.
+// Not inlined, so that the compiler can match each new with its delete.
 [[gnu::noinline]] void* operator new(std::size_t bytes) {
     allocated_bytes += bytes;
     if (void* const memory = std::malloc(bytes)) return memory;
@@ -47,9 +47,9 @@ std::size_t bytes_for(int boxes) {
     return allocated_bytes - before;
 }
 
-TEST(Cost, OfManyObjectsIsThatOfTheirPolygons) {
+TEST(Cost, OfManyObjectsIsProportionalToTheirPolygons) {
     const auto few = static_cast<double>(bytes_for(500)), many = static_cast<double>(bytes_for(4000));
-    EXPECT_LT(many / few, 8.5) << "eight times as many";
+    EXPECT_LT(many / few, 8.5) << "eight times the polygons";
 }
 
 std::vector<Polygon> boxes_in_a_row(int count) {
@@ -59,36 +59,36 @@ std::vector<Polygon> boxes_in_a_row(int count) {
     return polygons_of(instances).polygons;
 }
 
-TEST(Cost, ACancelledPainterSortsNoFurther) {
+TEST(Cost, CanceledPainterStopsSorting) {
     const std::vector<Polygon> polygons = boxes_in_a_row(1000);
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     const PainterOrder whole = painter_order(polygons, viewpoint_on_z(), PainterKey::farthest);
     PainterOrder cut = painter_order(polygons, viewpoint_on_z(), PainterKey::farthest, &progress);
-    EXPECT_LT(cut.comparisons, 3 * static_cast<std::int64_t>(polygons.size())) << "the heap alone";
+    EXPECT_LT(cut.comparisons, 3 * static_cast<std::int64_t>(polygons.size())) << "only the heap is built";
     EXPECT_GT(whole.comparisons, 10 * static_cast<std::int64_t>(polygons.size()));
     std::sort(cut.order.begin(), cut.order.end());
     std::vector<int> each(polygons.size());
     std::iota(each.begin(), each.end(), 0);
-    EXPECT_EQ(cut.order, each) << "every polygon is drawn all the same";
+    EXPECT_EQ(cut.order, each) << "every polygon is still drawn";
 }
 
-TEST(Cost, ACancelledNewellComparesNothing) {
+TEST(Cost, CanceledNewellComparesNothing) {
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     const NewellOrder cut = newell_order(boxes_in_a_row(1000), viewpoint_on_z(), {}, &progress);
     EXPECT_EQ(cut.counters.pairs, 0);
     EXPECT_FALSE(cut.problem.empty());
 }
 
-/// What is made of each polygon before and beside the methods ends with them, whatever their number.
-TEST(Cost, CancelledBeforeItBeganNothingIsMadeOfManyPolygons) {
+/// Cancellation must also stop the per-polygon work before and around the methods, for any number of polygons.
+TEST(Cost, CanceledBeforeItStartsSkipsAllPerPolygonWork) {
     const Mesh box = box_mesh();
     const std::vector<MeshInstance> instances(4000, MeshInstance{&box});
     const std::vector<Polygon> polygons = polygons_of(instances).polygons;
-    ASSERT_GT(polygons.size(), 32'768U) << "fewer are quickly taken";
+    ASSERT_GT(polygons.size(), 32'768U) << "fewer are processed at once";
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     EXPECT_TRUE(polygons_of(instances, &progress).polygons.empty());
     EXPECT_EQ(count_facing(polygons, viewpoint_on_z(), FrontFace::ccw, &progress).input, 0);
     const auto left = [&](std::span<const Polygon> of, const WorkProgress* watched) {
@@ -99,7 +99,7 @@ TEST(Cost, CancelledBeforeItBeganNothingIsMadeOfManyPolygons) {
 
     const std::size_t before = allocated_bytes;
     const NewellOrder cut = newell_order(polygons, viewpoint_on_z(), {}, &progress);
-    EXPECT_EQ(cut.problem, "Newell's sort was cancelled before it began: nothing is drawn.");
+    EXPECT_EQ(cut.problem, "Newell's sort was canceled before it began: nothing is drawn.");
     EXPECT_TRUE(cut.order.empty());
     const std::size_t of_cut = allocated_bytes - before;
     newell_order(polygons, viewpoint_on_z(), {.max_pairs = 1});

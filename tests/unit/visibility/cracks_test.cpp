@@ -1,5 +1,5 @@
 // Cracks at BSP cuts: where a cut ends in the middle of another piece's edge (a T-junction), corners rounded to a grid
-// leave pixels between the two uncovered. And the other fault at cuts: an epsilon so large that they are not made.
+// leave uncovered pixels between the two pieces. The opposite fault is an epsilon so large that cuts are skipped.
 #include <gtest/gtest.h>
 
 #include "unit/visibility/scenes.h"
@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// A cone and a box stuck through a wall, as in the scene "t-junctions".
+/// Returns a cone and a box that pierce a wall, as in the scene "t-junctions".
 std::vector<Polygon> pierced_wall() {
     const Mesh cone = cone_mesh(), box = box_mesh(), quad = quad_mesh();
     const std::array instances{
@@ -18,17 +18,17 @@ std::vector<Polygon> pierced_wall() {
     return polygons_of(std::span(instances)).polygons;
 }
 
-/// 0 for every polygon: what is left is where there is a surface.
+/// Replaces every polygon's index with 0, which leaves only the coverage.
 IdImage covered(const IdImage& image, const std::vector<Polygon>& polygons) {
     return with_ids(image, std::vector<int>(polygons.size(), 0));
 }
 
 struct Seams {
-    std::int64_t holes = 0;  ///< pixels of the background where there is a surface all around
+    std::int64_t holes = 0;  ///< background pixels with surface all around
     std::int64_t wrong = 0;  ///< away from edges
 };
 
-/// Over nine views from the front, 480 × 270.
+/// Sums over nine views from the front, 480 × 270.
 Seams seams_of(const std::vector<Polygon>& polygons, double relative_epsilon, int subpixel_bits) {
     constexpr int width = 480, height = 270;
     const RayScene rays{polygons};
@@ -43,7 +43,7 @@ Seams seams_of(const std::vector<Polygon>& polygons, double relative_epsilon, in
         const glm::dmat4 clip_from_world = viewpoint.clip_from_world();
         const BspWalk walk = walk_bsp(tree, viewpoint.eye_world(), BspOrder::back_to_front);
         const IdImage image =
-            rasterise(tree.fragments, walk.fragments, clip_from_world,
+            rasterize(tree.fragments, walk.fragments, clip_from_world,
                       {.rule = PaintRule::overwrite, .width = width, .height = height, .subpixel_bits = subpixel_bits})
                 .image;
         const IdImage reference = cast_rays(rays, clip_from_world, {.width = width, .height = height}).image;
@@ -62,24 +62,24 @@ TEST(Cracks, OpenAtTJunctionsWhenCornersAreRounded) {
     RecordProperty("holes_8_bits", static_cast<int>(fine.holes));
     RecordProperty("holes_4_bits", static_cast<int>(coarse.holes));
     EXPECT_GT(fine.holes, 3) << "GL's grid of 1/256 pixel";
-    EXPECT_LT(fine.holes, 100) << "single pixels";
-    EXPECT_GT(coarse.holes, 4 * fine.holes) << "a grid sixteen times as coarse";
+    EXPECT_LT(fine.holes, 100) << "isolated pixels";
+    EXPECT_GT(coarse.holes, 4 * fine.holes) << "the grid is sixteen times as coarse";
 }
 
-TEST(Cracks, AreNotThereWithoutCuts) {
+TEST(Cracks, DoNotAppearWithoutCuts) {
     const std::vector<Polygon> polygons = pierced_wall();
     for (int i = 0; i < 9; ++i) {
         const Viewpoint viewpoint = viewpoint_at({0.9 + 0.211 * (i - 4), 2.1 + 0.087 * i, 4.9}, {0, 1.7, 0});
         const glm::dmat4 clip_from_world = viewpoint.clip_from_world();
         const IdImage rounded =
-            rasterise(polygons, clip_from_world, {.width = test_width, .height = test_height, .subpixel_bits = 4})
+            rasterize(polygons, clip_from_world, {.width = test_width, .height = test_height, .subpixel_bits = 4})
                 .image;
         const IdImage reference = zbuffer_image(polygons, viewpoint);
         EXPECT_EQ(difference(covered(reference, polygons), covered(rounded, polygons)).different, 0);
     }
 }
 
-TEST(Cracks, ALargeEpsilonLeavesCutsOutAndTearsSeams) {
+TEST(Cracks, LargeEpsilonSkipsCutsAndTearsSeams) {
     const std::vector<Polygon> polygons = pierced_wall();
     std::int64_t wrong_before = 0;
     for (const double epsilon : {1e-9, 1e-6, 1e-4}) EXPECT_EQ(seams_of(polygons, epsilon, -1).wrong, 0) << epsilon;
@@ -87,7 +87,7 @@ TEST(Cracks, ALargeEpsilonLeavesCutsOutAndTearsSeams) {
         const Seams seams = seams_of(polygons, epsilon, -1);
         RecordProperty("wrong_at_" + std::to_string(epsilon), static_cast<int>(seams.wrong));
         EXPECT_GT(seams.wrong, wrong_before) << epsilon;
-        EXPECT_EQ(seams.holes, 0) << "pieces still cover what the whole covered";
+        EXPECT_EQ(seams.holes, 0) << "the pieces still cover the whole";
         wrong_before = seams.wrong;
     }
     EXPECT_GT(wrong_before, 1000);

@@ -1,4 +1,4 @@
-// Back-face culling: two ways to tell that agree, known counts, and where culling alone draws the right picture.
+// Back-face culling: two tests that must agree, known counts, and the scenes that culling alone draws right.
 #include "visibility/culling.h"
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ TEST(Culling, CountsTheFacesOfABox) {
     expect_counts(count_facing(box, viewpoint_at({0, 3, 8}, {0, 0, 0})), 4, 8, 0);
     expect_counts(count_facing(box, viewpoint_on_z()), 2, 10, 0);
     expect_counts(count_facing(box, viewpoint_on_z(true)), 2, 2, 8);
-    // The eye in the plane y = 1 of the top.
+    // The eye is in the plane y = 1 of the top.
     expect_counts(count_facing(box, viewpoint_at({0, 1, 8}, {0, 1, 0})), 2, 8, 2);
-    // As many as come, never more than three faces, from outside.
+    // From outside, three faces at most, whichever they are.
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 200; ++i) {
@@ -55,20 +55,20 @@ TEST(Culling, CountsTheFacesOfABox) {
     }
 }
 
-TEST(Culling, FromInsideEveryFaceTurnsItsBack) {
+TEST(Culling, FromInsideEveryFaceIsBackFacing) {
     const std::vector<Polygon> box = polygons_of(box_mesh());
     const Viewpoint inside = viewpoint_at({0.1, 0.2, 0.3}, {-5, 1, 0}, {.near = 0.05});
     const CullCounts counts = count_facing(box, inside);
     EXPECT_EQ(counts.facing_away, 12);
     EXPECT_EQ(counts.gl_front, 0);
     EXPECT_GT(counts.gl_back, 0);
-    EXPECT_GT(counts.gl_none, 0) << "what lies behind the eye has no area";
+    EXPECT_GT(counts.gl_none, 0) << "triangles behind the eye have no area";
     EXPECT_EQ(counts.gl_back + counts.gl_none, 12);
     EXPECT_TRUE(culled(box, inside, CullFace::back).empty());
     EXPECT_EQ(culled(box, inside, CullFace::front).size(), 12U);
 }
 
-TEST(Culling, BothWaysAgreeOnRandomScenes) {
+TEST(Culling, BothTestsAgreeOnRandomScenes) {
     int facing = 0, clipped = 0;
     for (int scene = 0; scene < random_scene_count(); ++scene) {
         SCOPED_TRACE("seed " + std::to_string(seed + scene));
@@ -85,10 +85,10 @@ TEST(Culling, BothWaysAgreeOnRandomScenes) {
         }
     }
     EXPECT_GT(facing, 1000);
-    EXPECT_GT(clipped, 0) << "some eyes stand in the middle of the scene";
+    EXPECT_GT(clipped, 0) << "some eyes are inside the scene";
 }
 
-TEST(Culling, WhatARayMeetsFirstOnAClosedMeshFacesIt) {
+TEST(Culling, FirstRayHitOnAClosedMeshIsFrontFacing) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const std::vector<Polygon> torus = polygons_of(torus_mesh(20, 10));
@@ -105,7 +105,7 @@ TEST(Culling, WhatARayMeetsFirstOnAClosedMeshFacesIt) {
     }
 }
 
-TEST(Culling, TurnsRoundWithTheWindingAndTheFace) {
+TEST(Culling, FlipsWithTheWindingAndTheFace) {
     const std::vector<Polygon> cone = polygons_of(cone_mesh(12));
     const Viewpoint viewpoint = viewpoint_at({3, 1, 5}, {0, 0, 0});
     const auto sources = [&](CullFace faces, FrontFace front) {
@@ -117,7 +117,7 @@ TEST(Culling, TurnsRoundWithTheWindingAndTheFace) {
     EXPECT_EQ(fronts, sources(CullFace::front, FrontFace::cw));
     EXPECT_EQ(sources(CullFace::front, FrontFace::ccw), sources(CullFace::back, FrontFace::cw));
     EXPECT_TRUE(sources(CullFace::front_and_back, FrontFace::cw).empty());
-    EXPECT_TRUE(std::is_sorted(fronts.begin(), fronts.end())) << "the order stays";
+    EXPECT_TRUE(std::is_sorted(fronts.begin(), fronts.end())) << "culling keeps the order";
     const CullCounts as_is = count_facing(cone, viewpoint), turned = count_facing(cone, viewpoint, FrontFace::cw);
     EXPECT_EQ(static_cast<int>(fronts.size()), as_is.facing_towards);
     EXPECT_EQ(as_is.facing_towards, turned.facing_away);
@@ -137,7 +137,7 @@ TEST(Culling, AloneIsEnoughForOneConvexMesh) {
     }
 }
 
-TEST(Culling, AloneIsNotEnoughForAConcaveMeshOrTwoMeshes) {
+TEST(Culling, AloneFailsForAConcaveMeshAndForTwoMeshes) {
     const Viewpoint viewpoint = viewpoint_at({0.5, 1.5, 4}, {0, 0, 0});
     std::vector<Polygon> torus = polygons_of(torus_mesh(16, 8));
     const std::int64_t one_order = wrong_after_culling(torus, viewpoint);
@@ -149,7 +149,7 @@ TEST(Culling, AloneIsNotEnoughForAConcaveMeshOrTwoMeshes) {
     EXPECT_GT(wrong_after_culling(polygons_of(std::span(boxes)).polygons, viewpoint), 100);
 }
 
-TEST(Culling, DegenerateInputHasADefinedResult) {
+TEST(Culling, HandlesDegenerateInput) {
     expect_counts(count_facing({}, viewpoint_on_z()), 0, 0, 0);
     EXPECT_TRUE(culled({}, viewpoint_on_z(), CullFace::back).empty());
     std::vector<Polygon> edge_on, behind;

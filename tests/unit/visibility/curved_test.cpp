@@ -1,4 +1,4 @@
-// Curved shapes: by hand, by sampling along random rays, against fine tessellations.
+// Curved shapes, checked by hand, by sampling along random rays, and against fine tessellations.
 #include "visibility/curved.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kinds{CurvedKind::sphere, CurvedKind::cylinder, CurvedKind::cone, CurvedKind::torus};
 
-/// Negative inside, positive outside.
+/// Returns a value that is negative inside, positive outside.
 double outside_by(CurvedKind kind, const glm::dvec3& p) {
     const double radius = std::hypot(p.x, p.z);
     switch (kind) {
@@ -34,7 +34,7 @@ void expect_hits(CurvedKind kind, const Ray& ray, std::vector<double> expected) 
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(hits[i], expected[i], 1e-12);
 }
 
-/// Whether all pixels around this one show the same.
+/// Returns whether all neighbors of this pixel have the same value.
 bool is_inside(const IdImage& image, std::size_t pixel) {
     const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
     for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, image.height - 1); ++ny)
@@ -53,12 +53,12 @@ TEST(IntersectCurved, ByHand) {
     expect_hits(CurvedKind::cylinder, {{1.5, 5, 0}, {0, -1, 0}}, {});
     expect_hits(CurvedKind::cylinder, {{5, 0.5, 0}, {-1, 0, 0}}, {4, 6});
     expect_hits(CurvedKind::cylinder, {{5, 1.5, 0}, {-1, 0, 0}}, {});
-    expect_hits(CurvedKind::cylinder, {{-2, 1.5, 0}, {1, -1, 0}}, {1, 2.5});  // in by the side, out by the base
+    expect_hits(CurvedKind::cylinder, {{-2, 1.5, 0}, {1, -1, 0}}, {1, 2.5});  // in through side, out through base
     expect_hits(CurvedKind::cone, {{0, 5, 0}, {0, -1, 0}}, {4, 6});           // through the tip
     expect_hits(CurvedKind::cone, {{0.5, 5, 0}, {0, -1, 0}}, {5, 6});
     expect_hits(CurvedKind::cone, {{5, 0, 0}, {-1, 0, 0}}, {4.5, 5.5});
-    expect_hits(CurvedKind::cone, {{5, 2, 0}, {-1, 0, 0}}, {});       // would meet the upper half of the double cone
-    expect_hits(CurvedKind::cone, {{0.25, 3, 0}, {0.5, -1, 0}}, {});  // parallel to the side, a little outside
+    expect_hits(CurvedKind::cone, {{5, 2, 0}, {-1, 0, 0}}, {});       // would hit the upper half of the double cone
+    expect_hits(CurvedKind::cone, {{0.25, 3, 0}, {0.5, -1, 0}}, {});  // parallel to the side, just outside
     expect_hits(CurvedKind::cone, {{-1.25, 3, 0}, {0.5, -1, 0}}, {2.25, 4});  // parallel to the side, inside
     expect_hits(CurvedKind::torus, {{5, 0, 0}, {-1, 0, 0}}, {3.76, 4.44, 5.56, 6.24});
     expect_hits(CurvedKind::torus, {{0.9, 5, 0}, {0, -1, 0}}, {4.66, 5.34});
@@ -68,7 +68,7 @@ TEST(IntersectCurved, ByHand) {
                 {std::sqrt(1.24 * 1.24 - 0.9 * 0.9)});  // from inside the tube
 }
 
-TEST(IntersectCurved, RandomRaysCrossTheSurfaceWhereTheyShould) {
+TEST(IntersectCurved, RandomRaysCrossTheSurfaceAtTheHits) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (const CurvedKind kind : kinds) {
@@ -83,7 +83,7 @@ TEST(IntersectCurved, RandomRaysCrossTheSurfaceWhereTheyShould) {
                 low = t;
                 ++hit_count;
             }
-            // Between two hits the sign stays, and it changes from one stretch to the next.
+            // Between two hits the sign is constant, and it changes at each hit.
             bool is_outside = outside_by(kind, ray.origin) > 0;
             double begin = 0;
             for (std::size_t k = 0; k <= hits.size(); ++k) {
@@ -95,13 +95,13 @@ TEST(IntersectCurved, RandomRaysCrossTheSurfaceWhereTheyShould) {
                 is_outside = !is_outside;
                 begin = end;
             }
-            EXPECT_FALSE(is_outside) << "the last stretch goes on for ever, outside";
+            EXPECT_FALSE(is_outside) << "the last stretch is outside";
         }
         EXPECT_GT(hit_count, 500);
     }
 }
 
-TEST(IntersectCurved, IsExactFromFarAwayAndNextToTangents) {
+TEST(IntersectCurved, IsExactFromFarAwayAndNearTangents) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 500; ++i) {
@@ -122,7 +122,7 @@ TEST(IntersectCurved, IsExactFromFarAwayAndNextToTangents) {
         EXPECT_EQ(hits.size() % 2, 0U);
     }
     for (const double gap : {1e-3, 1e-6, 1e-9}) {
-        // Over the top of the tube, whose height is 0.34: in and out, or past.
+        // Near the top of the tube, whose height is 0.34: in and out, or a miss.
         const double half = std::sqrt(0.34 * 0.34 - (0.34 - gap) * (0.34 - gap));
         const auto low = intersect_curved(CurvedKind::torus, {{5, 0.34 - gap, 0}, {-1, 0, 0}});
         ASSERT_EQ(low.size(), 4U) << gap;
@@ -134,7 +134,7 @@ TEST(IntersectCurved, IsExactFromFarAwayAndNextToTangents) {
     for (const CurvedKind kind : kinds) EXPECT_TRUE(intersect_curved(kind, {{0, 0, 0.9}, {0, 0, 0}}).empty());
 }
 
-TEST(NormalOfCurved, IsTheGradientOutwards) {
+TEST(NormalOfCurved, PointsAlongTheOutwardGradient) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (const CurvedKind kind : kinds) {
@@ -149,7 +149,7 @@ TEST(NormalOfCurved, IsTheGradientOutwards) {
     }
 }
 
-TEST(CastRays, CurvedShapesLookLikeTheirFineTessellations) {
+TEST(CastRays, CurvedShapesMatchTheirFineTessellations) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const std::array meshes{sphere_mesh(512, 256), cylinder_mesh(512), cone_mesh(512), torus_mesh(512, 256)};
@@ -183,7 +183,7 @@ TEST(CastRays, CurvedShapesLookLikeTheirFineTessellations) {
     }
 }
 
-TEST(RayScene, AllHitsOfPolygonsAndShapesInOrder) {
+TEST(RayScene, SortsHitsOfPolygonsAndShapes) {
     std::vector<Polygon> card;
     add(card, {{-3, -3, 0}, {3, -3, 0}, {0, 5, 0}});
     const std::vector<CurvedShape> shapes{{CurvedKind::sphere, glm::dmat4(1), 1, 1},

@@ -1,4 +1,4 @@
-// Pictures of numbers compared: which polygon was drawn over which one.
+// Comparing ID pictures: which polygon was drawn over which.
 #include "visibility/difference.h"
 
 #include <gtest/gtest.h>
@@ -6,9 +6,10 @@
 namespace viewing {
 namespace {
 
-TEST(WorstPair, IsTheOneWithMostPixelsAndSaysWhere) {
+TEST(WorstPair, IsTheOneWithMostPixelsAndItsPlace) {
     IdImage reference(20, 10), image(20, 10);
-    // Left half 1, right half 2; the picture has 2 over a block of 1 and 3 over fewer of 2.
+    // The reference is 1 on the left and 2 on the right; the picture has 2 over a block of 1, and 3 over fewer pixels
+    // of 2.
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 20; ++x) {
             const std::size_t at = reference.index(x, y);
@@ -16,7 +17,7 @@ TEST(WorstPair, IsTheOneWithMostPixelsAndSaysWhere) {
             if (x >= 2 && x < 6 && y >= 4 && y < 8) image.ids[at] = 2;
             if (x >= 14 && x < 16 && y >= 1 && y < 3) image.ids[at] = 3;
         }
-    reference.ids[reference.index(19, 9)] = IdImage::background;  // what covers nothing is hidden by nothing
+    reference.ids[reference.index(19, 9)] = IdImage::background;  // background pixels do not count
     const auto worst = worst_pair(reference, image);
     ASSERT_TRUE(worst);
     EXPECT_EQ(worst->seen, 1);

@@ -1,4 +1,4 @@
-// The search for a view where a sort key fails: finds it where there is one, says so where there is none.
+// The search for a view where a sort key fails: it finds one if there is one and otherwise says so.
 #include "visibility/failure_search.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ Orbit orbit_about(const glm::dvec3& target, bool orthographic = false) {
     return {target, 8.0, clip_from_view({.orthographic = orthographic}, 16.0 / 9.0)};
 }
 
-/// Wrong pixels of the painter's picture away from edges, without the search's own code: the view from its angles by
-/// world_from_view, and a larger picture.
+/// Counts the wrong pixels of the painter's picture away from edges without the search's own code: the view comes from
+/// its angles by world_from_view, and the picture is larger.
 std::int64_t wrong_pixels(std::span<const Polygon> polygons, const Orbit& orbit, const FailureView& found,
                           PainterKey key) {
     const Viewpoint viewpoint{
@@ -30,12 +30,12 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const Orbit& orbit,
     const IdImage reference = cast_rays(RayScene(polygons), clip_from_world, {.width = 192, .height = 108}).image;
     const PainterOrder order = painter_order(polygons, viewpoint, key);
     const IdImage painted =
-        rasterise(polygons, order.order, clip_from_world, {.rule = PaintRule::overwrite, .width = 192, .height = 108})
+        rasterize(polygons, order.order, clip_from_world, {.rule = PaintRule::overwrite, .width = 192, .height = 108})
             .image;
     return difference(reference, painted).different;
 }
 
-/// A slanted wall and a small card before or behind it, on which the key fails from somewhere in front.
+/// Returns a slanted wall and a small card in front of or behind it, on which the key fails from some view in front.
 std::vector<Polygon> scene_for(PainterKey key) {
     std::vector<Polygon> polygons;
     add(polygons, {{-2, -1, 2}, {2, -1, -3}, {2, 1, -3}, {-2, 1, 2}});
@@ -58,14 +58,14 @@ TEST(FailureSearch, FindsAViewForEachKey) {
             EXPECT_GT(found.views_tried, 96);
             EXPECT_GT(wrong_pixels(polygons, orbit, found, key), 4 * 20);
             char share[32];
-            std::snprintf(share, sizeof share, "%.1f %%",
+            std::snprintf(share, sizeof share, "%.1f%%",
                           100.0 * static_cast<double>(found.wrong_pixels) / static_cast<double>(found.compared));
             EXPECT_NE(found.sentence.find(share), std::string::npos) << found.sentence;
         }
     }
 }
 
-TEST(FailureSearch, WhatItFindsFailsOnRandomScenesToo) {
+TEST(FailureSearch, FoundViewsAlsoFailOnRandomScenes) {
     for (int scene = 0; scene < 12; ++scene) {
         SCOPED_TRACE("seed " + std::to_string(seed + scene));
         Random random(seed + scene);
@@ -79,7 +79,7 @@ TEST(FailureSearch, WhatItFindsFailsOnRandomScenesToo) {
         if (found.wrong_pixels > 10) {
             EXPECT_GT(wrong_pixels(polygons, orbit, found, key), 0);
         }
-        // No view of a scan of its own is much worse than what was found.
+        // No view of an independent scan is much worse than the found one.
         FailureView other = found;
         for (int i = 0; i < 12; ++i) {
             other.view = {start.yaw_deg + 30.0 * i, start.pitch_deg};
@@ -89,10 +89,10 @@ TEST(FailureSearch, WhatItFindsFailsOnRandomScenesToo) {
     }
 }
 
-TEST(FailureSearch, SaysWhenNoViewFails) {
+TEST(FailureSearch, ReportsThatNoViewFails) {
     std::vector<Polygon> one;
     add(one, {{-1, -1, 0}, {1, -1, 0.5}, {0, 1, 1}});
-    // Two parallel triangles one above the other, alike: every key puts the one behind behind, from wherever.
+    // Two equal parallel triangles, one behind the other: every key sorts them right from everywhere.
     std::vector<Polygon> two = one;
     add(two, {{-1, -1, 3}, {1, -1, 3.5}, {0, 1, 4}});
     for (const std::vector<Polygon>& polygons : {one, two}) {
@@ -106,7 +106,7 @@ TEST(FailureSearch, SaysWhenNoViewFails) {
     }
 }
 
-TEST(FailureSearch, GivesTheSameEveryTimeAndStartsWhereTheCameraIs) {
+TEST(FailureSearch, IsRepeatableAndStartsAtTheCamera) {
     const std::vector<Polygon> polygons = scene_for(PainterKey::centroid);
     const FailureSearchOptions options{.key = PainterKey::centroid, .start = {33.0, -20.0}};
     const FailureView once = find_failure(polygons, orbit_about({0, 0, 0}), options);
@@ -120,21 +120,21 @@ TEST(FailureSearch, GivesTheSameEveryTimeAndStartsWhereTheCameraIs) {
     EXPECT_EQ(none.position_world, eye_on_orbit(orbit_about({0, 0, 0}), options.start));
 }
 
-TEST(FailureSearch, CanBeCancelled) {
+TEST(FailureSearch, CanBeCanceled) {
     const std::vector<Polygon> polygons = scene_for(PainterKey::farthest);
     WorkProgress progress;
     const FailureView whole = find_failure(polygons, orbit_about({0, 0, 0}), {}, &progress);
-    EXPECT_FALSE(whole.cancelled);
+    EXPECT_FALSE(whole.canceled);
     EXPECT_GT(progress.fraction.load(), 0.4F);
-    progress.cancelled = true;
-    const FailureView cancelled = find_failure(polygons, orbit_about({0, 0, 0}), {}, &progress);
-    EXPECT_TRUE(cancelled.cancelled);
-    EXPECT_FALSE(cancelled.found);
-    EXPECT_EQ(cancelled.views_tried, 0);
-    EXPECT_NE(cancelled.sentence.find("cancelled"), std::string::npos) << cancelled.sentence;
+    progress.canceled = true;
+    const FailureView canceled = find_failure(polygons, orbit_about({0, 0, 0}), {}, &progress);
+    EXPECT_TRUE(canceled.canceled);
+    EXPECT_FALSE(canceled.found);
+    EXPECT_EQ(canceled.views_tried, 0);
+    EXPECT_NE(canceled.sentence.find("canceled"), std::string::npos) << canceled.sentence;
 }
 
-TEST(FailureSearch, DegenerateInputIsToldAndNotTried) {
+TEST(FailureSearch, ReportsDegenerateInputWithoutSearching) {
     const std::vector<Polygon> polygons = scene_for(PainterKey::farthest);
     Orbit endless = orbit_about({0, 0, 0});
     endless.distance = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// Costs as they grow: which rows there are, what they count, how budgets and cancelling end a curve, and what is told
-// of them. Never how long anything takes.
+// Growth of costs: the rows, their counts, how budgets and cancellation end a curve, and the report. Never how long
+// anything takes.
 #include "visibility/growth.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ bool contains(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
 
-TEST(GrowthPolygons, SmallOnesAreSmallAndLargeOnesLarge) {
+TEST(GrowthPolygons, AreSmallOrLargeAsRequested) {
     const std::vector<Polygon> small = growth_polygons({.scene = GrowthScene::small_triangles}, 2000);
     const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 2000);
     ASSERT_EQ(small.size(), 2000U);
@@ -71,7 +71,7 @@ TEST(GrowthPolygons, SmallOnesAreSmallAndLargeOnesLarge) {
     }
 }
 
-TEST(GrowthPolygons, FewerAreTheFirstOfMoreAndTheSeedDecides) {
+TEST(GrowthPolygons, FewerAreAPrefixOfMoreForEachSeed) {
     for (const GrowthScene scene : {GrowthScene::small_triangles, GrowthScene::large_triangles}) {
         const std::vector<Polygon> more = growth_polygons({.scene = scene, .seed = 7}, 50);
         const std::vector<Polygon> fewer = growth_polygons({.scene = scene, .seed = 7}, 20);
@@ -83,7 +83,7 @@ TEST(GrowthPolygons, FewerAreTheFirstOfMoreAndTheSeedDecides) {
     }
 }
 
-TEST(GrowthPolygons, OwnOnesAreTakenEvenly) {
+TEST(GrowthPolygons, ThoseOfTheSceneAreSampledEvenly) {
     GrowthRequest request{.scene = GrowthScene::own_polygons};
     request.own_polygons = growth_polygons({}, 100);
     const auto sources = [&](int count) {
@@ -99,12 +99,12 @@ TEST(GrowthPolygons, OwnOnesAreTakenEvenly) {
     EXPECT_TRUE(sources(-5).empty());
 }
 
-TEST(Growth, HasEveryMethodAtEveryCountAndTellsAsItGoes) {
+TEST(Growth, ReportsEveryMethodAtEveryCount) {
     std::vector<GrowthRow> told;
     std::vector<float> fractions;
     WorkProgress progress;
     GrowthRequest request = small_request();
-    request.scene = GrowthScene::large_triangles;  // small ones may lie between the pixel centres
+    request.scene = GrowthScene::large_triangles;  // small ones may miss all pixel centers
     request.counts = {10, 30, 50};
     const std::vector<GrowthRow> rows = measure_growth(request, &progress, [&](const GrowthRow& row) {
         told.push_back(row);
@@ -136,7 +136,7 @@ TEST(Growth, HasEveryMethodAtEveryCountAndTellsAsItGoes) {
     EXPECT_EQ(progress.fraction, 1.0F);
 }
 
-TEST(Growth, CountsTheSameEveryTime) {
+TEST(Growth, CountsAreRepeatable) {
     for (const GrowthScene scene : {GrowthScene::small_triangles, GrowthScene::large_triangles}) {
         GrowthRequest request = small_request();
         request.scene = scene;
@@ -154,7 +154,7 @@ TEST(Growth, CountsTheSameEveryTime) {
     }
 }
 
-/// Pixel centres in the triangle's picture, each looked at.
+/// Counts the pixel centers in the triangle's picture by testing each.
 std::int64_t covered_pixels(const Polygon& triangle, const Viewpoint& viewpoint, int width, int height) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -175,7 +175,7 @@ std::int64_t covered_pixels(const Polygon& triangle, const Viewpoint& viewpoint,
     return covered;
 }
 
-TEST(Growth, CountsWhatTheMethodsDo) {
+TEST(Growth, CountsTheWorkOfEachMethod) {
     GrowthRequest request = small_request();
     request.scene = GrowthScene::large_triangles;
     request.counts = {25};
@@ -187,13 +187,13 @@ TEST(Growth, CountsWhatTheMethodsDo) {
     EXPECT_EQ(rows_of(rows, GrowthMethod::z_buffer)[0].operations, pixels);
     EXPECT_EQ(rows_of(rows, GrowthMethod::bsp_walk)[0].operations,
               static_cast<std::int64_t>(build_bsp(polygons).nodes.size()));
-    // A ray tests at least the root's box; sorting takes at least n − 1 comparisons, and at most 2 n log2 n here.
+    // A ray tests at least the root's box. Sorting takes at least n − 1 comparisons and here at most 2 n log2 n.
     EXPECT_GE(rows_of(rows, GrowthMethod::ray_casting)[0].operations, 64 * 48);
     EXPECT_GE(rows_of(rows, GrowthMethod::painter)[0].operations, 24);
     EXPECT_LE(rows_of(rows, GrowthMethod::painter)[0].operations, 2 * 25 * 5);
 }
 
-TEST(Growth, PutsCountsInOrder) {
+TEST(Growth, SortsItsCounts) {
     GrowthRequest request = small_request();
     request.counts = {30, -1, 10, 0, 30};
     std::vector<int> counts;
@@ -209,7 +209,7 @@ TEST(Growth, PutsCountsInOrder) {
     EXPECT_EQ(own[1].polygons, 20);
 }
 
-TEST(Growth, IsDefinedForNothing) {
+TEST(Growth, HandlesEmptyRequests) {
     GrowthRequest request = small_request();
     request.counts = {};
     WorkProgress progress;
@@ -223,19 +223,19 @@ TEST(Growth, IsDefinedForNothing) {
     EXPECT_EQ(measure_growth(request).size(), 3 * growth_method_count);
 }
 
-TEST(Growth, IsCancelledBetweenRows) {
+TEST(Growth, CanBeCanceledBetweenRows) {
     WorkProgress progress;
     int told = 0;
     const std::vector<GrowthRow> rows = measure_growth(small_request(), &progress, [&](const GrowthRow&) {
-        if (++told == 8) progress.cancelled = true;
+        if (++told == 8) progress.canceled = true;
     });
     EXPECT_EQ(rows.size(), 8U);
     EXPECT_EQ(told, 8);
     EXPECT_LT(progress.fraction, 1.0F);
 }
 
-/// Uncancelled this would take longer than a person lives.
-TEST(Growth, IsCancelledWithinARow) {
+/// Without cancellation this would take longer than a lifetime.
+TEST(Growth, CanBeCanceledWithinARow) {
     GrowthRequest request = small_request();
     request.scene = GrowthScene::large_triangles;
     request.counts = {50'000};
@@ -243,13 +243,13 @@ TEST(Growth, IsCancelledWithinARow) {
     WorkProgress progress;
     std::thread canceller([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        progress.cancelled = true;
+        progress.canceled = true;
     });
-    EXPECT_LE(measure_growth(request, &progress).size(), 1U);  // the painter's
+    EXPECT_LE(measure_growth(request, &progress).size(), 1U);  // the painter's row
     canceller.join();
 }
 
-TEST(Growth, AFragmentBudgetEndsACurveWithASentence) {
+TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
     GrowthRequest request = small_request();
     request.scene = GrowthScene::large_triangles;
     request.counts = {3, 60, 70, 80};
@@ -262,7 +262,7 @@ TEST(Growth, AFragmentBudgetEndsACurveWithASentence) {
     EXPECT_TRUE(contains(build[1].problem, "budget of 200 fragments")) << build[1].problem;
     EXPECT_GT(build[1].operations, 0);
     EXPECT_EQ(build[2].problem,
-              "From 70 polygons on building the BSP tree was not tried: 60 polygons were too many for its budget.");
+              "With 70 polygons or more, building the BSP tree was not tried: 60 polygons exceeded its budget.");
     EXPECT_EQ(build[2].operations, 0);
     EXPECT_EQ(build[2].time_ms, 0.0);
 
@@ -270,7 +270,7 @@ TEST(Growth, AFragmentBudgetEndsACurveWithASentence) {
     ASSERT_EQ(walk.size(), 2U);
     EXPECT_EQ(walk[0].problem, "");
     EXPECT_EQ(walk[1].polygons, 60);
-    EXPECT_EQ(walk[1].problem, "From 60 polygons on walking the BSP tree was not tried: the tree was not finished.");
+    EXPECT_EQ(walk[1].problem, "From 60 polygons on, walking the BSP tree was not tried: the tree was not finished.");
 
     for (const GrowthMethod method : {GrowthMethod::painter, GrowthMethod::z_buffer, GrowthMethod::ray_casting}) {
         const std::vector<GrowthRow> untouched = rows_of(rows, method);
@@ -279,7 +279,7 @@ TEST(Growth, AFragmentBudgetEndsACurveWithASentence) {
     }
 }
 
-TEST(Growth, ATimeBudgetEndsEveryCurveWithASentence) {
+TEST(Growth, TimeBudgetEndsEveryCurveWithASentence) {
     GrowthRequest request = small_request();
     request.time_budget_ms = 0.0;
     const std::vector<GrowthRow> rows = measure_growth(request);
@@ -292,7 +292,7 @@ TEST(Growth, ATimeBudgetEndsEveryCurveWithASentence) {
     }
 }
 
-TEST(Growth, ATimeBudgetStopsAMethodAtWork) {
+TEST(Growth, TimeBudgetStopsARunningMethod) {
     GrowthRequest request = small_request();
     request.scene = GrowthScene::large_triangles;
     request.counts = {50'000};
@@ -300,10 +300,10 @@ TEST(Growth, ATimeBudgetStopsAMethodAtWork) {
     request.time_budget_ms = 30.0;
     const std::vector<GrowthRow> newell = rows_of(measure_growth(request), GrowthMethod::newell);
     ASSERT_EQ(newell.size(), 1U);
-    EXPECT_EQ(newell[0].problem, "With 50,000 polygons Newell's sort stopped after its 30 ms.");
+    EXPECT_EQ(newell[0].problem, "With 50,000 polygons, Newell's sort stopped at its limit of 30 ms.");
 }
 
-/// Records of fields, after RFC 4180.
+/// Parses records of fields as in RFC 4180.
 std::vector<std::vector<std::string>> parsed_csv(std::string_view text) {
     std::vector<std::vector<std::string>> records;
     std::vector<std::string> record(1);
@@ -323,7 +323,7 @@ std::vector<std::vector<std::string>> parsed_csv(std::string_view text) {
             record.back() += c;
         }
     }
-    EXPECT_EQ(record, std::vector<std::string>(1)) << "the last line has an end too";
+    EXPECT_EQ(record, std::vector<std::string>(1)) << "the last line ends with a newline";
     return records;
 }
 
@@ -371,10 +371,10 @@ TEST(GrowthReport, CsvReadsBack) {
     EXPECT_EQ(parsed_csv(growth_csv({})).size(), 1U);
 }
 
-TEST(GrowthReport, TheWinnerDoesLeastOfThoseThatAreRight) {
+TEST(GrowthReport, WinnerDoesTheLeastWorkOfTheRightMethods) {
     Random random(seed);
     for (int round = 0; round < 200; ++round) {
-        std::map<std::int64_t, GrowthMethod> by_work;  // of the sound rows of 100 polygons
+        std::map<std::int64_t, GrowthMethod> by_work;  // of the valid rows with 100 polygons
         std::vector<GrowthRow> rows;
         for (const GrowthMethod method : all_methods()) {
             for (const int polygons : {10, 100, 1000}) {
@@ -397,7 +397,7 @@ TEST(GrowthReport, TheWinnerDoesLeastOfThoseThatAreRight) {
     }
 }
 
-TEST(GrowthReport, IsTheSameWheneverItIsCounted) {
+TEST(GrowthReport, IsRepeatable) {
     GrowthRequest request;
     request.counts = {10, 100, 400};
     request.time_budget_ms = std::numeric_limits<double>::infinity();
@@ -411,11 +411,11 @@ GrowthRow worked(GrowthMethod method, int polygons, std::int64_t work) {
     return {.method = method, .polygons = polygons, .operations = work - work / 3, .pixels_painted = work / 3};
 }
 
-TEST(GrowthReport, TheSummarySaysWhoWinsWhere) {
+TEST(GrowthReport, SummaryNamesTheWinners) {
     EXPECT_EQ(growth_summary({}), "");
     const std::vector<GrowthRow> one{worked(GrowthMethod::z_buffer, 1000, 2000)};
     EXPECT_EQ(growth_summary(one),
-              "Fewest operations of the methods that are always right, painting among them: the software z-buffer with "
+              "Fewest operations of the methods that are always right, painting included: the software z-buffer with "
               "1,000 polygons.");
     const std::vector<GrowthRow> rows{
         worked(GrowthMethod::painter, 10, 100),           worked(GrowthMethod::bsp_walk, 10, 1000),
@@ -426,14 +426,13 @@ TEST(GrowthReport, TheSummarySaysWhoWinsWhere) {
         worked(GrowthMethod::ray_casting, 10'000, 18'000)};
     EXPECT_EQ(
         growth_summary(rows),
-        "Fewest operations of the methods that are always right, painting among them: walking the BSP tree up to "
-        "30 polygons, the software z-buffer from 300 to 1,000 polygons, ray casting from 10,000 on. The tree is "
-        "built beforehand, once for every eye. At the end of the curves ten times as many polygons take operations "
-        "in these numbers: 5 times as many for walking the BSP tree, 4 times for the software z-buffer, 2 times "
-        "for ray casting.");
+        "Fewest operations of the methods that are always right, painting included: walking the BSP tree up to 30 "
+        "polygons, the software z-buffer from 300 to 1,000 polygons, ray casting from 10,000 on. The tree is built "
+        "once, in advance, for every eye position. At the end of the curves, ten times the polygons multiply the "
+        "operations by a factor of 5 for walking the BSP tree, by 4 for the software z-buffer, by 2 for ray casting.");
 }
 
-TEST(GrowthReport, TimesAreThoseOfTheLargestCountThatAllHave) {
+TEST(GrowthReport, TimesAreThoseOfTheLargestCommonCount) {
     std::vector<GrowthRow> rows;
     for (const int polygons : {100, 1000, 10'000})
         for (const GrowthMethod method : all_methods()) {
@@ -444,12 +443,12 @@ TEST(GrowthReport, TimesAreThoseOfTheLargestCountThatAllHave) {
             rows.push_back(row);
         }
     EXPECT_EQ(growth_times(rows),
-              "By the clock, 1,000 polygons, medians of some runs: Newell's sort 10 ms (5 to 20), walking the BSP tree "
+              "Median times of several runs with 1,000 polygons: Newell's sort 10 ms (5 to 20), walking the BSP tree "
               "10 ms (5 to 20), the software z-buffer 10 ms (5 to 20), ray casting 10 ms (5 to 20).");
     EXPECT_EQ(growth_times({}), "");
 }
 
-TEST(GrowthReport, NumbersAreGrouped) {
+TEST(GrowthReport, GroupsDigits) {
     EXPECT_EQ(grouped_number(0), "0");
     EXPECT_EQ(grouped_number(999), "999");
     EXPECT_EQ(grouped_number(1000), "1,000");

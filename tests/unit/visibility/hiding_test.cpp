@@ -1,4 +1,4 @@
-// Who hides whom, against rays through many points of the picture; orders and cycles of whole things.
+// Pairs of hiding polygons, checked by rays through many points of the picture; orders and cycles of whole polygons.
 #include "visibility/hiding.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// A ray through a place of the picture, from the near plane on, and how far along it a polygon is met.
+/// A ray through a point of the picture, starting at the near plane, and the distance along it to a polygon.
 struct Sight {
     glm::dvec3 origin, direction;
 
@@ -25,7 +25,7 @@ struct Sight {
         for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
             const glm::dvec3& a = polygon.vertices[i];
             const glm::dvec3 edge = polygon.vertices[(i + 1) % polygon.vertices.size()] - a;
-            // Inside: 1e−9 off each edge, so that slim overlaps are met.
+            // Keep 1e−9 away from each edge, so that thin overlaps are still hit.
             if (glm::dot(glm::cross(normal, edge), at - a) < 1e-9 * glm::length(edge)) return std::nullopt;
         }
         return t > 1e-6 ? std::optional(t) : std::nullopt;
@@ -41,7 +41,7 @@ Sight sight_through(const Viewpoint& viewpoint, double x, double y) {
     return {at(-1.0), glm::normalize(at(1.0) - at(-1.0))};
 }
 
-/// A polygon on the screen, as far as it is before the eye and the near plane; turning left.
+/// Projects the part of a polygon in front of the eye and the near plane, counterclockwise on the screen.
 std::vector<glm::dvec2> on_screen(const Polygon& polygon, const Viewpoint& viewpoint) {
     std::vector<glm::dvec4> corners;
     for (const glm::dvec3& vertex : polygon.vertices)
@@ -67,7 +67,7 @@ std::vector<glm::dvec2> on_screen(const Polygon& polygon, const Viewpoint& viewp
     return outline;
 }
 
-/// What two convex outlines have in common.
+/// Intersects two convex outlines.
 std::vector<glm::dvec2> common_part(std::vector<glm::dvec2> part, const std::vector<glm::dvec2>& other) {
     for (std::size_t edge = 0; edge < other.size(); ++edge) {
         const glm::dvec2 from = other[edge], along = other[(edge + 1) % other.size()] - from;
@@ -86,8 +86,8 @@ std::vector<glm::dvec2> common_part(std::vector<glm::dvec2> part, const std::vec
     return part;
 }
 
-/// Whether a ray through what both cover of the screen meets `front` before `back`. Which of two planes is nearer is
-/// told by the corners of that part: rays go close to them.
+/// Returns whether some ray through the overlap of both polygons on the screen hits `front` before `back`. The corners
+/// of the overlap decide which plane is nearer, so rays pass close to them.
 bool some_ray_sees(const Polygon& back, const Polygon& front, const Viewpoint& viewpoint) {
     const std::vector<glm::dvec2> part = common_part(on_screen(front, viewpoint), on_screen(back, viewpoint));
     glm::dvec2 middle(0.0);
@@ -102,7 +102,7 @@ bool some_ray_sees(const Polygon& back, const Polygon& front, const Viewpoint& v
     return false;
 }
 
-/// What a grid of rays sees hidden by what; with how many rays.
+/// Returns the hiding pairs that a grid of rays sees, each with its number of rays.
 std::map<HidingPair, int> seen_pairs(const std::vector<Polygon>& polygons, const Viewpoint& viewpoint) {
     constexpr int side = 60;
     std::map<HidingPair, int> pairs;
@@ -119,7 +119,7 @@ std::map<HidingPair, int> seen_pairs(const std::vector<Polygon>& polygons, const
     return pairs;
 }
 
-TEST(HidingPairs, AreThoseThatRaysSee) {
+TEST(HidingPairs, MatchThoseSeenByRays) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::size_t compared = 0;
@@ -128,7 +128,7 @@ TEST(HidingPairs, AreThoseThatRaysSee) {
         const Viewpoint viewpoint = random_viewpoint(random);
         const std::vector<HidingPair> found = hiding_pairs(polygons, viewpoint);
         EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "each once";
+        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "no duplicates";
         const auto seen = seen_pairs(polygons, viewpoint);
         for (const auto& [pair, rays] : seen) {
             EXPECT_TRUE(std::binary_search(found.begin(), found.end(), pair))
@@ -144,16 +144,16 @@ TEST(HidingPairs, AreThoseThatRaysSee) {
     EXPECT_GT(compared, 10000U);
 }
 
-TEST(HidingPairs, OfParallelSquaresAreByDepthAlone) {
+TEST(HidingPairs, OfParallelSquaresDependOnDepthAlone) {
     std::vector<Polygon> squares;
     for (const double z : {0.0, 2.0, 1.0}) add(squares, {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
-    add(squares, {{3, -1, 1.5}, {5, -1, 1.5}, {5, 1, 1.5}, {3, 1, 1.5}});  // beside them
+    add(squares, {{3, -1, 1.5}, {5, -1, 1.5}, {5, 1, 1.5}, {3, 1, 1.5}});  // beside the others
     const std::vector<HidingPair> expected = {{0, 1}, {0, 2}, {2, 1}};
     EXPECT_EQ(hiding_pairs(squares, viewpoint_on_z(true)), expected);
     EXPECT_EQ(whole_order(4, expected).order, (std::vector<int>{0, 2, 1, 3}));
 }
 
-TEST(HidingPairs, EndSoonAfterAsManyAsAreWanted) {
+TEST(HidingPairs, StopSoonAfterTheRequestedNumber) {
     std::vector<Polygon> pile;
     for (int i = 0; i < 60; ++i)
         add(pile, {{-1, -1, 0.01 * i}, {1, -1, 0.01 * i}, {1, 1, 0.01 * i}, {-1, 1, 0.01 * i}});
@@ -164,7 +164,7 @@ TEST(HidingPairs, EndSoonAfterAsManyAsAreWanted) {
     EXPECT_LT(some, 100U + 2U * 60U);
 }
 
-TEST(HidingPairs, OfWhatRunsThroughEachOtherStandBothWaysRound) {
+TEST(HidingPairs, OfInterpenetratingPolygonsGoBothWays) {
     std::vector<Polygon> crossing;
     add(crossing, {{-1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}});
     add(crossing, {{-1, -1, 1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, 1}});
@@ -175,14 +175,14 @@ TEST(HidingPairs, OfWhatRunsThroughEachOtherStandBothWaysRound) {
     EXPECT_EQ(order.cycle.size(), 2U);
 }
 
-TEST(HidingPairs, OfCoplanarOnesTheLowerSourceIsInFront) {
+TEST(HidingPairs, PutTheLowerSourceOfCoplanarPolygonsInFront) {
     std::vector<Polygon> coplanar;
     add(coplanar, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
     add(coplanar, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
     EXPECT_EQ(hiding_pairs(coplanar, viewpoint_on_z()), (std::vector<HidingPair>{{1, 0}}));
 }
 
-TEST(WholeOrder, PaintsWhatRaysSeeWhereThereIsOne) {
+TEST(WholeOrder, MatchesRaysOrReportsACycle) {
     SCOPED_TRACE(seed);
     Random random(seed);
     int painted = 0;
@@ -209,7 +209,7 @@ TEST(WholeOrder, PaintsWhatRaysSeeWhereThereIsOne) {
     EXPECT_GT(painted, 10);
 }
 
-TEST(WholeOrder, OfThreeBarsIsNoneOfSix) {
+TEST(WholeOrder, OfThreeCyclicBarsDoesNotExist) {
     const std::vector<Polygon> bars = cyclic_bars();
     const std::vector<HidingPair> pairs = hiding_pairs(bars, viewpoint_on_z());
     EXPECT_EQ(pairs.size(), 3U);
@@ -222,7 +222,7 @@ TEST(WholeOrder, OfThreeBarsIsNoneOfSix) {
 }
 
 TEST(WholeOrder, FindsTheShortCycleBehindALongOne) {
-    // 0 → 1 → 2 → 3 → 0, and 4 ⇄ 5, which also wait for the first ones.
+    // 0 → 1 → 2 → 3 → 0, and 4 ⇄ 5, which also depend on the first cycle.
     const std::vector<HidingPair> pairs = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {3, 4}, {4, 5}, {5, 4}};
     EXPECT_EQ(whole_order(6, pairs).cycle.size(), 2U);
     EXPECT_TRUE(whole_order(0, {}).order.empty());

@@ -20,7 +20,7 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const NewellOrder& 
     return difference(ray_cast_image(polygons, viewpoint), paint(result.fragments, result.order, viewpoint)).different;
 }
 
-/// The steps of two polygons seen from +z, and that the picture is right.
+/// Returns the steps of two polygons seen from +z and expects a right picture.
 std::vector<NewellStep> ladder(std::vector<glm::dvec3> first, std::vector<glm::dvec3> second) {
     std::vector<Polygon> polygons;
     add(polygons, std::move(first));
@@ -30,7 +30,7 @@ std::vector<NewellStep> ladder(std::vector<glm::dvec3> first, std::vector<glm::d
     return result.steps;
 }
 
-TEST(Newell, EachTestDecidesThePairMadeForIt) {
+TEST(Newell, EachTestDecidesItsOwnPair) {
     using enum NewellTest;
     const auto decider = [](std::vector<glm::dvec3> first, std::vector<glm::dvec3> second) {
         return ladder(std::move(first), std::move(second)).front().decided_by;
@@ -38,17 +38,17 @@ TEST(Newell, EachTestDecidesThePairMadeForIt) {
     EXPECT_EQ(decider(rectangle(-1, 1, -1, 1, -2, -2), rectangle(-1, 1, -1, 1, 0, 0)), depth_extents);
     EXPECT_EQ(decider(rectangle(-2, -1, -1, 1, -2, 0), rectangle(1, 2, -1, 1, -1, 1)), x_extents);
     EXPECT_EQ(decider(rectangle(-1, 1, -2, -1, -2, 0), rectangle(-1, 1, 1, 2, -1, 1)), y_extents);
-    // P reaches from z = −3 to −1, Q's plane stands behind its own far edge at −2 only where P is not.
+    // P spans z = −3 to −1. Q's plane is behind Q's far edge at −2 only outside P.
     EXPECT_EQ(decider(rectangle(-1, 1, -1, 1, -3, -1), rectangle(-1, 1, -1, 1, -2, 0)), p_behind_q);
     // A small Q in front of P's plane while Q's own plane cuts P.
     EXPECT_EQ(decider(rectangle(-2, 2, -1, 1, -4, 0), rectangle(-1, -0.5, -0.5, 0.5, 1, -2)), q_in_front_of_p);
-    // Triangles in the two halves of a square, their planes crossing.
+    // Triangles in the two halves of a square whose planes cross.
     EXPECT_EQ(decider({{-1, -1, -3}, {0.9, -1, 0}, {-1, 0.9, 0}}, {{1, 1, -2}, {-0.9, 1, 1}, {1, -0.9, -2.5}}),
               projections_disjoint);
 }
 
-TEST(Newell, SwapsWhereTheFarthestVertexMisleads) {
-    // The wall's farthest vertex is behind the card, which it hides.
+TEST(Newell, SwapsWhenTheFarthestVertexMisleads) {
+    // The wall's farthest vertex is behind the card, but the wall hides the card.
     const std::vector<NewellStep> steps =
         ladder(rectangle(-2, 2, -1, 1, 1, -9), rectangle(-1.4, -0.6, -0.4, 0.4, -5, -5));
     ASSERT_EQ(steps.size(), 4U);
@@ -61,7 +61,7 @@ TEST(Newell, SwapsWhereTheFarthestVertexMisleads) {
     EXPECT_EQ(steps[3].p, 0);
 }
 
-TEST(Newell, InterpenetrationIsCutOnceAndTheStepSaysWhere) {
+TEST(Newell, CutsInterpenetrationOnceAndReportsThePlace) {
     const std::vector<NewellStep> steps = ladder(rectangle(-1, 1, -1, 1, -2, 2), rectangle(-1, 1, -1, 1, 1, -1));
     ASSERT_FALSE(steps.empty());
     EXPECT_EQ(steps[0].action, NewellAction::splits);
@@ -72,7 +72,7 @@ TEST(Newell, InterpenetrationIsCutOnceAndTheStepSaysWhere) {
     EXPECT_EQ(std::count_if(steps.begin(), steps.end(), [](auto& s) { return s.action == NewellAction::splits; }), 1);
 }
 
-TEST(Newell, OneCutIsEnoughForThreeCyclicBars) {
+TEST(Newell, CutsThreeCyclicBarsOnce) {
     const std::vector<Polygon> bars = cyclic_bars();
     for (const bool orthographic : {false, true}) {
         const Viewpoint viewpoint = viewpoint_on_z(orthographic);
@@ -84,7 +84,7 @@ TEST(Newell, OneCutIsEnoughForThreeCyclicBars) {
     }
 }
 
-TEST(Newell, CyclesThatNoPlaneCutsAreCutAlongAnOutline) {
+TEST(Newell, CutsCyclesThatNoPlaneSplitsAlongAnOutline) {
     std::int64_t cuts_through_eye = 0;
     for (int scene = 0; scene < 100; ++scene) {
         SCOPED_TRACE("seed " + std::to_string(seed + scene));
@@ -101,7 +101,7 @@ TEST(Newell, CyclesThatNoPlaneCutsAreCutAlongAnOutline) {
     EXPECT_GT(cuts_through_eye, 0);
 }
 
-TEST(Newell, CountersAndStepsAgree) {
+TEST(Newell, CountersMatchSteps) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int scene = 0; scene < 10; ++scene) {
@@ -121,12 +121,12 @@ TEST(Newell, CountersAndStepsAgree) {
         EXPECT_EQ(decided, result.counters.pairs);
         std::vector<int> order = result.order;
         std::sort(order.begin(), order.end());
-        EXPECT_EQ(std::adjacent_find(order.begin(), order.end()), order.end()) << "nothing is drawn twice";
+        EXPECT_EQ(std::adjacent_find(order.begin(), order.end()), order.end()) << "no polygon is drawn twice";
         EXPECT_EQ(result.fragments.size(), order.size() + static_cast<std::size_t>(splits));
     }
 }
 
-TEST(Newell, NoPairIsComparedAgainOnceQHasLetPGo) {
+TEST(Newell, NeverComparesAReleasedPairAgain) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::int64_t again = 0, let_go_count = 0;
@@ -140,7 +140,8 @@ TEST(Newell, NoPairIsComparedAgainOnceQHasLetPGo) {
             again += !let_go.emplace(step.p, step.q).second;
         }
     }
-    // Those Q that are just as far as one that P waited for, such as other pieces with the same farthest corner.
+    // The exceptions are polygons Q exactly as far as one that P waited for, such as other pieces with the same
+    // farthest corner.
     EXPECT_LE(again, let_go_count / 100);
     const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 60);
     const NewellOrder result = newell_order(large, viewpoint_on_z());
@@ -149,7 +150,7 @@ TEST(Newell, NoPairIsComparedAgainOnceQHasLetPGo) {
     EXPECT_LT(result.counters.pairs, pieces * pieces / 20);
 }
 
-TEST(Newell, OfCoplanarOverlapsTheLowestSourceIsSeen) {
+TEST(Newell, ShowsTheLowestSourceOfCoplanarOverlaps) {
     std::vector<Polygon> polygons;
     const glm::dvec3 tilt(0, 0, 0.3);
     for (const double y : {0.4, 0.0, -0.4, 0.0}) {
@@ -174,13 +175,13 @@ TEST(Newell, EdgeOnPolygonsHideNothing) {
     EXPECT_EQ(wrong_pixels(polygons, result, viewpoint), 0);
 }
 
-TEST(Newell, ClipsAtTheNearPlaneAndCountsWhatItTook) {
+TEST(Newell, ClipsAtTheNearPlaneAndCountsTheLoss) {
     const Mesh box = box_mesh();
     const MeshInstance instance{&box};
     const std::vector<Polygon> polygons = polygons_of(std::span(&instance, 1)).polygons;
     const Viewpoint inside = viewpoint_at({0, 0, 0}, {0, 0, -1}, {.near = 0.5});
     const NewellOrder result = newell_order(polygons, inside);
-    EXPECT_NEAR(result.clipped_area, 4 + 4 * 2 * 1.5, 1e-9) << "all behind z = −0.5";
+    EXPECT_NEAR(result.clipped_area, 4 + 4 * 2 * 1.5, 1e-9) << "everything behind z = −0.5";
     EXPECT_EQ(wrong_pixels(polygons, result, inside), 0);
 }
 
@@ -196,17 +197,16 @@ TEST(Newell, StopsWithASentenceAndLosesNothing) {
         EXPECT_NEAR(drawn, total_area(polygons), 1e-9 * drawn);
     };
     expect_stopped(newell_order(polygons, viewpoint, {.max_fragments = 80}),
-                   "Newell's sort stopped at its budget of 80 fragments; the rest is drawn by its farthest vertices.");
-    expect_stopped(
-        newell_order(polygons, viewpoint, {.max_pairs = 50}),
-        "Newell's sort stopped at its budget of 50 comparisons; the rest is drawn by its farthest vertices.");
+                   "Newell's sort stopped at its budget of 80 fragments; the rest is sorted by farthest vertex.");
+    expect_stopped(newell_order(polygons, viewpoint, {.max_pairs = 50}),
+                   "Newell's sort stopped at its budget of 50 comparisons; the rest is sorted by farthest vertex.");
     const NewellOrder few_steps = newell_order(polygons, viewpoint, {.max_steps = 10});
     EXPECT_EQ(few_steps.steps.size(), 10U);
     EXPECT_GT(few_steps.steps_left_out, 100);
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     expect_stopped(newell_order(polygons, viewpoint, {}, &progress),
-                   "Newell's sort was cancelled; the rest is drawn by its farthest vertices.");
+                   "Newell's sort was canceled; the rest is sorted by farthest vertex.");
     EXPECT_TRUE(newell_order({}, viewpoint).order.empty());
 }
 

@@ -1,4 +1,4 @@
-// The naive painter: sorts right, counts, and fails where it must.
+// The naive painter's algorithm: it sorts right, counts its work, and fails where it must.
 #include "visibility/painter.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, PainterKey key) {
     return wrong_pixels(polygons, painter_order(polygons, viewpoint, key).order, viewpoint);
 }
 
-TEST(PainterOrder, IsByFallingKeyAndEachOnce) {
+TEST(PainterOrder, HasEachPolygonOnceByDescendingKey) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int scene = 0; scene < 20; ++scene) {
@@ -53,7 +53,7 @@ TEST(PainterOrder, IsByFallingKeyAndEachOnce) {
     }
 }
 
-TEST(PainterOrder, CountsGrowAsNLogN) {
+TEST(PainterOrder, ComparisonsGrowAsNLogN) {
     Random random(seed);
     std::vector<Polygon> polygons;
     for (int i = 0; i < 1024; ++i) {
@@ -68,14 +68,14 @@ TEST(PainterOrder, CountsGrowAsNLogN) {
     EXPECT_TRUE(painter_order({}, viewpoint_on_z(), PainterKey::nearest).order.empty());
 }
 
-TEST(PainterOrder, OfEqualKeysTheLowerIndexIsSeen) {
+TEST(PainterOrder, ShowsTheLowerIndexOfEqualKeys) {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 3; ++i) add(polygons, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
     EXPECT_EQ(painter_order(polygons, viewpoint_on_z(), PainterKey::centroid).order, (std::vector{2, 1, 0}));
 }
 
-// A long wall that recedes from z = 1 to z = −9, and a small card before or behind it: two of three keys get each
-// right.
+// A long wall that recedes from z = 1 to z = −9 and a small card in front of or behind it: two of the three keys sort
+// each scene right.
 struct FailureScene {
     PainterKey fails;
     std::vector<std::vector<glm::dvec3>> polygons;
@@ -89,14 +89,14 @@ std::vector<glm::dvec3> card(double x, double z) {
     return {{x - 0.4, -0.4, z}, {x + 0.4, -0.4, z}, {x + 0.4, 0.4, z}, {x - 0.4, 0.4, z}};
 }
 
-TEST(PainterOrder, EveryKeyFailsOnASceneMadeForIt) {
-    // At x the wall from z_left to z_right stands at z_left + (x + 2) / 4 · (z_right − z_left).
+TEST(PainterOrder, EveryKeyFailsOnItsOwnScene) {
+    // At x, the wall from z_left to z_right is at z_left + (x + 2) / 4 · (z_right − z_left).
     const std::vector<FailureScene> scenes{
         {PainterKey::nearest,
-         {wall(1, -9), card(1, 0)}},  // wall's nearest 1 before the card; at the card it is at −6.5
+         {wall(1, -9), card(1, 0)}},  // nearest: wall 1, in front of the card; the wall is at −6.5 there
         {PainterKey::farthest,
-         {wall(1, -9), card(-1, -5)}},  // wall's farthest −9 behind the card; at the card it is at −1.5
-        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // wall's centroid −4; at the card it is at −1.5
+         {wall(1, -9), card(-1, -5)}},  // farthest: wall −9, behind the card; the wall is at −1.5 there
+        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // centroid: wall −4; the wall is at −1.5 there
     for (const FailureScene& scene : scenes) {
         std::vector<Polygon> polygons;
         for (const auto& corners : scene.polygons) add(polygons, corners);

@@ -1,4 +1,4 @@
-// Polygons: made, dropped, measured, cut.
+// Polygons: creation, rejection, measures, cuts.
 #include "visibility/polygons.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-TEST(MakePolygon, PlaneAreaAndCentroidByHand) {
+TEST(MakePolygon, ComputesPlaneAreaAndCentroid) {
     const Polygon square = make_polygon({{0, 2, 0}, {0, 2, 3}, {3, 2, 3}, {3, 2, 0}}, 4, 7).value();
     EXPECT_EQ(square.plane, glm::dvec4(0, 1, 0, -2));
     EXPECT_EQ(square.object, 4);
@@ -19,10 +19,10 @@ TEST(MakePolygon, PlaneAreaAndCentroidByHand) {
     EXPECT_EQ(centroid(square), glm::dvec3(1.5, 2, 1.5));
     const Polygon kite = make_polygon({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 2, 0}}, 0, 0).value();
     EXPECT_NEAR(area(kite), 4.5, 1e-14);
-    EXPECT_NEAR(centroid(kite).x, 4.0 / 3.0, 1e-14) << "of the area, not of the corners";
+    EXPECT_NEAR(centroid(kite).x, 4.0 / 3.0, 1e-14) << "the centroid of the area, not of the corners";
 }
 
-TEST(MakePolygon, RefusesWhatHasNoArea) {
+TEST(MakePolygon, RefusesZeroArea) {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_FALSE(make_polygon({{0, 0, 0}, {1, 0, 0}}, 0, 0));
     EXPECT_FALSE(make_polygon({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, 0, 0));
@@ -32,7 +32,7 @@ TEST(MakePolygon, RefusesWhatHasNoArea) {
     EXPECT_TRUE(make_polygon({{0, 0, 0}, {1e-20, 0, 0}, {0, 1e-20, 0}}, 0, 0)) << "small is not flat";
 }
 
-TEST(PolygonsOf, NumbersTrianglesOverAllMeshesAndCountsTheDropped) {
+TEST(PolygonsOf, NumbersTrianglesAcrossMeshesAndCountsDroppedOnes) {
     const Mesh box = box_mesh();
     Mesh flat = triangle_mesh({glm::dvec3(0), {1, 0, 0}, {2, 0, 0}});
     flat.indices = {0, 1, 2, 0, 1, 2};
@@ -52,7 +52,7 @@ TEST(PolygonsOf, NumbersTrianglesOverAllMeshesAndCountsTheDropped) {
     EXPECT_DOUBLE_EQ(default_epsilon({}), 1e-9);
 }
 
-TEST(SideOfPlane, CornersWithinEpsilonGoWithEitherSide) {
+TEST(SideOfPlane, CornersWithinEpsilonCountOnEitherSide) {
     const glm::dvec4 plane(0, 0, 1, 0);
     const auto side = [&](double a, double b, double c) {
         return side_of_plane(make_polygon({{0, 0, a}, {1, 0, b}, {0, 1, c}}, 0, 0).value(), plane, 0.1);
@@ -64,7 +64,7 @@ TEST(SideOfPlane, CornersWithinEpsilonGoWithEitherSide) {
     EXPECT_EQ(side(1, 0, -0.2), PlaneSide::spanning);
 }
 
-TEST(Split, KeepsAreaPlaneAndNumberOnItsSides) {
+TEST(Split, PreservesAreaPlaneAndNumber) {
     SCOPED_TRACE(seed);
     Random random(seed);
     int cut = 0;
@@ -81,7 +81,7 @@ TEST(Split, KeepsAreaPlaneAndNumberOnItsSides) {
         EXPECT_EQ(back.source, i);
         EXPECT_EQ(front.object, 2);
         EXPECT_EQ(front.vertices.size() + back.vertices.size(), 7U);
-        // Wound as before.
+        // The winding is unchanged.
         EXPECT_GT(glm::dot(glm::dvec3(make_polygon(front.vertices, 0, 0)->plane), glm::dvec3(whole.plane)), 0.999);
     }
     EXPECT_GT(cut, 100);
@@ -96,7 +96,7 @@ TEST(Split, ThroughACornerDoesNotMoveIt) {
     EXPECT_EQ(back.vertices[0], whole.vertices[0]);
 }
 
-TEST(Split, NeighboursAreCutInTheSamePoint) {
+TEST(Split, NeighborsAreCutAtTheSamePoint) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 200; ++i) {
@@ -104,7 +104,7 @@ TEST(Split, NeighboursAreCutInTheSamePoint) {
         const glm::dvec3 left = random.vec3(3), right = random.vec3(3);
         const glm::dvec4 plane(0, 0, 1, random.number(-0.5, 0.5));
         const auto cut_of_edge = [&](const Polygon& piece) {
-            // The only vertex of a piece on a b that is neither.
+            // The only vertex of a piece on the edge a b that is neither a nor b.
             for (const glm::dvec3& v : piece.vertices) {
                 if (v != a && v != b && glm::length(glm::cross(v - a, b - a)) < 1e-12) return v;
             }

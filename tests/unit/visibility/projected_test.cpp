@@ -1,4 +1,4 @@
-// What Newell's cheap tests ask of projections: apart on an axis, and apart at all, whichever comes first.
+// The projections that Newell's cheap tests compare: separate on an axis, or separate at all.
 #include "visibility/projected.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// As project() leaves it, of corners on the screen.
+/// Returns screen corners in the form that project() produces.
 Projected on_screen(std::vector<glm::dvec2> corners) {
     Projected made{0.0, 0.0, corners.front(), corners.front(), {}};
     for (const glm::dvec2& corner : corners) {
@@ -21,7 +21,7 @@ Projected square(double x, double y) {
     return on_screen({{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
 }
 
-TEST(Projected, IsApartOnAnAxisOnEitherSide) {
+TEST(Projected, IsSeparateOnAnAxisOnEitherSide) {
     const Projected middle = square(0, 0);
     for (const double side : {-1.5, 1.5}) {
         EXPECT_TRUE(apart_on(0, middle, square(side, 0)));
@@ -33,7 +33,7 @@ TEST(Projected, IsApartOnAnAxisOnEitherSide) {
     for (const double side : {-0.5, 0.5}) EXPECT_FALSE(apart_on(0, middle, square(side, 0)));
 }
 
-TEST(Projected, IsDisjointThoughTheExtentsOverlap) {
+TEST(Projected, IsDisjointDespiteOverlappingExtents) {
     const Projected below = on_screen({{0, 0}, {4, 0}, {0, 4}});
     const Projected beyond = on_screen({{4, 1}, {4, 4}, {1, 4}}), across = on_screen({{3, 3}, {1, 1}, {3, 1}});
     EXPECT_FALSE(apart_on(0, below, beyond) || apart_on(1, below, beyond));

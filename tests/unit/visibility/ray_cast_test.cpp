@@ -1,4 +1,4 @@
-// Rays against triangles: the hierarchy against trying every triangle, pictures, replay, counters.
+// Rays against triangles: the hierarchy against brute force, pictures, replay, counters.
 #include "visibility/ray_cast.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// All hits by geometry's own intersection, nearest first.
+/// Returns all hits by geometry's own intersection, nearest first.
 std::vector<RayHit> brute_force(std::span<const Polygon> polygons, const Ray& ray) {
     std::vector<RayHit> hits;
     for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -25,7 +25,7 @@ std::vector<RayHit> brute_force(std::span<const Polygon> polygons, const Ray& ra
     return hits;
 }
 
-TEST(Bvh, FindsWhatTryingEveryTriangleFinds) {
+TEST(Bvh, MatchesBruteForce) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::int64_t hit_count = 0;
@@ -40,7 +40,7 @@ TEST(Bvh, FindsWhatTryingEveryTriangleFinds) {
         for (int i = 0; i < 300; ++i) {
             Ray ray{random.vec3(3), random.direction()};
             if (i % 2 == 0) ray.direction = random.vec3(1) - ray.origin;
-            if (i % 10 == 0) ray.direction = {0, 0, i % 20 == 0 ? 1 : -2};  // along an axis, not unit
+            if (i % 10 == 0) ray.direction = {0, 0, i % 20 == 0 ? 1 : -2};  // along an axis, not unit length
             const std::vector<RayHit> expected = brute_force(polygons, ray);
             const RayHit nearest = bvh.nearest(ray, 1e300, counters);
             const std::vector<RayHit> all = bvh.all(ray, 1e300, counters);
@@ -61,8 +61,8 @@ TEST(Bvh, FindsWhatTryingEveryTriangleFinds) {
     EXPECT_GT(hit_count, 2000);
 }
 
-/// However large the scene is and wherever it lies: single precision is for boxes alone.
-TEST(Bvh, RaysTogetherFindWhatEachFindsAlone) {
+/// Holds for any size and place of the scene: only boxes use single precision.
+TEST(Bvh, RayBundlesMatchSingleRays) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::int64_t hit_count = 0;
@@ -111,7 +111,7 @@ TEST(Bvh, RaysTogetherFindWhatEachFindsAlone) {
     EXPECT_GT(hit_count, 3000);
 }
 
-TEST(Bvh, CountsAreThoseOfEachRayHoweverManyGoTogether) {
+TEST(Bvh, CountsDoNotDependOnTheBundleSize) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Bvh bvh(random_polygons(random));
@@ -127,7 +127,7 @@ TEST(Bvh, CountsAreThoseOfEachRayHoweverManyGoTogether) {
     EXPECT_EQ(together.triangle_tests, alone.triangle_tests);
 }
 
-TEST(Bvh, EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren) {
+TEST(Bvh, LeavesPartitionTrianglesAndBoxesEnclose) {
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
     std::int64_t fans = 0, in_leaves = 0;
@@ -144,7 +144,7 @@ TEST(Bvh, EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren) {
     EXPECT_EQ(in_leaves, fans);
 }
 
-TEST(Bvh, DuplicatesGiveTheLowestSourceAndManyAreNoTrouble) {
+TEST(Bvh, DuplicatesYieldTheLowestSourceInAnyNumber) {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 500; ++i) add(polygons, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
     std::reverse(polygons.begin(), polygons.end());
@@ -156,11 +156,11 @@ TEST(Bvh, DuplicatesGiveTheLowestSourceAndManyAreNoTrouble) {
     EXPECT_EQ(bvh.all({{0, 0, 5}, {0, 0, -1}}, 100, counters).size(), 500U);
     EXPECT_FALSE(Bvh(std::span<const Polygon>{}).nearest({{0, 0, 5}, {0, 0, -1}}, 100, counters).is_hit());
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     EXPECT_EQ(Bvh(polygons, &progress).nodes().size(), 1U);
 }
 
-TEST(PixelRays, AreThoseOfGeometry) {
+TEST(PixelRays, MatchThoseOfGeometry) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 50; ++i) {
@@ -189,11 +189,11 @@ TEST(CastRays, CountsReplaysAndCancels) {
     for (std::size_t i = 0; i < 300; ++i)
         EXPECT_EQ(some.image.ids[i], i < 170 ? all.image.ids[i] : IdImage::background);
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     EXPECT_EQ(cast_rays(scene, clip_from_world, {.width = 20, .height = 15}, &progress).counters.rays, 0);
 }
 
-TEST(CastRays, NothingBeyondFarOrBeforeNearIsSeen) {
+TEST(CastRays, IgnoresEverythingBeyondFarOrBeforeNear) {
     std::vector<Polygon> polygons;
     for (const double z : {6.8, 0.0, -20.0}) add(polygons, {{-9, -9, z}, {9, -9, z}, {0, 15, z}});
     const auto ids = [&](double near, double far) {

@@ -1,4 +1,4 @@
-// Scenes for the hidden-surface tests: random ones that interpenetrate, cycles, cameras. Seeds are printed on failure.
+// Scenes for the hidden-surface tests: random interpenetrating polygons, cycles, cameras. Failures print the seed.
 #pragma once
 
 #include <array>
@@ -36,21 +36,21 @@ inline Viewpoint viewpoint_at(const glm::dvec3& eye, const glm::dvec3& target, c
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))), clip_from_view(lens, aspect)};
 }
 
-/// Looks straight down −z from z = 10, or seen in perspective from nearer.
+/// Looks straight down −z, from z = 10 or, in perspective, from closer.
 inline Viewpoint viewpoint_on_z(bool orthographic = false) {
     return viewpoint_at({0, 0, orthographic ? 10 : 7}, {0, 0, 0}, {.orthographic = orthographic});
 }
 
 inline Viewpoint random_viewpoint(Random& random) {
     Lens lens{.orthographic = random.number(0, 1) < 0.3, .near = random.number(0.05, 1.0)};
-    // One in five stands within the scene, so that the near plane cuts polygons.
+    // One camera in five is within the scene, so that the near plane cuts polygons.
     const double distance = random.number(0, 1) < 0.2 ? random.number(0.2, 1.5) : random.number(4.0, 9.0);
     return viewpoint_at(distance * random.direction(), random.vec3(0.5), lens);
 }
 
-/// Three bars about the z axis, each over the next one and under the one before, seen from +z. They rise along their
-/// length and lean to one side: so each lies behind the next one's plane, and Newell's tests find a cycle, not three
-/// pairs that seem to need a cut each.
+/// Returns three bars about the z axis, each over the next and under the previous one, seen from +z. They rise along
+/// their length and lean to one side, so each is behind the next one's plane, and Newell's tests find one cycle instead
+/// of three pairs that each seem to need a cut.
 inline std::vector<Polygon> cyclic_bars() {
     std::vector<Polygon> bars;
     for (int i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ inline std::vector<Polygon> cyclic_bars() {
     return bars;
 }
 
-/// Triangles that run through one another, in some scenes boxes, cones and bars in a cycle too.
+/// Returns triangles that interpenetrate, in some scenes also boxes, cones and bars in a cycle.
 inline std::vector<Polygon> random_polygons(Random& random) {
     std::vector<Polygon> polygons;
     const int triangles = whole_number(random, 2, 24);
@@ -99,16 +99,16 @@ inline IdImage ray_cast_image(std::span<const Polygon> polygons, const Viewpoint
 
 inline IdImage paint(std::span<const Polygon> polygons, std::span<const int> order, const Viewpoint& viewpoint,
                      PaintRule rule = PaintRule::overwrite) {
-    return rasterise(polygons, order, viewpoint.clip_from_world(),
+    return rasterize(polygons, order, viewpoint.clip_from_world(),
                      {.rule = rule, .width = test_width, .height = test_height})
         .image;
 }
 
 inline IdImage zbuffer_image(std::span<const Polygon> polygons, const Viewpoint& viewpoint) {
-    return rasterise(polygons, viewpoint.clip_from_world(), {.width = test_width, .height = test_height}).image;
+    return rasterize(polygons, viewpoint.clip_from_world(), {.width = test_width, .height = test_height}).image;
 }
 
-/// 300, or what VIEWING_TEST_SCENES says.
+/// Returns 300 or the value of VIEWING_TEST_SCENES.
 inline int random_scene_count() {
     const char* count = std::getenv("VIEWING_TEST_SCENES");
     return count != nullptr ? std::atoi(count) : 300;

@@ -1,4 +1,4 @@
-// The scan converter: which pixels, which depths, which counts; replay and cracks.
+// The scan converter: pixels, depths, counts, replay and cracks.
 #include "visibility/software_zbuffer.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Polygons in pixels of an 8 × 8 picture, y down, z as window depth.
+/// Makes a polygon from pixels of an 8 × 8 picture, y down, z as window depth.
 Polygon on_screen(std::vector<glm::dvec3> corners, int source) {
     for (glm::dvec3& c : corners) c = {c.x / 4 - 1, 1 - c.y / 4, 2 * c.z - 1};
     return make_polygon(std::move(corners), source, source).value();
@@ -30,8 +30,8 @@ std::string rows(const IdImage& image) {
     return text;
 }
 
-TEST(Rasterise, TopLeftRuleOnEdgesThroughPixelCentres) {
-    // Every edge goes through pixel centres: top and left ones own them, bottom and right ones do not.
+TEST(Rasterize, TopLeftRuleOnEdgesThroughPixelCenters) {
+    // Every edge passes through pixel centers: top and left edges own them, bottom and right edges do not.
     const std::vector<Polygon> polygons{
         on_screen({{1.5, 1.5, 0.5}, {5.5, 1.5, 0.5}, {5.5, 5.5, 0.5}}, 0),
         on_screen({{1.5, 1.5, 0.5}, {5.5, 5.5, 0.5}, {1.5, 5.5, 0.5}}, 1),
@@ -39,7 +39,7 @@ TEST(Rasterise, TopLeftRuleOnEdgesThroughPixelCentres) {
     RasterOptions options = eight;
     options.rule = PaintRule::overwrite;
     options.count_per_pixel = true;
-    const RasterResult result = rasterise(polygons, glm::dmat4(1), options);
+    const RasterResult result = rasterize(polygons, glm::dmat4(1), options);
     EXPECT_EQ(rows(result.image),
               "........\n"
               ".000022.\n"
@@ -56,14 +56,14 @@ TEST(Rasterise, TopLeftRuleOnEdgesThroughPixelCentres) {
     EXPECT_EQ(result.counters.overdraw(), 1.0);
 }
 
-TEST(Rasterise, RulesAndOverdraw) {
+TEST(Rasterize, DepthRulesAndOverdraw) {
     const std::vector<Polygon> polygons{on_screen({{0, 0, 0.6}, {4, 0, 0.6}, {4, 2, 0.6}, {0, 2, 0.6}}, 0),
                                         on_screen({{2, 0, 0.3}, {6, 0, 0.3}, {6, 2, 0.3}, {2, 2, 0.3}}, 1),
                                         on_screen({{3, 0, 0.4}, {8, 0, 0.4}, {8, 2, 0.4}, {3, 2, 0.4}}, 2)};
     const auto top_row = [&](PaintRule rule) {
         RasterOptions options = eight;
         options.rule = rule;
-        const RasterResult result = rasterise(polygons, glm::dmat4(1), options);
+        const RasterResult result = rasterize(polygons, glm::dmat4(1), options);
         EXPECT_EQ(result.counters.pixels_tested, 2 * (4 + 4 + 5));
         EXPECT_DOUBLE_EQ(result.counters.overdraw(), 13.0 / 8.0);
         return rows(result.image).substr(0, 8);
@@ -71,19 +71,19 @@ TEST(Rasterise, RulesAndOverdraw) {
     EXPECT_EQ(top_row(PaintRule::overwrite), "00122222");
     EXPECT_EQ(top_row(PaintRule::keep_first), "00001122");
     EXPECT_EQ(top_row(PaintRule::depth_test), "00111122");
-    const RasterResult reordered = rasterise(polygons, std::vector{2, 0}, glm::dmat4(1), eight);
+    const RasterResult reordered = rasterize(polygons, std::vector{2, 0}, glm::dmat4(1), eight);
     EXPECT_EQ(rows(reordered.image).substr(0, 8), "00022222");
-    EXPECT_EQ(rasterise(polygons, std::vector<int>{}, glm::dmat4(1), eight).counters.pixels_tested, 0)
-        << "none, not all";
+    EXPECT_EQ(rasterize(polygons, std::vector<int>{}, glm::dmat4(1), eight).counters.pixels_tested, 0)
+        << "no fragments, not all of them";
 }
 
-TEST(Rasterise, ReplayStopsAfterEachFragment) {
+TEST(Rasterize, ReplayStopsAfterEachFragment) {
     const std::vector<Polygon> polygons{on_screen({{0, 0, 0.6}, {3, 0, 0.6}, {3, 2, 0.6}, {0, 2, 0.6}}, 4),
                                         on_screen({{1, 0, 0.3}, {4, 0, 0.9}, {4, 1, 0.9}, {1, 1, 0.3}}, 5)};
     const auto after = [&](std::int64_t count) {
         RasterOptions options = eight;
         options.stop_after = count;
-        return rasterise(polygons, glm::dmat4(1), options);
+        return rasterize(polygons, glm::dmat4(1), options);
     };
     EXPECT_EQ(after(0).counters.pixels_tested, 0);
     EXPECT_EQ(after(0).last.polygon, -1);
@@ -94,19 +94,19 @@ TEST(Rasterise, ReplayStopsAfterEachFragment) {
     EXPECT_EQ(std::tuple(hidden.x, hidden.y, hidden.polygon), std::tuple(2, 0, 1));
     EXPECT_NEAR(hidden.depth, 0.6, 1e-12);
     EXPECT_NEAR(hidden.stored_depth, 0.6, 1e-12);
-    EXPECT_FALSE(hidden.written) << "equal depths: the first stays";
+    EXPECT_FALSE(hidden.written) << "at equal depths the first wins";
     EXPECT_EQ(after(9).image.ids, after(-1).image.ids);
     EXPECT_EQ(after(100).counters.pixels_tested, 9);
 }
 
-TEST(Rasterise, AWatchedPixelIsToldEachOfItsFragments) {
+TEST(Rasterize, ReportsEachFragmentOfAWatchedPixel) {
     const std::vector<Polygon> polygons{on_screen({{0, 0, 0.6}, {8, 0, 0.6}, {8, 8, 0.6}, {0, 8, 0.6}}, 0),
                                         on_screen({{7, 7, 0.1}, {8, 7, 0.1}, {8, 8, 0.1}}, 1),
                                         on_screen({{0, 0, 0.7}, {8, 0, 0.7}, {8, 8, 0.7}, {0, 8, 0.7}}, 2),
                                         on_screen({{1, 1, 0.2}, {5, 1, 0.2}, {5, 5, 0.2}, {1, 5, 0.2}}, 3)};
     RasterOptions options = eight;
     options.watched = glm::ivec2(2, 3);
-    const RasterResult all = rasterise(polygons, glm::dmat4(1), options);
+    const RasterResult all = rasterize(polygons, glm::dmat4(1), options);
     EXPECT_EQ(all.tested_after,
               (std::vector<std::int64_t>{64, all.tested_after[1], all.tested_after[1] + 64, all.tested_after[1] + 80}));
     ASSERT_EQ(all.touches.size(), 3U);
@@ -114,7 +114,7 @@ TEST(Rasterise, AWatchedPixelIsToldEachOfItsFragments) {
     for (std::int64_t number = 1; number <= all.counters.pixels_tested; ++number) {
         RasterOptions until = eight;
         until.stop_after = number;
-        const RasterStep last = rasterise(polygons, glm::dmat4(1), until).last;
+        const RasterStep last = rasterize(polygons, glm::dmat4(1), until).last;
         if (last.x != 2 || last.y != 3) continue;
         const RasterTouch& touch = all.touches[met++];
         EXPECT_EQ(touch.number, number);
@@ -126,8 +126,8 @@ TEST(Rasterise, AWatchedPixelIsToldEachOfItsFragments) {
     EXPECT_EQ(met, 3U);
 }
 
-TEST(Rasterise, MeshesAreWatertight) {
-    // Every pixel within a convex closed mesh has a front and a back.
+TEST(Rasterize, MeshesAreWatertight) {
+    // Every pixel inside a convex closed mesh has a front and a back face.
     SCOPED_TRACE(seed);
     Random random(seed);
     const Mesh mesh = sphere_mesh(40, 20);
@@ -136,7 +136,7 @@ TEST(Rasterise, MeshesAreWatertight) {
     for (int i = 0; i < 10; ++i) {
         const Viewpoint viewpoint = viewpoint_at(random.number(2, 6) * random.direction(), {0, 0, 0});
         const RasterResult result =
-            rasterise(polygons, viewpoint.clip_from_world(),
+            rasterize(polygons, viewpoint.clip_from_world(),
                       {.rule = PaintRule::overwrite, .width = 200, .height = 150, .count_per_pixel = true});
         for (const std::uint32_t count : result.written_per_pixel) EXPECT_TRUE(count == 0 || count == 2);
         EXPECT_EQ(result.counters.pixels_tested, 2 * result.counters.pixels_covered);
@@ -144,7 +144,7 @@ TEST(Rasterise, MeshesAreWatertight) {
     }
 }
 
-TEST(Rasterise, DepthsAreThoseOfRayCasting) {
+TEST(Rasterize, DepthsMatchRayCasting) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::int64_t compared = 0;
@@ -161,7 +161,7 @@ TEST(Rasterise, DepthsAreThoseOfRayCasting) {
     EXPECT_GT(compared, 20000);
 }
 
-TEST(Rasterise, CoplanarPolygonsDoNotFightHereNorInRayCasting) {
+TEST(Rasterize, CoplanarPolygonsNeverFight) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int scene = 0; scene < 20; ++scene) {
@@ -182,7 +182,7 @@ TEST(Rasterise, CoplanarPolygonsDoNotFightHereNorInRayCasting) {
     }
 }
 
-TEST(Rasterise, CutsOpenCracksOnlyOnACoarseGrid) {
+TEST(Rasterize, CutsOpenCracksOnlyOnACoarseGrid) {
     // Pieces of one polygon, cut by many planes: T-junctions everywhere.
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -199,26 +199,26 @@ TEST(Rasterise, CutsOpenCracksOnlyOnACoarseGrid) {
     ASSERT_GT(pieces.size(), 40U);
     const glm::dmat4 clip_from_world = viewpoint_on_z().clip_from_world();
     const auto covered = [&](std::span<const Polygon> polygons, int subpixel_bits) {
-        return rasterise(polygons, clip_from_world, {.width = 400, .height = 300, .subpixel_bits = subpixel_bits})
+        return rasterize(polygons, clip_from_world, {.width = 400, .height = 300, .subpixel_bits = subpixel_bits})
             .image.ids;
     };
     EXPECT_EQ(covered(pieces, -1), covered(std::span(&whole, 1), -1));
     EXPECT_NE(covered(pieces, 1), covered(std::span(&whole, 1), 1));
 }
 
-TEST(Rasterise, CancelledDrawsNothingAndDegenerateInputIsHarmless) {
+TEST(Rasterize, HandlesCancellationAndDegenerateInput) {
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
     WorkProgress progress;
-    progress.cancelled = true;
+    progress.canceled = true;
     const glm::dmat4 clip_from_world = viewpoint_on_z().clip_from_world();
     const RasterOptions options{.width = test_width, .height = test_height};
-    EXPECT_EQ(rasterise(polygons, clip_from_world, options, &progress).counters.pixels_tested, 0);
-    EXPECT_EQ(rasterise({}, clip_from_world, options).counters.pixels_covered, 0);
-    EXPECT_TRUE(rasterise(polygons, clip_from_world, {}).image.ids.empty()) << "no pixels";
+    EXPECT_EQ(rasterize(polygons, clip_from_world, options, &progress).counters.pixels_tested, 0);
+    EXPECT_EQ(rasterize({}, clip_from_world, options).counters.pixels_covered, 0);
+    EXPECT_TRUE(rasterize(polygons, clip_from_world, {}).image.ids.empty()) << "no pixels";
     std::vector<Polygon> behind;
     add(behind, {{-1, -1, 12}, {1, -1, 12}, {0, 1, 12}});
-    EXPECT_EQ(rasterise(behind, clip_from_world, options).counters.polygons, 0);
+    EXPECT_EQ(rasterize(behind, clip_from_world, options).counters.polygons, 0);
 }
 
 }  // namespace

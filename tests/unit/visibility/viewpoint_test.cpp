@@ -1,4 +1,4 @@
-// What the methods ask of a camera.
+// The camera queries that the methods use.
 #include "visibility/viewpoint.h"
 
 #include <gtest/gtest.h>

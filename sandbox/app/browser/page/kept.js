@@ -1,14 +1,13 @@
-// What the browser keeps for the program from one time to the next: its files of settings and answers, in localStorage.
-// Where that is refused or full a bar says so as long as it is so, and the answers can be saved as a file. Other tabs of
-// the page write the same files: whatever one of them has written, or this one has written over, is merged by the
-// program. Loaded after net.js.
+// Keeps the program's files of settings and answers in localStorage from one visit to the next. While that is refused
+// or full, a bar says so, and the answers can be saved as a file. Other tabs write the same files: the program merges
+// whatever one of them has written or this one has overwritten. Loaded after net.js.
 'use strict';
 
 const kept = (() => {
   const $ = (id) => document.getElementById(id);
   const isAnswers = (path) => path.startsWith(net.answers_folder);
 
-  const seen = new Map();  // path: the text in the storage that the program knows
+  const seen = new Map();  // path: the stored text that the program knows
   const put = (path, text) => {
     FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     FS.writeFile(path, text);
@@ -19,21 +18,21 @@ const kept = (() => {
     try {
       return localStorage.getItem(net.kept + path);
     } catch {
-      return null;  // no storage is allowed here
+      return null;  // storage is not allowed here
     }
   };
 
-  const unmerged = [];  // [path, text] that other tabs have written
+  const unmerged = [];  // [path, text] written by other tabs
   let is_open = false;
 
-  /// The program reads a text of another tab and adds what this tab has; where that is more, it writes.
+  /// The program reads another tab's text and adds its own; if that is more, it writes.
   const take = (path, text) => {
     if (text === seen.get(path)) return;
     put(path, text);
     Module._page_read_again();
   };
 
-  /// The program's folder before it starts.
+  /// Restores the program's folder before it starts.
   const restore = () => {
     try {
       for (const name of Object.keys(localStorage)) {
@@ -41,13 +40,13 @@ const kept = (() => {
         if (name.startsWith(net.kept + net.settings)) put(path, localStorage.getItem(name));
       }
     } catch {
-      // No storage is allowed here: nothing is remembered, and the first write says so.
+      // Storage is not allowed here: nothing is remembered, and the first write says so.
     }
   };
 
-  // ---- What is not kept, and the bar that says so
+  // ---- Files that are not kept, and the bar that says so
 
-  const saved = new Map();  // path: the text that the person has saved
+  const saved = new Map();  // path: the text that the person has saved as a file
   let is_full = false, since = '', is_hidden = false, is_silent = false, asks_before = false, has_asked = false;
 
   const unsaved = () => net.answers().filter(({path, text}) => net.unkept.has(path) && saved.get(path) !== text);
@@ -55,11 +54,11 @@ const kept = (() => {
   const sentence = (lost) => {
     if (lost.length)
       return is_full
-        ? net.say('The browser’s storage for this page is full: answers since {time} are in this page alone and are lost when it closes.', {time: since})
-        : net.say('The browser lets this page keep nothing: answers since {time} are in this page alone and are lost when it closes.', {time: since});
+        ? net.say('The browser’s storage for this page is full: answers since {time} exist only in this page and are lost when it closes.', {time: since})
+        : net.say('The browser does not let this page save anything: answers since {time} exist only in this page and are lost when it closes.', {time: since});
     return is_full
-      ? net.say('The browser’s storage for this page is full: theme, language and progress in lessons last until it closes.')
-      : net.say('The browser lets this page keep nothing: theme, language and progress in lessons last until it closes.');
+      ? net.say('The browser’s storage for this page is full: theme, language and lesson progress last until it closes.')
+      : net.say('The browser does not let this page save anything: theme, language and lesson progress last until it closes.');
   };
 
   const show = () => {
@@ -83,8 +82,8 @@ const kept = (() => {
     $('bar-buttons').replaceChildren(lost.length ? net.button(net.say('Save answers'), save) : net.button(net.say('Hide'), hide));
   };
 
-  /// Asks before answers go that are nowhere else. From the first refusal on: a page that has nothing to ask must not
-  /// listen, or browsers cannot bring it back as it was.
+  /// Asks before closing the page loses answers. Listens only after the first refusal: with a beforeunload listener,
+  /// browsers cannot restore the page unchanged when the person comes back.
   const askBeforeItGoes = () => {
     if (asks_before) return;
     asks_before = true;
@@ -108,16 +107,17 @@ const kept = (() => {
     }
   };
 
-  /// What another tab has written meanwhile is merged first: a tab that ends between two writes has overwritten nothing.
+  /// Merges what another tab has written before overwriting it: a tab that ends between the two writes has lost
+  /// nothing.
   const flush = () => {
     for (const [path, own] of [...net.unkept]) {
       const other = read(path);
       if (other !== null && other !== own && other !== seen.get(path)) {
-        if (net.hasEnded()) continue;  // nobody can merge: offered as a file instead
+        if (net.hasEnded()) continue;  // nothing can merge: offered as a file instead
         net.unkept.delete(path);
         try {
           take(path, other);
-        } finally {  // not merged where the program stops, or where these are the answers of a student who has left this tab
+        } finally {  // not merged if the program stops, or if the student of these answers has left this tab
           if (!net.unkept.has(path)) net.unkept.set(path, own);
         }
       }
@@ -126,7 +126,7 @@ const kept = (() => {
     show();
   };
 
-  /// One tab reads and writes at a time: under a lock, where the browser gives one within this time.
+  /// One tab reads and writes at a time, under a lock if the browser grants one within this time.
   const lock_wait_ms = 1000;
   const flushUnderLock = () => {
     if (!navigator.locks) return flush();
@@ -138,15 +138,15 @@ const kept = (() => {
     flushUnderLock();
     if (!isAnswers(path) || has_asked) return;
     has_asked = true;
-    navigator.storage?.persist?.().catch(() => {});  // else a browser may drop it when its disk is full
+    navigator.storage?.persist?.().catch(() => {});  // otherwise a browser may drop it when its disk is full
   };
 
-  /// A file that the program has written; false: it is none of these.
+  /// Keeps a file that the program has written. Returns false if it is not one of these.
   const keep = (path, bytes) => {
     if (!path.startsWith(net.settings)) return false;
     if (net.hasEnded()) return true;
     store(path, new TextDecoder().decode(bytes));
-    // What the program could not read it has given another name, in its own folder alone.
+    // The program renames a file that it cannot read, in its own folder only: keep that copy, too.
     const [, folder, name] = /^(.*\/)([^/]*)$/.exec(path);
     for (const other of FS.readdir(folder))
       if (other.startsWith(name + '.unreadable') && !seen.has(folder + other)) store(folder + other, FS.readFile(folder + other, {encoding: 'utf8'}));
@@ -155,7 +155,7 @@ const kept = (() => {
 
   // ---- Other tabs
 
-  /// Each text of another tab, in the order in which they were written.
+  /// Merges each text from other tabs, in the order they were written.
   const merge = () => {
     if (!is_open || net.hasEnded()) return;
     while (unmerged.length) take(...unmerged.shift());
@@ -167,13 +167,13 @@ const kept = (() => {
     if (unmerged.length === 1) setTimeout(merge);
   });
 
-  /// The program has started: what other tabs wrote while it was loading is merged.
+  /// The program has started: merges what other tabs wrote while it was loading.
   const start = () => {
     is_open = true;
     merge();
   };
 
-  /// The page may not come back: what is not kept yet is written now, without the lock.
+  /// The page may not come back: writes what is not kept yet, without the lock.
   const leave = () => {
     merge();
     flush();

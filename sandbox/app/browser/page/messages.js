@@ -1,6 +1,6 @@
-// The sandbox as a part of somebody else's page: what its address shows, and the messages that it answers (README, "In a
-// page of your own"). Every message is checked before anything happens, and is answered with what it asked for or with
-// one sentence. Loaded after page.js.
+// The sandbox embedded in a host page: what its address shows, and the messages that it answers (README, "In a page of
+// your own"). Every message is checked before it has any effect; the answer is what it requested or one sentence.
+// Loaded after page.js.
 'use strict';
 
 const messages = (() => {
@@ -10,7 +10,7 @@ const messages = (() => {
     try {
       text = JSON.stringify(value);
     } catch {
-      // A circle, or a number that JSON has not.
+      // A cycle, or a number that JSON does not have.
     }
     text ??= String(value);
     return text.length > 60 ? text.slice(0, 60) + '…' : text;
@@ -25,15 +25,15 @@ const messages = (() => {
     try {
       text = JSON.stringify(value);
     } catch {
-      // Said below.
+      // Reported below.
     }
-    return text === undefined ? refuse(`${name} must be a value that JSON has, got ${quoted(value)}`) : text;
+    return text === undefined ? refuse(`${name} must be a JSON value, got ${quoted(value)}`) : text;
   };
 
-  // ---- What can be asked
+  // ---- Requests
 
   const picture = ({view = 'camera', size, samples}) => {
-    if (typeof view !== 'string') refuse(`picture: view must be a text such as "camera", got ${quoted(view)}`);
+    if (typeof view !== 'string') refuse(`picture: view must be a string such as "camera", got ${quoted(view)}`);
     const isSide = (side) => Number.isInteger(side) && side >= 1;
     if (size !== undefined && !(Array.isArray(size) && size.length === 2 && size.every(isSide)))
       refuse(`picture: size must be two whole numbers of pixels such as [640, 360], got ${quoted(size)}`);
@@ -59,7 +59,7 @@ const messages = (() => {
   const set = (fields) => {
     const names = isObject(fields) ? Object.keys(fields) : [];
     if (!names.length) refuse(`set must be an object of fields such as {"camera.yaw": 30}, got ${quoted(fields)}`);
-    for (const name of names) if (/[=\s]/.test(name)) refuse(`set: ${quoted(name)} is no field's name; names are such as "camera.yaw"`);
+    for (const name of names) if (/[=\s]/.test(name)) refuse(`set: ${quoted(name)} is not the name of a field such as "camera.yaw"`);
     const lines = names.map((name) => name + '=' + asJson(`set: ${name}`, fields[name]));
     const trouble = page.ask('page_set', fitting(lines.join('\n')));
     return trouble ? refuse(trouble) : true;
@@ -75,8 +75,8 @@ const messages = (() => {
       const said = page.ask('page_open_answer');
       if (said) return said === 'opened' ? true : refuse(said);
       await new Promise((go_on) => setTimeout(go_on, 20));
-      if (net.hasEnded()) refuse('open: the sandbox has ended meanwhile');
-      if (mine !== latest) refuse('open: something else was opened meanwhile');
+      if (net.hasEnded()) refuse('open: the sandbox ended before it finished');
+      if (mine !== latest) refuse('open: something else was opened before it finished');
     }
   };
 
@@ -89,11 +89,11 @@ const messages = (() => {
   const answer = async (asked) => {
     const named = Object.keys(actions).filter((name) => asked[name] !== undefined);
     if (named.length !== 1)
-      refuse(`a message must have one of ${Object.keys(actions).join(', ')}, and this one has ${named.join(' and ') || 'none'}`);
+      refuse(`a message must have exactly one of ${Object.keys(actions).join(', ')}; this one has ${named.join(' and ') || 'none'}`);
     const [action] = named;
     const known = ['to', 'id', action, ...((action === 'get' && Object.hasOwn(things, asked.get) && things[asked.get].takes) || [])];
     const unknown = Object.keys(asked).find((name) => !known.includes(name));
-    if (unknown) refuse(`${quoted(unknown)} means nothing beside ${action}; a message has ${known.join(', ')}`);
+    if (unknown) refuse(`${quoted(unknown)} is unknown beside ${action}; use ${known.join(', ')}`);
     return actions[action](asked[action], asked);
   };
 
@@ -101,7 +101,7 @@ const messages = (() => {
 
   let is_arranging = false;
 
-  /// What is wrong in the address is said in the sandbox and to the page around it; in its place is what is usual.
+  /// Reports errors in the address in the sandbox and to the host page; the defaults apply instead.
   const tell = (troubles) => {
     if (!troubles.length) return;
     const sentence = 'In the address: ' + troubles.join('; ');
@@ -119,17 +119,17 @@ const messages = (() => {
         rest.push(part);
         continue;
       }
-      if (Object.hasOwn(chosen, name)) troubles.push(`${name} is there twice`);
+      if (Object.hasOwn(chosen, name)) troubles.push(`${name} appears twice`);
       try {
         chosen[name] = decodeURIComponent(values.join('='));
       } catch {
-        troubles.push(`${part} is cut off: % must be followed by two digits`);
+        troubles.push(`${part} is cut off: % must be followed by two hexadecimal digits`);
       }
     }
     const list = (names) => JSON.stringify(names.split(',').filter((name) => name));
     const setting = (name, value) => `view.layout.${name}=${name === 'big' ? JSON.stringify(value) : list(value)}`;
     if (rest.length) page.open('#' + rest.join('&'));
-    const arrange = () => {  // when what was opened is there
+    const arrange = () => {  // once what was opened is there
       if (net.hasEnded()) return;
       if (!Module._page_rests()) return setTimeout(arrange, 20);
       for (const [name, value] of Object.entries({...usual, ...chosen})) {
@@ -145,7 +145,7 @@ const messages = (() => {
     arrange();
   };
 
-  /// The page around it may ask from now on: what the address names is shown.
+  /// Tells the host page that it may ask from now on: what the address names is on screen.
   const greet = () => {
     if (net.hasEnded()) return;
     if (is_arranging || !Module._page_rests()) return setTimeout(greet, 20);
@@ -153,7 +153,8 @@ const messages = (() => {
     net.tellHost({is: 'ready'});
   };
 
-  // ---- Keys that the sandbox does not use are the host's: as its own where it is of one origin, else as a message
+  // ---- Keys that the sandbox does not use go to the host: as key events if it has the same origin, otherwise as
+  // messages
 
   const handOn = (event) => {
     const {type, key, code, keyCode, ctrlKey, shiftKey, altKey, metaKey, repeat} = event;
@@ -162,7 +163,7 @@ const messages = (() => {
     try {
       frame = window.frameElement;
     } catch {
-      // Of another origin.
+      // Another origin.
     }
     if (!frame) return net.tellHost({is: 'key', type, event: pressed});
     const goes_on = frame.dispatchEvent(new window.parent.KeyboardEvent(type, pressed));

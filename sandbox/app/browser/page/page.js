@@ -1,5 +1,5 @@
-// The page around the program: brings events, time and sizes to the functions of app/browser/page.cpp, and does for it
-// what only a page can do: files, clipboard, address, full screen, suspending. Loaded after net.js and kept.js, and before the
+// The page around the program: passes events, time and sizes to the functions of app/browser/page.cpp, and does what
+// only a page can: files, clipboard, address, full screen, suspending. Loaded after net.js and kept.js, and before the
 // program's own script, whose names (Module, FS, stackSave, wasmTable, page_pause) are global.
 'use strict';
 
@@ -8,7 +8,8 @@ const page = (() => {
   const canvas = $('view'), typed = $('typed');
   const is_framed = window.parent !== window;
 
-  // ---- Calls with texts: these lie on the program's heap, for its stack is small. What comes from outside is measured before
+  // ---- Calls with texts. They go on the program's heap, since its stack is small; texts from outside are measured
+  // first
 
   const put_down = (text) => {
     const size = lengthBytesUTF8(text) + 1, place = Module._malloc(size);
@@ -30,7 +31,7 @@ const page = (() => {
   };
   const ask = (name, ...values) => UTF8ToString(call(name, ...values));
   const report = (sentence) => call('page_report', sentence);
-  /// Why a text is not taken; '' where it is.
+  /// Returns why a text is rejected; '' if it is accepted.
   const textTrouble = (text) => ask('page_text_trouble', lengthBytesUTF8(text));
   const takes = (text) => {
     const trouble = textTrouble(text);
@@ -38,7 +39,7 @@ const page = (() => {
     return !trouble;
   };
 
-  // ---- Frames: one when something happened, or when the program wants one
+  // ---- Frames: drawn after an event, or when the program asks for one
 
   let is_open = false, frame_asked = 0, timer = 0;
   const scale = () => window.devicePixelRatio || 1;
@@ -49,7 +50,7 @@ const page = (() => {
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   };
 
-  /// Calls when a unit of the page has another number of pixels: another screen, or the page's zoom.
+  /// Calls `changed` when the number of pixels per CSS pixel changes: another screen, or the page's zoom.
   const watchScale = (changed) =>
     matchMedia(`(resolution: ${scale()}dppx)`).addEventListener('change', () => {
       changed();
@@ -72,13 +73,13 @@ const page = (() => {
     if (!frame_asked && !net.hasEnded()) frame_asked = requestAnimationFrame(draw);
   };
 
-  /// As after an event.
+  /// Requests a frame as after an event.
   const again = () => {
     Module._page_event();
     wake();
   };
 
-  /// The page is hidden, and may never be seen again: what was done is kept now, not in a frame that does not come.
+  /// The page is hidden and may never return: saves now, since the next frame may never come.
   const leave = () => {
     if (!is_open || net.hasEnded()) return;
     const most_frames = 8;
@@ -87,7 +88,7 @@ const page = (() => {
     kept.leave();
   };
 
-  // ---- What the page shows of the program's state beside the picture
+  // ---- The program's state outside the picture
 
   let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false;
 
@@ -95,22 +96,22 @@ const page = (() => {
     const shape = UTF8ToString(Module._page_cursor());
     if (shape !== cursor) canvas.style.cursor = cursor = shape;
     const wants_text = Module._page_wants_text() !== 0;
-    const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the page around it
+    const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the host page
     if (may_focus && wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
     const now = ask('page_opened');
-    if (now !== said && !is_embedded) {  // else it is still on its way, and the address knows it already
+    if (now !== said && !is_embedded) {  // otherwise it is still loading, and the address names it already
       said = now;
-      const is_state = now === '' && opened.startsWith('#1');  // which has no other name than its own link
+      const is_state = now === '' && opened.startsWith('#1');  // only its own link names it
       if (now !== opened && !is_state) enter(now);
     }
     const now_ms = performance.now();
-    if (!rest_timer) rest_by_ms = now_ms + 3000;  // now and then while something moves as well
+    if (!rest_timer) rest_by_ms = now_ms + 3000;  // update now and then during motion, too
     if (now_ms > rest_by_ms) return;
     clearTimeout(rest_timer);
     rest_timer = setTimeout(rest, 500);
   };
 
-  /// A lesson's next step takes the place of the one before: back leads out of the lesson.
+  /// A lesson's next step replaces the one before, so that Back leaves the lesson.
   const enter = (now) => {
     const is_same_lesson = now.startsWith('#lesson=') && opened.split('&')[0] === now.split('&')[0];
     opened = now;
@@ -122,7 +123,7 @@ const page = (() => {
     if ($(id).textContent !== words) $(id).textContent = words;
   };
 
-  /// When nothing has been drawn for a while: for screen readers, and the address.
+  /// Nothing has been drawn for a while: updates screen readers and the address.
   const rest = () => {
     rest_timer = 0;
     if (net.hasEnded()) return;
@@ -132,14 +133,15 @@ const page = (() => {
     if (!is_embedded) keepState();
   };
 
-  /// At rest the address names what is shown, so that a reload or a copy of it brings that back.
+  /// At rest the address names what is shown, so that a reload or a copied address restores it.
   const keepState = () => {
     if (opened.startsWith('#lesson=')) return;
     const address = Module._page_departs() ? ask('page_link') : opened;
     if (address !== location.hash) history.replaceState(null, '', address || location.pathname + location.search);
   };
 
-  // ---- Pointer: mouse, pen and one finger are the mouse; two fingers orbit by their middle and zoom by their distance
+  // ---- Pointer: mouse, pen and one finger act as the mouse; two fingers orbit by their center and zoom by their
+  // distance
 
   const fingers = new Map();
   let pair = null;
@@ -159,7 +161,7 @@ const page = (() => {
       canvas.setPointerCapture(event.pointerId);
       if (event.pointerType === 'touch') {
         fingers.set(event.pointerId, at(event));
-        if (fingers.size === 2) {  // what the first finger held is let go
+        if (fingers.size === 2) {  // release what the first finger held
           Module._page_button(0, 0);
           pair = both();
           Module._page_pointer(pair.x, pair.y, 1);
@@ -178,7 +180,7 @@ const page = (() => {
       if (fingers.size !== 2) return;
       const now = both();
       Module._page_pointer(now.x, now.y, 1);
-      const step = 20;  // pixels of the page between the fingers that are one line of the wheel
+      const step = 20;  // change of the fingers' distance, in CSS pixels, for one line of the wheel
       const lines = Math.trunc((now.apart - pair.apart) / step);
       if (lines !== 0) {
         Module._page_wheel(0, lines);
@@ -205,19 +207,19 @@ const page = (() => {
     });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('wheel', (event) => {
-      if (is_embedded && !document.hasFocus()) return;  // scrolls the page around it
+      if (is_embedded && !document.hasFocus()) return;  // scrolls the host page
       event.preventDefault();
       const lines = [1 / 100, 1 / 3, 1][event.deltaMode];  // pixels, lines, pages
       Module._page_wheel(-event.deltaX * lines, -event.deltaY * lines);
     }, {passive: false});
   };
 
-  // ---- Keyboard. What is typed comes by the text field: it knows input methods and keyboards on the screen
+  // ---- Keyboard. Typed text comes through the text field, which supports input methods and on-screen keyboards
 
   const is_paste = (event) => (event.ctrlKey || event.metaKey) && event.code === 'KeyV';
   const key = (event, is_down) =>
     call('page_key', event.code, event.key, is_down ? 1 : 0, event.ctrlKey || event.metaKey ? 1 : 0, event.shiftKey ? 1 : 0);
-  const used = new Set();  // the keys that are held and mean something here
+  const used = new Set();  // held keys that the sandbox uses
   const is_ours = () => !is_embedded || Module._page_wants_text() !== 0;
   const characters = (text) => {
     for (const sign of text) if (sign >= ' ') Module._page_character(sign.codePointAt(0));
@@ -225,18 +227,18 @@ const page = (() => {
 
   const listenToKeys = () => {
     window.addEventListener('keydown', (event) => {
-      if (event.isComposing || event.key === undefined) return;  // a form that is filled in has no key
+      if (event.isComposing || event.key === undefined) return;  // autofill events have no key
       if (is_paste(event)) return is_ours() ? undefined : messages.handOn(event);
-      // Ctrl+R, T, W, L, N and the developer's tools stay the browser's.
+      // Leave Ctrl+R, T, W, L, N and the developer tools to the browser.
       const is_browsers = (event.ctrlKey || event.metaKey) && ['KeyR', 'KeyT', 'KeyW', 'KeyL', 'KeyN', 'KeyI', 'KeyJ'].includes(event.code);
       if (is_browsers || (event.altKey && event.code.startsWith('Arrow'))) return;
-      if (event.repeat) again();  // the program repeats what is held by itself, frame by frame
+      if (event.repeat) again();  // the program itself repeats held keys, frame by frame
       else if (key(event, true)) used.add(event.code);
       else used.delete(event.code);
       const is_used = used.has(event.code);
       if (is_embedded && !is_used) return messages.handOn(event);
       const prints = event.key.length === 1 && !event.ctrlKey && !event.metaKey;
-      if (document.activeElement === typed && prints) return;  // its input event brings it
+      if (document.activeElement === typed && prints) return;  // its input event delivers it
       if (prints && event.repeat === false) characters(event.key);
       if (is_used) event.preventDefault();
     });
@@ -273,17 +275,17 @@ const page = (() => {
 
   // ---- Files
 
-  const most_file_bytes = 2 ** 28;  // of figures; texts and meshes are measured when they are read
-  /// Gives a file of the person's to the program's function of this name.
+  const most_file_bytes = 2 ** 28;  // for figures; texts and meshes are checked when they are read
+  /// Passes a person's file to the program's function of this name.
   const bring = async (file, name) => {
     const path = '/files/' + file.name.replace(/[/\\]/g, '_');
     try {
       if (file.size > most_file_bytes) {
         const values = {file: file.name, size: file.size.toLocaleString('en'), limit: most_file_bytes.toLocaleString('en')};
-        return report(net.say('{file} has {size} bytes, and at most {limit} are read', values));
+        return report(net.say('{file} has {size} bytes, but the limit is {limit}', values));
       }
       FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
-    } catch (error) {  // a folder, or a file that has gone
+    } catch (error) {  // a folder, or a file that is gone
       return report(net.say('{file} cannot be read: {reason}', {file: file.name, reason: error.message}));
     }
     call(name, path);
@@ -309,17 +311,17 @@ const page = (() => {
   const handOver = (path) => {
     const bytes = FS.readFile(path);
     if (kept.keep(path, bytes)) return;
-    FS.unlink(path);  // it is the person's now
+    FS.unlink(path);  // the person has it now
     net.handOver(bytes, path.split('/').pop());
   };
 
   const prepare = () => {
     kept.restore();
-    ENV.VIEWING_SANDBOX_LINK_BASE = location.href.split('#')[0];  // what links are put behind
+    ENV.VIEWING_SANDBOX_LINK_BASE = location.href.split('#')[0];  // links begin with this
     if (navigator.language.startsWith('ko')) ENV.LANG = 'ko_KR.UTF-8';
   };
 
-  // ---- Work beside the frames, suspended where the browser can (JavaScript Promise Integration)
+  // ---- Background work, suspended between frames if the browser can (JavaScript Promise Integration)
 
   const can_suspend = typeof WebAssembly.Suspending === 'function' && typeof WebAssembly.promising === 'function';
   let base = 0;
@@ -328,7 +330,7 @@ const page = (() => {
     channel.port1.onmessage = go_on;
     channel.port2.postMessage(0);
   });
-  // A work has a stack of its own, so that frames may come and go while it stands still.
+  // Work has its own stack, so that frames can come and go while it is suspended.
   const pause = async () => {
     const own = stackSave();
     stackRestore(base);
@@ -348,7 +350,7 @@ const page = (() => {
     stackRestore(base);
   });
 
-  // ---- What lies beside the page, or in it where it is one file
+  // ---- Files beside the page, or inside a single-file page
 
   const packed = (name) => document.querySelector(`script[data-file="${name}"]`);
   const unpacked = async (name) => {
@@ -389,14 +391,14 @@ const page = (() => {
       Module._free(place);
       again();
     } catch (error) {
-      console.warn('The font ' + name + ' cannot be fetched: ' + error.message);
+      console.warn('The font ' + name + ' cannot be loaded: ' + error.message);
     }
   };
 
   // ---- Everything else that the program asks of the page
 
   const copy = (text) => {
-    const by_hand = () => {  // where there is no permission: an old way, which wants a selection
+    const by_hand = () => {  // without permission: the old way, which needs a selection
       const before = document.activeElement;
       const place = document.body.appendChild(document.createElement('textarea'));
       place.value = text;
@@ -416,8 +418,8 @@ const page = (() => {
     done?.catch(() => {});
   };
 
-  /// Dear ImGui asks for these before each frame, and each answer waits for the driver; nothing that draws here leaves
-  /// them otherwise, and what it sets back is set anew by all that draws.
+  /// Dear ImGui queries these before each frame, and each answer waits for the driver. Nothing that draws here leaves
+  /// other values, and all drawing sets anew what ImGui restores.
   const prepareGl = (gl) => {
     const settled = new Map([
       [gl.BLEND_SRC_RGB, gl.ONE], [gl.BLEND_DST_RGB, gl.ZERO], [gl.BLEND_SRC_ALPHA, gl.ONE], [gl.BLEND_DST_ALPHA, gl.ZERO],
@@ -428,11 +430,11 @@ const page = (() => {
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       if (is_open) Module._page_keep();
-      net.end(net.say('The graphics driver has let go of the picture.'));
+      net.end(net.say('The graphics driver lost the picture.'));
     });
   };
 
-  // "ANGLE (Mesa, llvmpipe (LLVM 15.0.6 256 bits), OpenGL ES 3.2)": what stands between the first two commas.
+  // Shortens "ANGLE (Mesa, llvmpipe (LLVM 15.0.6 256 bits), OpenGL ES 3.2)" to the part between its first two commas.
   const rendererName = (gl) => {
     const told = gl.getExtension('WEBGL_debug_renderer_info');
     const whole = gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
@@ -462,7 +464,7 @@ const page = (() => {
     if (is_framed) messages.greet();
   };
 
-  // ---- The address: "#preset=NAME", "#lesson=ID&step=N", "#1…" (a state); "#embed&…" for somebody else's page
+  // ---- The address: "#preset=NAME", "#lesson=ID&step=N", "#1…" (a state); "#embed&…" in a host page
 
   const openLink = () => {
     if (location.hash === opened) return;

@@ -1,5 +1,5 @@
-// WebGL 2 under the name of the desktop's loader, which has nothing to load here. Below are names that OpenGL ES 3.0
-// has not, for code that asks gl/dialect.h first and never comes to them.
+// WebGL 2 under the file name of the desktop's loader; there is nothing to load here. Below are names that OpenGL ES
+// 3.0 lacks, for code that checks gl/dialect.h first and never uses them here.
 #pragma once
 
 #include <GLES3/gl3.h>

@@ -1,5 +1,5 @@
-// The slips of projection and mirror, and a window without a depth buffer: what they make of P, R, the passes, and what
-// is said of it.
+// The common mistakes of projection and mirror, and a window without a depth buffer: their effect on P, R and the
+// passes, and the sentences about them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ std::vector<Problem> problems_of_slips(const std::vector<std::string>& settings,
     return testing::problems_of(params_with(settings), testing::box_scene(), viewport);
 }
 
-TEST(Aspect, OfItsOwnIsThatOfPWhateverTheView) {
+TEST(Aspect, CustomAspectIsThatOfPForAnyView) {
     for (const glm::ivec2 size_px : {glm::ivec2(1280, 720), glm::ivec2(300, 600)}) {
         for (const char* const type : {"perspective", "orthographic"}) {
             const Derived derived = derived_with_slips(
@@ -30,17 +30,17 @@ TEST(Aspect, OfItsOwnIsThatOfPWhateverTheView) {
             EXPECT_NEAR(derived.view_aspect, static_cast<double>(size_px.x) / size_px.y, 1e-12);
         }
         const Derived usual = derived_with_slips({}, {size_px});
-        EXPECT_EQ(usual.aspect, usual.view_aspect) << "0: that of the view";
+        EXPECT_EQ(usual.aspect, usual.view_aspect) << "0 means the aspect of the view";
     }
 }
 
-TEST(Aspect, ThatIsNotTheViewsIsToldWithWhatItStretches) {
+TEST(Aspect, CustomAspectReportsItsStretch) {
     EXPECT_TRUE(testing::says(problems_of_slips({"projection.aspect=1"}), "projection", "stretched to 1.78 times"));
     EXPECT_FALSE(testing::says(problems_of_slips({"projection.aspect=1"}, {{600, 600}}), "projection", "stretched"));
     EXPECT_FALSE(testing::says(problems_of_slips({}), "projection", "stretched"));
 }
 
-TEST(DegreesAsRadians, GiveTheCotangentOfTheNumberItself) {
+TEST(DegreesAsRadians, UseTheCotangentOfTheNumberItself) {
     for (double fovy = 1.0; fovy <= 179.0; fovy += 0.25) {
         Params params;
         params.projection.fovy = fovy;
@@ -50,16 +50,16 @@ TEST(DegreesAsRadians, GiveTheCotangentOfTheNumberItself) {
             << fovy;
     }
     Params slide = params_with({"projection.fovy=45", "slips.degrees_as_radians=true"});
-    EXPECT_NEAR(slide.lens().fovy_deg, 58.31, 0.005) << "facts: 45 radians look like 58.3°";
+    EXPECT_NEAR(slide.lens().fovy_deg, 58.31, 0.005) << "45 radians look like 58.3°";
     slide.projection.type = ProjectionType::orthographic;
     Params right = slide;
     right.slips = {};
     EXPECT_EQ(derived_with_slips(slide).clip_from_view, derived_with_slips(right).clip_from_view)
-        << "an angle is not asked for";
+        << "orthographic views have no angle";
 }
 
-// Whole turns and halves: cot is infinite, or 0.
-TEST(DegreesAsRadians, LeaveAUsableStateAtEveryAngle) {
+// At multiples of π, cot is infinite or 0.
+TEST(DegreesAsRadians, KeepAUsableStateAtEveryAngle) {
     for (int half_turns = 1; half_turns * glm::pi<double>() < 179.0; ++half_turns) {
         Params params;
         params.projection.fovy = half_turns * glm::pi<double>();
@@ -70,7 +70,7 @@ TEST(DegreesAsRadians, LeaveAUsableStateAtEveryAngle) {
     }
 }
 
-TEST(DegreesAsRadians, AreToldWithTheAngleThatIsSeen) {
+TEST(DegreesAsRadians, ReportTheVisibleAngle) {
     const auto said = [](const char* fovy, const char* words) {
         return testing::says(
             problems_of_slips({"slips.degrees_as_radians=true", std::string("projection.fovy=") + fovy}), "projection",
@@ -78,14 +78,14 @@ TEST(DegreesAsRadians, AreToldWithTheAngleThatIsSeen) {
     };
     EXPECT_TRUE(said("45", "58.3°"));
     EXPECT_TRUE(said("45", "is 1.79"));
-    EXPECT_FALSE(said("45", "upside down"));
-    EXPECT_TRUE(said("4", "upside down")) << "cot 2 < 0";
-    EXPECT_FALSE(testing::says(problems_of_slips({"projection.fovy=45"}), "projection", "slip"));
+    EXPECT_FALSE(said("45", "flipped top to bottom"));
+    EXPECT_TRUE(said("4", "flipped top to bottom")) << "cot 2 < 0";
+    EXPECT_FALSE(testing::says(problems_of_slips({"projection.fovy=45"}), "projection", "mistake"));
     EXPECT_FALSE(testing::says(problems_of_slips({"slips.degrees_as_radians=true", "projection.type=orthographic"}),
-                               "projection", "slip"));
+                               "projection", "mistake"));
 }
 
-TEST(Plus2ab, TurnsOneSignAndIsToldWhereItShows) {
+TEST(Plus2ab, FlipsOneSignAndIsReportedWhereItShows) {
     const char* const tilted = "plane.equation=[0.3,1,0.15,0.5]";
     const glm::dmat4 right = derived_with_slips(params_with({tilted})).planes[0].mirrored_world_from_world;
     const DerivedPlane slipped = derived_with_slips(params_with({tilted, "slips.plus_2ab=true"})).planes[0];
@@ -99,14 +99,14 @@ TEST(Plus2ab, TurnsOneSignAndIsToldWhereItShows) {
     }
     EXPECT_TRUE(slipped.mirror_has_slip);
     EXPECT_TRUE(testing::says(problems_of_slips({tilted, "slips.plus_2ab=true"}), "reflection", "+2ab = 0.539"));
-    // The floor has no a: nothing is changed, and nothing said.
+    // The floor has a = 0: no change and no sentence.
     EXPECT_FALSE(derived_with_slips(params_with({"slips.plus_2ab=true"})).planes[0].mirror_has_slip);
-    EXPECT_FALSE(testing::says(problems_of_slips({"slips.plus_2ab=true"}), "reflection", "slip"));
+    EXPECT_FALSE(testing::says(problems_of_slips({"slips.plus_2ab=true"}), "reflection", "mistake"));
     EXPECT_FALSE(testing::says(problems_of_slips({tilted, "slips.plus_2ab=true", "reflection.enabled=false"}),
-                               "reflection", "slip"));
+                               "reflection", "mistake"));
 }
 
-TEST(NormalNotUnit, MovesEveryPointBySquareOfTheLength) {
+TEST(NormalNotUnit, MovesEveryPointByTheSquareOfTheLength) {
     const std::vector<std::string> settings = {"plane.equation=[0,2,0,1]", "slips.normal_not_unit=true"};
     const glm::dmat4 mirror = derived_with_slips(params_with(settings)).planes[0].mirrored_world_from_world;
     const glm::dvec4 point(0.3, 1.5, -2.0, 1.0), moved = mirror * point;
@@ -115,14 +115,14 @@ TEST(NormalNotUnit, MovesEveryPointBySquareOfTheLength) {
     EXPECT_NEAR(moved.y, 1.5 - 2.0 * (2.0 * 1.5 + 1.0) * 2.0, 1e-12);
     EXPECT_NEAR(moved.z, -2.0, 1e-12);
     EXPECT_TRUE(testing::says(problems_of_slips(settings), "reflection", "|n|² = 4 times"));
-    EXPECT_FALSE(testing::says(problems_of_slips({"slips.normal_not_unit=true"}), "reflection", "slip"));
-    // A matrix by hand is nobody's slip.
+    EXPECT_FALSE(testing::says(problems_of_slips({"slips.normal_not_unit=true"}), "reflection", "mistake"));
+    // A matrix entered by hand is not reported as a mistake.
     std::vector<std::string> by_hand = settings;
     by_hand.emplace_back("overrides.mirror_from_world=[[1,0,0,0],[0,-1,0,0],[0,0,1,0],[0,0,0,1]]");
     EXPECT_FALSE(derived_with_slips(params_with(by_hand)).planes[0].mirror_has_slip);
 }
 
-TEST(NoDepthBuffer, NothingIsTestedWhateverIsSet) {
+TEST(NoDepthBuffer, NothingIsTestedForAnySetting) {
     for (const char* const func : {"depth.func=less", "depth.func=never"}) {
         const Params without = params_with({"depth.buffer=false", func});
         for (const Pass& pass : plan(without, derived_with_slips(without)).passes)
@@ -134,7 +134,7 @@ TEST(NoDepthBuffer, NothingIsTestedWhateverIsSet) {
         std::any_of(usual.passes.begin(), usual.passes.end(), [](const Pass& pass) { return pass.depth.test; }));
     const std::vector<Problem> problems = problems_of_slips({"depth.buffer=false", "depth.func=never"});
     EXPECT_TRUE(testing::says(problems, "depth", "GLUT_DEPTH"));
-    EXPECT_FALSE(testing::says(problems, "depth", "GL_NEVER")) << "no function is asked";
+    EXPECT_FALSE(testing::says(problems, "depth", "GL_NEVER")) << "no depth function is used";
     EXPECT_FALSE(
         testing::says(problems_of_slips({"depth.buffer=false", "visibility.method=painter"}), "depth", "GLUT"));
 }
@@ -150,18 +150,18 @@ TEST(EffectiveCamera, IsWhereTheUploadedMatrixPutsTheEye) {
         const Derived derived = derived_with_slips(params);
         const glm::dmat4 effective = effective_camera(derived);
         const glm::dvec4 eye_view = derived.view_from_world * effective[3];
-        EXPECT_LT(glm::length(glm::dvec3(eye_view)), 1e-12) << "V sends it to the origin";
+        EXPECT_LT(glm::length(glm::dvec3(eye_view)), 1e-12) << "V takes it to the origin";
         EXPECT_GT(glm::length(effective[3] - placed_camera(params)[3]), 0.1);
         EXPECT_LT(glm::length(glm::dvec3(placed_camera(params)[3]) - params.camera.position), 1e-12);
     }
     const Params right = params_with({"camera.roll=5"});
     const glm::dmat4 effective = effective_camera(derived_with_slips(right)), placed = placed_camera(right);
     for (int column = 0; column < 4; ++column)
-        EXPECT_LT(glm::length(effective[column] - placed[column]), 1e-12) << "they agree";
+        EXPECT_LT(glm::length(effective[column] - placed[column]), 1e-12) << "both cameras agree";
 }
 
-TEST(DepthStep, IsThatOfTheStateAtAnyDistance) {
-    // facts: width of a code.
+TEST(DepthStep, MatchesTheStateAtAnyDistance) {
+    // The worked width of a code.
     EXPECT_NEAR(depth_step(params_with({"projection.near=1", "projection.far=100", "depth.format=d16"}), 10.0),
                 1.511e-3, 1e-6);
     EXPECT_NEAR(depth_step(params_with({"projection.near=0.1", "projection.far=100", "depth.format=d24"}), 100.0),
@@ -169,7 +169,7 @@ TEST(DepthStep, IsThatOfTheStateAtAnyDistance) {
     const Params params = params_with({"projection.near=0.3"});
     const Facts facts = derived_with_slips(params).facts;
     EXPECT_EQ(depth_step(params, facts.target_distance), facts.depth_step_at_target);
-    EXPECT_EQ(depth_step(params, -1.0), depth_step(params, 0.3)) << "nearer than near counts as at near";
+    EXPECT_EQ(depth_step(params, -1.0), depth_step(params, 0.3)) << "distances below near count as near";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The settings that problems name to mend them: applied to the presets that break something, each takes its problem
-// away.
+// The settings that problems offer as a fix: applied to the presets that break something, each removes its problem.
 #include <algorithm>
 
 #include "state/presets.h"
@@ -13,7 +12,7 @@ using testing::says;
 
 const Viewport viewport{{480, 270}};
 
-TEST(Mending, TakesTheProblemOfEachPresetAway) {
+TEST(ProblemFix, RemovesTheProblemOfEachPreset) {
     const std::vector<NamedFile> all = presets();
     ASSERT_GT(all.size(), 90U);
     int mended = 0;
@@ -38,7 +37,7 @@ TEST(Mending, TakesTheProblemOfEachPresetAway) {
     EXPECT_GT(mended, 30);
 }
 
-TEST(Mending, IsOfferedAsThePresetSaysIt) {
+TEST(ProblemFix, MatchesTheFixOfThePreset) {
     int agreeing = 0;
     for (const NamedFile& preset : presets()) {
         if (preset.mended_by.empty()) continue;
@@ -57,7 +56,7 @@ TEST(Mending, IsOfferedAsThePresetSaysIt) {
             ++gone;
             if (!problem.mended_by.empty()) offered.push_back(problem.mended_by);
         }
-        EXPECT_GT(gone, 0) << "nothing says why the picture is broken";
+        EXPECT_GT(gone, 0) << "no problem explains the broken picture";
         if (offered.empty()) continue;
         EXPECT_EQ(std::count(offered.begin(), offered.end(), preset.mended_by), 1)
             << preset.mended_by << " is not offered, but " << offered.front();
@@ -66,7 +65,7 @@ TEST(Mending, IsOfferedAsThePresetSaysIt) {
     EXPECT_GT(agreeing, 20);
 }
 
-TEST(Mending, PutsAFieldBackToItsDefault) {
+TEST(ProblemFix, RestoresTheDefaultOfAField) {
     EXPECT_EQ(default_setting("depth.func"), "depth.func=less");
     EXPECT_EQ(default_setting("shadow.stencil_once"), "shadow.stencil_once=true");
     EXPECT_EQ(default_setting("view.pass"), "view.pass=-1");

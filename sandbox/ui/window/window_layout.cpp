@@ -1,4 +1,4 @@
-#include "ui/window/telling.h"
+#include "ui/window/window_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 namespace viewing {
 namespace {
 
-/// Rows of the panel that a field's control takes, about.
+/// Approximate number of rows that a field's control takes in the panel.
 int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
-    const bool is_step = field.path == "view.call" || field.path == "view.triangle";  // the view that steps has it
+    const bool is_step = field.path == "view.call" || field.path == "view.triangle";  // the stepping view has it
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     return has_buttons ? 2 : has_control ? 1 : 0;
 }
@@ -22,7 +22,7 @@ int rows_of(const std::vector<std::string>& controls) {
         for (const std::string& path : controls)
             if (is_in(field.path, path)) {
                 rows += rows_of(field);
-                if (field.path == "camera.navigation") rows += 2;  // with the lamps
+                if (field.path == "camera.navigation") rows += 2;  // for the lamps
                 break;
             }
     return rows;
@@ -42,7 +42,7 @@ void fold(Params& params, std::string_view column, bool folded) {
         all.emplace_back(column);
     else
         all.erase(std::find(all.begin(), all.end(), column));
-    std::sort(all.rbegin(), all.rend());  // in the order of the state file: panel, matrices
+    std::sort(all.rbegin(), all.rend());  // in the state file's order: panel, matrices
 }
 
 BigView big_view(ViewName hovered) {
@@ -62,7 +62,7 @@ void arrange(Arrangement& arrangement, const Params& params) {
     static constexpr std::array views = {ViewName::none, ViewName::camera, ViewName::lower_left, ViewName::lower_right,
                                          ViewName::matrices};
     const LayoutParams& layout = params.view.layout;
-    arrangement.maximised = views[static_cast<std::size_t>(layout.big)];
+    arrangement.maximized = views[static_cast<std::size_t>(layout.big)];
     Telling& telling = arrangement.telling;
     telling.matrices = !layout.matrices.empty();
     telling.control_rows = rows_of(layout.controls);
@@ -83,7 +83,7 @@ Rect views_area(const Layout& layout, const Arrangement& arrangement) {
     if (layout.lower_are_wide)
         return {{layout.panel.max.x, layout.top_bar.max.y}, {layout.top_bar.max.x, layout.panel.max.y}};
     const float bottom = layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y;
-    if (!arrangement.telling.is_on() || arrangement.maximised == ViewName::none)
+    if (!arrangement.telling.is_on() || arrangement.maximized == ViewName::none)
         return {{layout.panel.max.x, layout.top_bar.max.y},
                 {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, bottom}};
     Rect area{{layout.top_bar.max.x, layout.status_bar.min.y}, {0.0F, 0.0F}};

@@ -1,12 +1,12 @@
-// Slips as they are seen: the eye that a slip's V has in the observer's view, R's slips in its matrix and in the
-// lecture's code, display() as a view of its own, and a depth picture where there is no depth buffer.
+// Common mistakes on screen: the eye of a mistaken V in the observer's view, R's mistakes in its matrix and in the
+// lecture's code, display() in its own view, and a depth picture without a depth buffer.
 #include "desk.h"
 #include "letters.h"
 
 namespace viewing::test {
 namespace {
 
-class SlipsOnScreenTest : public UiTest {
+class MistakesOnScreenTest : public UiTest {
 protected:
     /// Whether a text is drawn anywhere.
     bool is_drawn(const std::string& text) {
@@ -21,9 +21,9 @@ protected:
     }
 };
 
-TEST_F(SlipsOnScreenTest, TheObserverSeesWhereVPutsTheEye) {
+TEST_F(MistakesOnScreenTest, TheObserverShowsWhereVPutsTheEye) {
     const char* const label = "V puts the eye here";
-    EXPECT_FALSE(is_drawn(label)) << "it is where the camera is";
+    EXPECT_FALSE(is_drawn(label)) << "the eye is where the camera is";
     params.camera.position = {0.0, 0.9, 3.0};
     params.camera.yaw = 40.0;
     for (bool SlipParams::*slip : {&SlipParams::swapped_order, &SlipParams::camera_as_view}) {
@@ -31,14 +31,14 @@ TEST_F(SlipsOnScreenTest, TheObserverSeesWhereVPutsTheEye) {
         params.slips.*slip = true;
         EXPECT_TRUE(is_drawn(label));
     }
-    // Without a turn there is nothing to swap.
+    // Without a rotation there is nothing to swap.
     params.slips = {};
     params.slips.swapped_order = true;
     params.camera.yaw = params.camera.pitch = params.camera.roll = 0.0;
     EXPECT_FALSE(is_drawn(label));
 }
 
-TEST_F(SlipsOnScreenTest, RShowsItsSlipsInTheMatrixAndInTheCode) {
+TEST_F(MistakesOnScreenTest, RShowsItsMistakesInTheMatrixAndInTheCode) {
     params.planes.front().equation = {0.3, 1.0, 0.15, 0.5};
     params.view.lower_left = Topic::lecture_code;
     desk.settle();
@@ -50,7 +50,7 @@ TEST_F(SlipsOnScreenTest, RShowsItsSlipsInTheMatrixAndInTheCode) {
     EXPECT_NE(ui.text_of("left/code/trouble").find("lost its minus"), std::string::npos);
 }
 
-TEST_F(SlipsOnScreenTest, DisplayIsAViewOfItsOwnAsLargeAsThereIsRoom) {
+TEST_F(MistakesOnScreenTest, DisplayHasItsOwnViewAndFillsIt) {
     params.view.lower_left = Topic::display_code;
     desk.settle();
     const auto height = [&] { return ui.find("left/void display() {").max.y - ui.find("left/void display() {").min.y; };
@@ -63,8 +63,8 @@ TEST_F(SlipsOnScreenTest, DisplayIsAViewOfItsOwnAsLargeAsThereIsRoom) {
     EXPECT_GT(ui.find("left/}").max.y, view.min.y + 0.4F * view.height());
 }
 
-TEST_F(SlipsOnScreenTest, ADepthPictureSaysThatThereIsNoBuffer) {
-    const char* const words = "no depth buffer: there is no depth";
+TEST_F(MistakesOnScreenTest, ADepthPictureSaysThatThereIsNoBuffer) {
+    const char* const words = "No depth to show: the window has no depth buffer.";
     EXPECT_FALSE(is_drawn(words));
     params.depth.buffer = false;
     EXPECT_TRUE(is_drawn(words));

@@ -1,0 +1,21 @@
+// Chooses Korean particles after a value that is known only when a sentence is filled in: "{light}[이/가]" becomes
+// "광원 2가", "광원 3이".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace viewing {
+
+/// How a word ends when it is read aloud.
+enum class LastSound { vowel, l, consonant };
+
+/// The last sound of a text in Korean: of Hangul by its final letter; of digits, units and single letters by their
+/// Korean names ("3" 삼, "%" 퍼센트, "R" 알); of Latin words by their last letter: l, m and n are consonants. Brackets
+/// and quotes at the end are skipped. Vowel for everything else and for an empty text.
+LastSound last_sound(std::string_view text);
+
+/// Replaces each "[은/는]", "[이/가]", "[을/를]", "[과/와]" and "[으로/로]" by the form that fits the text before it.
+std::string with_particles(std::string text);
+
+}  // namespace viewing

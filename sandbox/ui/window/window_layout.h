@@ -1,0 +1,28 @@
+// Applies the state's window layout (view.layout): the large view, the small parts beside it, folded columns. The keys
+// and the Look menu change the layout through these functions.
+#pragma once
+
+#include <string_view>
+
+#include "state/params.h"
+#include "ui/parts/layout.h"
+
+namespace viewing {
+
+/// Whether a column ("panel" or "matrices") is folded; fold() folds or unfolds it.
+bool is_folded(const Params& params, std::string_view column);
+void fold(Params& params, std::string_view column, bool folded);
+
+/// Returns the view that the key M enlarges: the one under the pointer, otherwise the camera's.
+BigView big_view(ViewName hovered);
+
+/// Copies the state's layout into the arrangement.
+void arrange(Arrangement& arrangement, const Params& params);
+
+/// Returns the area of the views' window.
+Rect views_area(const Layout& layout, const Arrangement& arrangement);
+
+/// Returns the area of full-width lower views, below the camera's view and the panel.
+Rect wide_lower_area(const Layout& layout);
+
+}  // namespace viewing
