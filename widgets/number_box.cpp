@@ -76,6 +76,9 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
     const bool active = ImGui::IsItemActive();
+    // From 1.89 on, the callback hears of Tab alone, not of Shift+Tab.
+    if (editing.focused && ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)))
+        editing.tab = -1;
     ImGui::PopID();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);

@@ -206,8 +206,9 @@ protected:
         }
     }
     void enter(ImGuiKey key) {
-        push(leaving(static_cast<std::size_t>(key), true));
-        push(leaving(static_cast<std::size_t>(key), false));
+        const auto code = static_cast<std::size_t>(ImGui::GetIO().KeyMap[key]);
+        push(leaving(code, true));
+        push(leaving(code, false));
     }
     /// Runs frames of half a second each until all events are shown.
     void show() {

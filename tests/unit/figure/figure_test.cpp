@@ -9,6 +9,7 @@
 #include "image/matte.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace viewing {
 namespace {
@@ -99,7 +100,8 @@ TEST(Vectors, TheSameDrawingGivesTheSameBytes) {
 class Notes : public ::testing::Test {
 protected:
     std::string read(const char* name, const std::string& document) const {
-        const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+        const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) /
+                                           (std::to_string(getpid()) + name);  // tests may run side by side
         std::FILE* out = std::fopen(file.c_str(), "wb");
         std::fwrite(document.data(), 1, document.size(), out);
         std::fclose(out);
