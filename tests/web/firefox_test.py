@@ -14,9 +14,11 @@ BEYOND = 8, 0.01  # levels, share: another driver's antialiasing
 
 OPEN = """
 const [fragment, done] = arguments;
-const look = () => UTF8ToString(Module._page_opened()) === fragment ? done() : setTimeout(look, 20);
+const opened = () => UTF8ToString(Module._page_opened());
+// A preset is opened under its name; a state in the page's own form, so two seconds have to do.
+const look = (turns) => opened() === fragment || turns > 100 ? done() : setTimeout(look, 20, turns + 1);
 location.hash = fragment;
-look();
+look(0);
 """
 SETTLE = """
 const [done] = arguments;
