@@ -80,7 +80,7 @@ constexpr KnownKey known_keys[] = {
     {"PageUp", KeyKind::edits, Key::page_up, ImGuiKey_PageUp},
     {"PageDown", KeyKind::edits, Key::page_down, ImGuiKey_PageDown},
     {"Enter", KeyKind::leaves, Key::enter, ImGuiKey_Enter},
-    {"NumpadEnter", KeyKind::leaves, Key::enter, ImGuiKey_KeypadEnter},
+    {"NumpadEnter", KeyKind::leaves, Key::enter, imgui_keypad_enter},
     {"Tab", KeyKind::leaves, Key::count, ImGuiKey_Tab},
     {"Escape", KeyKind::leaves, Key::escape, ImGuiKey_Escape},
     {"F1", KeyKind::leaves, Key::f1},

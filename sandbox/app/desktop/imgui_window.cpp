@@ -25,7 +25,7 @@ constexpr std::pair<ImGuiKey, int> imgui_keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
                                                    {ImGuiKey_Space, GLFW_KEY_SPACE},
                                                    {ImGuiKey_Enter, GLFW_KEY_ENTER},
                                                    {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-                                                   {ImGuiKey_KeypadEnter, GLFW_KEY_KP_ENTER},
+                                                   {imgui_keypad_enter, GLFW_KEY_KP_ENTER},
                                                    {ImGuiKey_A, GLFW_KEY_A},
                                                    {ImGuiKey_C, GLFW_KEY_C},
                                                    {ImGuiKey_V, GLFW_KEY_V},
@@ -61,12 +61,12 @@ int shape_of(ImGuiMouseCursor cursor) {
 
 }  // namespace
 
-void name_imgui_keys() {
+void map_imgui_keys() {
     for (const auto& [imgui, glfw] : imgui_keys) ImGui::GetIO().KeyMap[imgui] = glfw;
 }
 
 ImGuiWindow::ImGuiWindow(GLFWwindow* window) : window_(window) {
-    name_imgui_keys();
+    map_imgui_keys();
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = window;
     io.GetClipboardTextFn = [](void* held) -> const char* {

@@ -12,7 +12,7 @@ struct GLFWwindow;
 namespace viewing {
 
 /// Maps the keys that ImGui itself reads to GLFW's key codes, the indices of io.KeysDown.
-void name_imgui_keys();
+void map_imgui_keys();
 
 /// Serves the current ImGui context during its lifetime.
 class ImGuiWindow {

@@ -4,5 +4,7 @@
 #include <imgui.h>
 
 #if IMGUI_VERSION_NUM < 18700
-inline constexpr ImGuiKey ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnter;
+inline constexpr ImGuiKey imgui_keypad_enter = ImGuiKey_KeyPadEnter;
+#else
+inline constexpr ImGuiKey imgui_keypad_enter = ImGuiKey_KeypadEnter;
 #endif

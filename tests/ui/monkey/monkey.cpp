@@ -56,7 +56,7 @@ class Window {
 public:
     Window(Renderer& renderer, const LoadedState& state, bool waits, gl::DebugLog& log)
         : studio(renderer, opened(state)), renderer_(renderer), log_(log), waits_(waits) {
-        name_imgui_keys();
+        map_imgui_keys();
         ImGuiIO& io = ImGui::GetIO();
         io.ClipboardUserData = this;
         io.SetClipboardTextFn = [](void* window, const char* text) { static_cast<Window*>(window)->clipboard_ = text; };
