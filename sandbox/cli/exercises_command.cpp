@@ -204,7 +204,7 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
         print_deployed(typed);
         return ExitStatus::done;
     }
-    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
+    speak_option(options, typed.language);
     const std::vector<Exercise> exercises =
         value_or_end(of_set(value_or_end(load_exercises(typed.files)), typed.set.value_or("")));
     if (typed.test) return test(exercises, device_option(options, typed.device));

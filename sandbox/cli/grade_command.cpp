@@ -15,7 +15,6 @@
 #include "platform/file.h"
 #include "platform/heap.h"
 #include "report/grading.h"
-#include "state/person/language.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -151,7 +150,7 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     const auto format =
         static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), grade_formats));
     if (typed.bom && format != Format::csv) options.refuse("--bom needs --format csv");
-    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
+    speak_option(options, typed.language);
     const std::string output = typed.output.value_or("-");
     std::vector<FileArgument> outputs{{"-o", output}};
     if (typed.html) outputs.push_back({"--html", *typed.html});

@@ -171,7 +171,7 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
         return ExitStatus::done;
     }
     if (typed.list) {
-        if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
+        speak_option(options, typed.language);
         print(list_of_lessons());
         return ExitStatus::done;
     }

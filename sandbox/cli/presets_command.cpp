@@ -4,7 +4,6 @@
 #include "cli/output.h"
 #include "cli/values.h"
 #include "state/file/document.h"
-#include "state/person/language.h"
 #include "state/presets.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
@@ -34,7 +33,7 @@ ExitStatus run_presets(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (assets_directory().empty()) throw Failure(ExitStatus::bad_input, "presets: " + assets_problem());
-    if (const auto language = language_option(options, typed_language)) value_or_end(speak(*language));
+    speak_option(options, typed_language);
     std::string lines;
     Json list = Json::array();
     const auto add = [&](const std::vector<NamedFile>& files, const char* kind, const char* mark) {

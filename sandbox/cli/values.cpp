@@ -110,4 +110,8 @@ std::optional<Language> language_option(const Options& options, const std::optio
     return static_cast<Language>(choice_option(options, "--language", *text, names_of<Language>()));
 }
 
+void speak_option(const Options& options, const std::optional<std::string>& text) {
+    if (const std::optional<Language> language = language_option(options, text)) value_or_end(speak(*language));
+}
+
 }  // namespace viewing

@@ -45,6 +45,9 @@ std::string points_text(int points);
 /// Returns the value of --language; nothing if left out.
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text);
 
+/// Speaks the language of --language from now on; without the option, the one spoken now.
+void speak_option(const Options& options, const std::optional<std::string>& text);
+
 /// The help texts of --samples and --size.
 inline constexpr const char* samples_help = "Multisampling; default: view.samples of the state";
 inline constexpr const char* size_help =

@@ -23,7 +23,7 @@ std::string setting_in_words(const std::string& setting) {
     const std::size_t end = setting.find('=');
     const Field* const field = find_field(std::string_view(setting).substr(0, end));
     if (!field || end == std::string::npos) return setting;
-    return tr(std::string(field->label).c_str()) + (" = " + setting.substr(end + 1));
+    return std::string(tr_part(field->label)) + " = " + setting.substr(end + 1);
 }
 
 int minutes_of(double seconds) {

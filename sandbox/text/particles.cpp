@@ -93,8 +93,9 @@ LastSound last_sound(std::string_view text) {
 }
 
 std::string with_particles(std::string text) {
-    for (const Particle& particle : particles)
-        for (std::size_t at = 0; (at = text.find(particle.marker, at)) != std::string::npos;) {
+    for (std::size_t at = 0; (at = text.find('[', at)) != std::string::npos; ++at)
+        for (const Particle& particle : particles) {
+            if (!std::string_view(text).substr(at).starts_with(particle.marker)) continue;
             const LastSound before = last_sound(std::string_view(text).substr(0, at));
             // 으로 after a consonant, but 로 after ㄹ.
             const bool is_short =
