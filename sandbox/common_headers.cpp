@@ -1,1 +1,1 @@
-// Nothing of its own: it carries the precompiled headers that all rooms share.
+// Contains no code: CMake compiles it to build the precompiled headers that all targets share.

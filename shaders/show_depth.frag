@@ -6,7 +6,7 @@ uniform int mapping;  // a DepthMapping
 uniform bool linear_scale;
 uniform bool orthographic;
 uniform vec2 near_far;
-uniform float shown_first;  // black: an eye distance on the linear scale, otherwise a window depth
+uniform float shown_first;  // shown as black: an eye distance on the linear scale, otherwise a window depth
 uniform float shown_slope;  // change of gray per unit
 uniform bool shows_bands;
 uniform vec3 bands[BANDS];  // sRGB, near first

@@ -9,7 +9,7 @@ uniform highp sampler2D surface_positions;  // xyz world; w standard window dept
 uniform highp sampler2D surface_normals;    // xyz toward the eye; w 1 front face, 0 back face
 uniform highp sampler2D surface_colors;     // linear; w the object ID, from 1
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
-uniform vec2 picture_share;                 // of the view that the picture fills, centered
+uniform vec2 picture_share;                 // share of the view that the picture fills, centered
 uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[CLIP_PLANES];
@@ -40,7 +40,7 @@ AT(4) flat in vec2 ids;
 
 #ifdef LIGHTS
 uniform vec4 lights_relative[LIGHTS];  // w = 1 point light, w = 0 parallel light
-uniform float light_strength;       // of each
+uniform float light_strength;       // of each light
 #endif
 uniform vec4 eye_relative;     // w = 0: parallel view rays, from this direction
 uniform vec3 sky_world;     // unit: direction of the strongest ambient light
@@ -60,7 +60,7 @@ uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the p
 uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
 uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, over the logarithm of the eye distance from near to far
-uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: one half for ratios from 0 to below 1, the other for powers of 2
+uniform vec3 heat_tones[HEAT_COLORS];       // sRGB, for ratios: from 0 to just below 1, then powers of 2 from 1 on
 uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
 
 vec3 heat_color() {

@@ -34,8 +34,8 @@ struct PrecisionChartStyle {
 /// The step Δz of a depth buffer over the eye distance z, on logarithmic axes; curves that are not emphasized are
 /// faint, and none has markers. Near and far are vertical lines to drag (Alt for finer steps); a right-click resets
 /// one, or both if the other is in the way. 0 < near < far holds after every edit. A distance that is not finite and
-/// positive has no line; one outside the axis has its line at the axis's end. The readout shows z and the Δz of the
-/// first emphasized curve. Returns true when near or far was edited.
+/// positive has no line; the line of a distance outside the axis is at the axis's end. The readout shows z, and Δz of
+/// the first emphasized curve. Returns true when near or far was edited.
 bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& near, double& far,
                     const PrecisionChartStyle& style);
 
@@ -95,7 +95,7 @@ struct CellGridStyle {
 constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
 /// A block of pixels as large squares in the middle of the area, each with its text in black or white, whichever has
-/// more contrast; point at a cell to see a text that does not fit. `cells`: row by row, top row first; missing ones
+/// more contrast; pointing at a cell shows text that does not fit. `cells`: row by row, top row first; missing ones
 /// stay empty. A click selects a cell. A click on the selected cell or beside the cells, or a right-click, clears the
 /// selection. With too many cells or none, shows a sentence. Returns true when `selected` (−1: none) changed.
 bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows, int& selected,

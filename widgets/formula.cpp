@@ -184,17 +184,10 @@ FormulaLayout::FormulaLayout(const char* formula, std::span<const LetterRole> ro
 void FormulaLayout::Draw(ImDrawList* draw, ImVec2 position, float opacity) const {
     for (int i = 0; i < piece_count; ++i) {
         const Piece& piece = pieces[i];
-        DrawPiece(draw, position, piece, Shown(opacity < 1.0F ? WithAlpha(piece.color, opacity) : piece.color));
+        const ImU32 color = Shown(opacity < 1.0F ? WithAlpha(piece.color, opacity) : piece.color);
+        draw->AddText(font, piece.size, ImVec2(position.x + piece.x, position.y + piece.y), color, text + piece.begin,
+                      text + piece.end);
     }
-}
-
-void FormulaLayout::DrawIn(ImDrawList* draw, ImVec2 position, ImU32 color) const {
-    for (int i = 0; i < piece_count; ++i) DrawPiece(draw, position, pieces[i], color);
-}
-
-void FormulaLayout::DrawPiece(ImDrawList* draw, ImVec2 position, const Piece& piece, ImU32 color) const {
-    draw->AddText(font, piece.size, ImVec2(position.x + piece.x, position.y + piece.y), color, text + piece.begin,
-                  text + piece.end);
 }
 
 }  // namespace inner

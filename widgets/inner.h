@@ -104,7 +104,7 @@ struct Labelled {
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
 /// Draws a warning sign, a triangle with an exclamation mark, so that color is not the only cue. 0.95 × `size` wide.
 void DrawWarning(ImDrawList* draw, ImVec2 min, float size);
-/// Draws a small solid triangle that points down, or right when folded.
+/// Draws a small solid triangle that points down or, unless `down`, to the right.
 void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU32 color);
 
 /// If the last item is hovered, adds these links to those under the pointer. Returns whether to highlight a control
@@ -113,8 +113,8 @@ bool FollowLinks(Links links);
 
 /// Call while the pointer is over an item that represents a matrix entry.
 void PointAtEntry(Links own, Links links);
-/// Whether to highlight an item that represents a matrix entry: for itself, or for a parameter whose control is
-/// hovered.
+/// Whether to highlight an item that represents a matrix entry: because the entry, or the control of one of its
+/// parameters, is hovered.
 bool IsEntryLit(Links own, Links links);
 
 /// Whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first item
@@ -141,8 +141,6 @@ struct FormulaLayout {
 
     FormulaLayout(const char* formula, std::span<const LetterRole> roles, ImU32 base, Face face);
     void Draw(ImDrawList* draw, ImVec2 position, float opacity = 1.0F) const;
-    /// Draws in a single color, for halos.
-    void DrawIn(ImDrawList* draw, ImVec2 position, ImU32 color) const;
 
     char text[max_bytes];
     Piece pieces[max_pieces];
@@ -150,12 +148,9 @@ struct FormulaLayout {
     int bytes = 0;
     ImVec2 size;
     ImFont* font;
-
-private:
-    void DrawPiece(ImDrawList* draw, ImVec2 position, const Piece& piece, ImU32 color) const;
 };
 
-/// Font and decimals for all numbers of a row, each in a box of this width, so that they look the same.
+/// Font and decimals for the numbers of a row, so that all look the same; each has a box of this width.
 struct NumberLook {
     Face face;
     int decimals;

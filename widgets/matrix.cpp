@@ -53,7 +53,7 @@ bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     return true;
 }
 
-/// The largest number of decimals with which all entries fit, ignoring those that never do.
+/// The largest number of decimals with which all entries fit, ignoring entries that never fit.
 int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
     const int fewest = std::min(decimals, 1);
     int best = decimals;
@@ -114,7 +114,7 @@ void DrawTint(ImDrawList* draw, ImVec2 min, ImVec2 max, const CellState& state) 
     if (state.lit) draw->AddRect(from, to, outline, rounding, 0, Px(1) * palette.stroke);
 }
 
-/// Draws the symbol, fainter if its entry is currently zero, but not on a projector, which would lose it.
+/// Draws the symbol. It is fainter if its entry is currently zero, except on a projector, where it would be invisible.
 void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const MatrixStyle& style,
                 const CellState& state, int cell) {
     if (!measures.symbols) return;

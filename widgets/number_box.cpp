@@ -56,7 +56,7 @@ int OnTab(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-/// Shows the box as a text field. Returns the new value in the frame in which typing ends with one.
+/// Shows the box as a text field. Returns the new value in the frame in which typing ends, if the text is a new number.
 std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     Context& context = CurrentContext();
     Editing& editing = context.editing;
@@ -76,7 +76,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
     const bool active = ImGui::IsItemActive();
-    // From 1.89 on, the callback hears of Tab alone, not of Shift+Tab.
+    // From ImGui 1.89 on, the callback is called for Tab alone, not for Shift+Tab.
     if (editing.focused && ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)))
         editing.tab = -1;
     ImGui::PopID();

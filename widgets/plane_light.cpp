@@ -79,14 +79,14 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
         {.name = marked("Parallel (w = 0)"),
          .recorded_name = "parallel",
          .enabled = !at_origin,
-         .why_disabled = marked("A parallel light needs a direction: x, y and z are all 0."),
+         .why_disabled = marked("A parallel light needs a direction, but x, y and z are all 0."),
          .tip = marked("A light infinitely far away, like the sun; (x, y, z) is the direction toward it.")}};
 
     glm::dvec4 edited = light;
     ImGui::BeginGroup();
     {
         const Group group(label);
-        // The buttons would reveal w.
+        // The buttons would reveal a covered w.
         const bool is_covered = inner::CoveredBox("kind", 3, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
         const int clicked = is_covered ? -1 : inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
         if (clicked >= 0) edited.w = clicked == 0 ? 1.0 : 0.0;

@@ -271,7 +271,7 @@ void PlaySteps(int& step, int count, StepPlayer& player, double dt_s) {
         return;
     }
     const double added = dt_s * static_cast<double>(player.steps_per_s);
-    // Frame times that should add up to whole steps may fall slightly short.
+    // Due to rounding, frame times that should add up to whole steps may fall slightly short.
     constexpr double rounding = 1e-9;
     if (std::isfinite(added) && added > 0.0) player.carry_steps += added;
     const double whole = std::floor(player.carry_steps + rounding);

@@ -1,5 +1,5 @@
 // Names of parts on screen, such as "matrix:V[2][3]", for covering or highlighting them from outside. Code that draws a
-// part first asks whether its name is covered, and if so draws a plate instead; otherwise it marks the part's place. A
+// part first checks whether its name is covered. If so, it draws a plate instead; otherwise it marks the part's area. A
 // name contains longer names that continue with '.', '[' or, after a kind, ':' ("matrix:V" contains "matrix:V[2][3]").
 // Nothing happens while Targets holds no names.
 #pragma once
@@ -48,7 +48,8 @@ bool IsCovered(std::string_view name);
 bool IsPartCovered(std::string_view name);
 /// Whether the name, its whole, or a part of it is highlighted.
 bool IsHighlighted(std::string_view name);
-/// Whether a highlighted target inside these names still has to scroll into view, so that folded parts must open.
+/// Whether a highlighted target that one of these names contains still has to scroll into view; folded parts must then
+/// open.
 bool IsSought(std::span<const char* const> names);
 /// Opens the next Section, whatever its state.
 void OpenNextSection();

@@ -22,7 +22,8 @@ template <typename Measure>
 std::string Broken(std::string_view text, float width, const Measure& width_of) {
     std::string broken, line;
     while (!text.empty()) {
-        const std::string_view word = text.substr(0, text.find(' '));
+        std::string_view word = viewing::unbroken_start(text);
+        if (width_of(std::string(word)) > width) word = text.substr(0, text.find(' '));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
         const std::string longer = line.empty() ? std::string(word) : line + ' ' + std::string(word);
         const bool fits = line.empty() || width_of(longer) <= width;
@@ -203,7 +204,7 @@ namespace {
 constexpr float tooltip_gap = 8.0F, tooltip_padding = 11.0F;  ///< design pixels
 constexpr float column_share = 0.5F;                          ///< of the window's width; wider windows are not columns
 
-/// Space in pixels beside the current window, on its wider side; 0 if the window is not a column.
+/// Space in pixels beside the current window, on the side that has more; 0 if the window is not a column.
 float RoomBesideColumn() {
     const float screen = ImGui::GetIO().DisplaySize.x, left = ImGui::GetWindowPos().x;
     if (ImGui::GetWindowWidth() > column_share * screen) return 0.0F;

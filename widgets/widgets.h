@@ -52,7 +52,7 @@ struct Fonts {
     ImFont* caption = nullptr;       ///< proportional 17: sentences readable from the back row
 };
 
-/// Place of a drawn widget that has a label, for tests that click by name.
+/// Area of a drawn widget that has a label, for tests that click by name.
 struct RecordedItem {
     std::string window;
     std::string label;  ///< the full path of labels: "camera/position/x"
@@ -72,7 +72,7 @@ struct Editing {
     ImGuiID type_now = 0;     ///< the number where typing starts in this frame
     ImGuiID type_next = 0;    ///< the number where it starts in the next frame (Tab, Shift+Tab)
     ImGuiID last_number = 0;  ///< the last number drawn, where Shift+Tab leads
-    int tab = 0;              ///< typing moves on, +1: to the next number drawn, −1: to the previous one
+    int tab = 0;              ///< typing moves to another number; +1: the next one drawn, −1: the previous one
     bool focused = false;     ///< the text field has keyboard focus
     int typing_frame = 0;     ///< the frame in which the text field was last drawn
     int frames_waited = 0;    ///< frames that it has waited for keyboard focus
@@ -118,7 +118,7 @@ struct Context {
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
     bool printed = false;  ///< for a figure: nothing can be pressed, so nothing looks pressable
-    std::string offered;   ///< advice shown in this frame by a view that has nothing to show
+    std::string offered;   ///< advice that an empty view shows in this frame
     /// Over all scrolling windows in this frame: the smallest visible share of a window's content, the largest used
     /// share of a window's height, and the number of windows.
     float seen_share = 1.0F, used_share = 0.0F;
@@ -139,8 +139,8 @@ void AskForRedraw(float in_s);
 /// Call after a button that repeats while held (ImGui::PushButtonRepeat), since a mouse at rest triggers no frames.
 void GoOnWhileHeld();
 
-/// Whether a click has just moved a slider's knob, and a second click would undo that to start typing instead. Until
-/// then the edit is not final.
+/// Whether a click has just moved a slider's knob, so that a second click would undo the move and start typing. While
+/// this is true, the edit is not final.
 bool MayBeTakenBack(const Context& context);
 
 /// Commits typed text at the start of the next frame, as if its field had lost focus. Call before a key, a file or
@@ -322,8 +322,8 @@ bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, floa
 /// The same without editing.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 
-/// Makes the last item represent a matrix entry, like the line of code that fills it: hovering either one highlights
-/// both, and the entry's parameters. Returns whether to highlight the item.
+/// Makes the last item, such as the line of code that fills a matrix entry, represent that entry: hovering the item or
+/// the entry highlights both, and the entry's parameters. Returns whether to highlight the item.
 bool FollowEntry(Links own, Links links);
 
 /// One lamp in a row: whether this degree of freedom is available in the mode, and whether it is moving now.
@@ -342,15 +342,17 @@ bool Splitter(const char* id, bool vertical, float& position, float min, float m
 
 // ---- drawing in a view -----------------------------------------------------------------------------
 
-/// Draws text with a thin halo of the background color.
-void HaloText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font = nullptr);
+/// Draws text on a translucent plate of the background color.
+void PlateText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font = nullptr);
 
 /// Places labels beside their points so that none covers another or leaves the view: greedily over eight positions
-/// around each point, near ones first. Omits labels that do not fit. With roles, the text is a Formula.
+/// around each point, near ones first. Omits labels that do not fit. With roles, the text is a Formula. Labels are on
+/// plates, as PlateText.
 class LabelPlacer {
 public:
     LabelPlacer(ImDrawList* draw, ImVec2 min, ImVec2 max) : draw_(draw), min_(min), max_(max) {}
-    void Avoid(ImVec2 min, ImVec2 max);  ///< keeps labels off this rectangle
+    void Avoid(ImVec2 min, ImVec2 max);      ///< keeps labels off this rectangle
+    void AvoidLine(ImVec2 from, ImVec2 to);  ///< keeps labels off this line, if there is a free place beside it
     /// Returns whether the label fit.
     bool Place(ImVec2 point, const char* text, ImU32 color, std::span<const LetterRole> roles = {});
 
@@ -358,11 +360,17 @@ private:
     struct Box {
         ImVec2 min, max;
     };
+    struct Line {
+        ImVec2 from, to;
+    };
     bool IsFree(const Box& box) const;
+    bool IsCrossed(const Box& box) const;
+    std::optional<Box> Find(ImVec2 point, ImVec2 size) const;
 
     ImDrawList* draw_;
     ImVec2 min_, max_;
     std::vector<Box> taken_;
+    std::vector<Line> lines_;
 };
 
 }  // namespace widgets

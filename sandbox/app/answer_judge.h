@@ -1,6 +1,6 @@
-// Judges the answers in a lesson: an answer when Check is pressed, and a goal whenever the state changes. Answers that
-// need measured pictures are judged in the background, while the window shows that they are being checked. Read
-// lesson/judge.h for the verdict.
+// Judges a lesson's answers when Check is pressed, and its goals whenever the state changes. Answers that need measured
+// pictures are judged in the background, while the window shows that they are being checked. Read lesson/judge.h for
+// how a verdict is reached.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,13 @@ public:
     struct Moment {
         bool wants_check = false;  ///< Check was pressed
         bool is_held = false;      ///< a drag is in progress: goals wait for its end
-        bool may_wait = false;     ///< if false, update() waits for the verdict: pictures that are written need it
+        bool may_wait = false;     ///< if false, update() blocks until the verdict is known, for pictures in files
     };
     /// Call once a frame. Returns whether the lesson strip has changed.
     bool update(Workbench& workbench, Session& session, const Moment& moment);
 
 private:
-    /// A question with the answer or the state that is judged.
+    /// A question, and the answer or the state to judge.
     struct Question {
         std::shared_ptr<const Lesson> lesson;
         std::size_t step = 0;
@@ -43,7 +43,7 @@ private:
     Renderer& renderer_;
     SideRenderer side_;
     std::optional<Question> asked_;
-    /// Holds no verdict if no side renderer could measure.
+    /// Its result is empty if no side renderer could take the measurements.
     BackgroundTask<std::optional<Verdict>> task_;  ///< declared last, so that it ends before the members it uses
 };
 

@@ -96,7 +96,7 @@ LoadedState show_step(LessonPicture step, PictureRequest& request);
 Params drawn_params(Params params, const PictureRequest& request);
 
 /// Checks whether the view can be drawn at this size: is_image_size, and enough space for the window and its views. The
-/// error is the end of a sentence that begins with the origin of the size.
+/// error completes a sentence that begins with the option or field that sets the size.
 Status check_picture_size(PictureView view, glm::ivec2 size_px);
 
 /// Whether the picture contains no user interface.

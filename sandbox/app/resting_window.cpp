@@ -32,7 +32,8 @@ void lead(Studio& studio, const LessonPicture& wanted) {
     studio.session.finish_loading();
 }
 
-/// Returns the window's sentence for an empty view; if nobody can click, the setting that would fill the view.
+/// Returns the window's sentence for an empty view. If that sentence asks for a click, returns instead the setting that
+/// would fill the view.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
     const bool wants_pixel = view == PictureView::cells || view == PictureView::pixel;
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];

@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// The maximum number of frames until the user interface settles: ImGui lays out in two, sections need one more.
+/// The maximum number of frames until the user interface settles: ImGui needs two for its layout, sections one more.
 inline constexpr int most_frames = 12;
 
 /// Shows one view alone, without controls that only make sense on screen, or the whole window; there is no pointer.

@@ -26,7 +26,7 @@ Status ShownAnswer::update(Renderer& renderer, const Params& params, const Deriv
     }
     is_behind_ = !answer || answer->question != *question;
     if (!answer) answer_.reset();  // it belonged to another scene
-    // In a difference, GL's picture also depends on the depth buffer, and must have the requested camera.
+    // In a difference picture, GL's half also depends on the depth buffer, and both halves need the same camera.
     const bool is_shown =
         answer && answer_ && answer->camera == answer_->camera && answer->question == answer_->question;
     if (!answer || (is_shown && depth_ == session.params.depth)) return std::monostate{};

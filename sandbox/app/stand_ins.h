@@ -21,7 +21,7 @@ public:
     /// has been slow during a drag, it is drawn coarsely during every drag.
     const Scene* choose(bool is_held, bool is_slow);
 
-    /// "40,112 of 1,000,000 triangles", in a sentence.
+    /// A sentence with the counts: "40,112 of 1,000,000 triangles".
     const std::string& sentence() const { return sentence_; }
 
 private:

@@ -27,7 +27,7 @@ public:
     Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
 
     const View& camera() const { return camera_; }
-    /// Returns the View whose texture in Pictures this is; null for other textures.
+    /// Returns the View that this texture in Pictures belongs to; null for other textures.
     const View* view_of(ImTextureID texture) const;
     /// Returns the textures for the user interface; leaves the measured results empty.
     Pictures textures() const;

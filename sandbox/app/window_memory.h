@@ -23,7 +23,7 @@ public:
     /// Whether nothing has been remembered yet, which means that this is the first run.
     bool is_first_time() const { return is_first_time_; }
 
-    /// Gives a state without a look of its own the remembered one; on the first run, sets the system's language.
+    /// Applies the remembered look to a state that has none of its own; on the first run, sets the system's language.
     void dress(Params& params) const;
 
     /// Writes changes in the background. Call once a frame; returns the outcome of a write that has ended, an error as

@@ -36,7 +36,7 @@ struct Step {
     const char* name;
     Health health = Health::fine;
     std::string found;
-    std::string advice;  ///< the cure; empty if there is no problem
+    std::string advice;  ///< how to fix the problem; empty if there is none
 };
 
 struct Examination {

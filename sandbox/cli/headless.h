@@ -55,7 +55,7 @@ void check_size(const Options& options, const PictureRequest& request);
 /// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the status for an error of draw_picture without a GL error: a single view may be empty, or not fit.
+/// Returns the exit status for an error of draw_picture that is not GL's: a single view may be empty, or not fit.
 ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.

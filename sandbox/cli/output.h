@@ -17,7 +17,8 @@ namespace viewing {
 /// Writes to standard output and flushes. Throws Failure if that fails, for example on a full disk.
 void print(std::string_view text);
 
-/// Keeps a line about the input for print_notes(), each line once: a command that fails prints only its one sentence.
+/// Keeps a line about the input for print_notes(), each line once. Printing waits, because a command that fails prints
+/// only its one sentence.
 void note(const std::string& line);
 /// Writes the kept lines to standard error, in the order in which they were added.
 void print_notes();
@@ -50,7 +51,7 @@ struct FileArgument {
     std::string option, file;
 };
 
-/// Adds an argument if it names a file and nothing that comes with the program.
+/// Adds an argument if it names a file, as opposed to something that comes with the program.
 void add_file_if_there(std::vector<FileArgument>& files, const char* option, const std::string& argument);
 
 /// Refuses an output that is the same file as an input or another output, whatever their names (are_same_file). Only

@@ -61,7 +61,7 @@ std::string main_help() {
            exit_status_table("0123456789");
 }
 
-/// Refuses a first word that looks like a misspelled command: any other such word is a STATE.
+/// Refuses a first word that looks like a misspelled command. Any other first word that is not a command is a STATE.
 void refuse_misspelt_command(const std::string& word) {
     std::vector<std::string> names;
     for (const Command* command : all_commands) names.emplace_back(command->name);

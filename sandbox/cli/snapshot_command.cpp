@@ -239,7 +239,7 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
     report.tell("blank", drawn.picture.is_blank());
 }
 
-/// Returns the state to show, whether a lesson, an exercise or STATE names it.
+/// Returns the state to show: that of a lesson's step, of an exercise, or STATE.
 LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                      SnapshotWish& wish) {
     LoadedState state;
@@ -261,7 +261,8 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
     return state;
 }
 
-/// Stores the files that the state's scene uses in `scene_files` as they become known: none of them may be overwritten.
+/// Collects in `scene_files` the files used by the state's scene, as they become known: none of them may be
+/// overwritten.
 ExitStatus take(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                 const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
     report.begin();

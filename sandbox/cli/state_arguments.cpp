@@ -36,8 +36,7 @@ bool sets_scene(const std::string& setting) {
            std::string_view("=.[").find(setting[path.size()]) != std::string_view::npos;
 }
 
-/// Changes the scene's relative file names, which are relative to the state's folder, so that they are relative to the
-/// working directory.
+/// Rewrites the scene's relative file names: from relative to the state's folder to relative to the working directory.
 void rebase_to_working_directory(LoadedState& loaded) {
     if (auto* scene = std::get_if<SceneDescription>(&loaded.params.scene)) {
         for (ObjectDescription& object : scene->objects)

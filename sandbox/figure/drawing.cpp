@@ -21,10 +21,7 @@ struct Cutter {
         shade.from = cut(shade.from, on_white.from);
         shade.to = cut(shade.to, on_white.to);
     }
-    void operator()(Line& line, const Line& on_white) const {
-        line.ink = cut(line.ink, on_white.ink);
-        line.halo = cut(line.halo, on_white.halo);
-    }
+    void operator()(Line& line, const Line& on_white) const { line.ink = cut(line.ink, on_white.ink); }
     void operator()(Inset& inset, const Inset& on_white) const {
         inset.image = std::make_shared<const Image>(without_ground(*inset.image, *on_white.image));
     }

@@ -48,8 +48,6 @@ struct Line {
     std::vector<float> lefts_px;  ///< of each character's origin
     std::u32string characters;
     Ink ink;
-    Ink halo{0, 0, 0, 0};  ///< of an outline around the characters, which separates them from the background
-    float halo_px = 0.0F;  ///< width of the outline
 };
 
 /// The part `from` of a picture, in pixels from its upper left corner, stretched over `box`; if there are rings, only
@@ -79,7 +77,7 @@ std::size_t letter_count(const Drawing& drawing);
 bool has_cut_text(const Drawing& drawing);
 
 /// Removes the background from two drawings of the same content, one on black and one on white: omits marks that are
-/// black in one and white in the other, and makes marks through which the background is visible less opaque. Fails
+/// black in one and white in the other, and lowers the opacity of marks through which the background is visible. Fails
 /// unless both drawings have the same marks in the same order.
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white);
 

@@ -1,4 +1,4 @@
-// Computes everything that moves by itself: the parameters at a given time.
+// Computes everything that moves without user input: the parameters at a given time.
 #pragma once
 
 #include "state/params.h"

@@ -1,5 +1,5 @@
-// Sorts items along a Hilbert curve, which keeps neighbors in space close in the list. The curve never jumps, so no run
-// of neighbors has a box across the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
+// Sorts items along a Hilbert curve, which keeps neighbors in space close in the list. The curve never jumps, so the
+// box of a run of neighbors never spans the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
 #include "frame/box_tree.h"
 
 #include <array>

@@ -36,7 +36,7 @@ public:
         });
     }
 
-    /// Visits items; boxes with the smallest `key` come first. Skips boxes whose key is at least limit(), which may
+    /// Visits items, always from the box with the smallest `key`. Skips boxes whose key is at least limit(), which may
     /// shrink with each visit.
     template <typename Key, typename Limit, typename Visit>
     void least_first(Key key, Limit limit, Visit visit) const;

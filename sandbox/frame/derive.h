@@ -67,7 +67,7 @@ struct DerivedPlane {
 
 struct Derived {
     double aspect = 1.0;                       ///< aspect ratio of P
-    double view_aspect = 1.0;                  ///< aspect ratio of the view, to which the picture is stretched
+    double view_aspect = 1.0;                  ///< aspect ratio of the view; the picture is stretched to it
     glm::dmat4 world_from_view{1.0};           ///< C
     glm::dmat4 view_from_world{1.0};           ///< V, as uploaded (mistakes included)
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
@@ -102,8 +102,8 @@ struct ObserverView {
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
 /// Derives the chosen light's view of everything that casts a shadow, framed for any position of the light: each caster
-/// hides its own shadow. A parallel light has parallel view rays; a light among the casters sees those in front of it.
-/// Without objects, the light looks at the chosen plane's patch.
+/// hides its own shadow. A parallel light has parallel view rays; a light among the casters sees only those in front of
+/// it. Without objects, the light looks at the chosen plane's patch.
 ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport);
 
 /// Derives the lecture's other interpretation of the same picture: the camera stays at the origin and V moves the
@@ -138,7 +138,7 @@ glm::dmat4 effective_camera(const Derived& derived);
 /// each counterclockwise from the bottom left as the camera sees them.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
-/// Uses the placed camera, to show its place even while a mistake breaks V.
+/// Uses the placed camera, to show where it is even while a mistake breaks V.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
 // Writes the lecture's display() with the numbers of a state, line by line, as a student would have to type it to get
-// this picture: with the mistakes that are switched on, without the mistakes of the slide.
+// this picture: with the mistakes that are switched on, but without the errors on the slide.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace viewing {
 struct DisplayLine {
     std::string code;
     bool moves_world = false;  ///< the line is a factor of W
-    std::string part = {};     ///< its meaning: "projection", "rotate.yaw", "translate"; empty if it has none alone
+    std::string part = {};     ///< "projection", "rotate.yaw", "translate" …; empty if the line is not a single part
 };
 
 /// Returns the lines. P, V and W use GLM's functions, with angles in degrees and lengths in world units; P V W is the

@@ -39,8 +39,8 @@ struct State {
         return std::any_of(params.planes.begin(), params.planes.end(),
                            [&](const PlaneParams& plane) { return quantity(plane.equation) != 0.0; });
     }
-    /// Returns whether the picture or a number distinguishes front and back faces: when culled, in the facing view, and
-    /// in the counts shown with a method's steps.
+    /// Returns whether the picture or a number distinguishes front and back faces: culling, the facing view and the
+    /// counts shown with a method's steps do.
     bool tells_faces() const {
         return params.cull.enabled || params.view.shows == Shows::facing || params.view.shows == Shows::difference ||
                params.visibility.step >= 0 || params.visibility.numbers ||
@@ -65,10 +65,10 @@ bool is_named(const Reason& reason, std::string_view path) {
 std::span<const Reason> reasons() {
     static const Reason all[] = {
         {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },
-         marked("An orthographic view has a height and no angle."),
+         marked("An orthographic view is defined by a height, not an angle."),
          {"projection.fovy", "slips.degrees_as_radians"}},
         {[](const State& s) { return s.params.projection.type == ProjectionType::perspective; },
-         marked("A perspective view has an angle and no height."),
+         marked("A perspective view is defined by an angle, not a height."),
          {"projection.height"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
@@ -101,12 +101,12 @@ std::span<const Reason> reasons() {
          {"coplanar."}},
 
         {[](const State& s) { return is_drawn_by_gl_alone(s.params.visibility.method); },
-         marked("GL always draws the view's own pixels."),
+         marked("GL always draws at the view's own resolution."),
          {"visibility.raster", "visibility.pixel"}},
 
         {[](const State& s) { return !s.params.cull.enabled; }, marked("No face is culled."), {"cull.face"}},
         {[](const State& s) { return !s.tells_faces(); },
-         marked("Front and back matter only while faces are culled or shown."),
+         marked("Front and back matter only while faces are culled or their facing is shown."),
          {"cull.front_face", "reflection.flip_winding"}},
 
         {[](const State& s) { return !s.params.shadow.enabled; },
@@ -121,7 +121,8 @@ std::span<const Reason> reasons() {
           "shadow.clip_casters", "shadow.offset", "shadow.offset_factor", "shadow.offset_units", "shadow.lift",
           "shadow.style", "shadow.clip_at_light", "shadow.write_depth", "shadow.own_stencil", "reflection.shadows"}},
         {[](const State& s) { return s.params.shadow.style == ShadowStyle::missing_light; },
-         marked("Missing light has no color and no depth: it is simply not added where it does not arrive."),
+         marked("A shadow drawn as missing light has no color and no depth: the light is simply not added where it "
+                "does not arrive."),
          {"shadow.color", "shadow.opacity", "shadow.offset", "shadow.offset_factor", "shadow.offset_units",
           "shadow.lift", "shadow.write_depth"}},
         {[](const State& s) { return s.params.shadow.offset != ShadowOffset::polygon_offset; },
@@ -162,16 +163,16 @@ std::span<const Reason> reasons() {
          marked("Only Newell's algorithm and the BSP tree split polygons."),
          {"visibility.epsilon"}},
         {[](const State& s) { return !s.uses(VisibilityMethod::ray_cast); },
-         marked("Only rays intersect curves exactly."),
+         marked("Only ray casting intersects curved surfaces exactly."),
          {"visibility.exact_curves"}},
         {[](const State& s) { return s.params.cull.enabled; },
-         marked("Culling distinguishes faces: while it is on, curves are triangles."),
+         marked("Culling needs front and back faces: while it is on, curved surfaces are drawn as triangles."),
          {"visibility.exact_curves"}},
         {[](const State& s) { return s.params.view.shows != Shows::difference; },
          marked("Nothing is being compared: choose 'difference' above the picture."),
          {"visibility.compare_with"}},
         {[](const State& s) { return s.params.visibility.method == VisibilityMethod::ray_cast; },
-         marked("Ray casting draws no polygons to number."),
+         marked("Ray casting draws no polygons that could be numbered."),
          {"visibility.numbers"}},
 
         {[](const State& s) { return s.params.view.beside.shows == Beside::nothing; },

@@ -10,7 +10,7 @@ namespace viewing {
 
 /// Returns the reason why changing the field at `path` alone, to any value, changes neither the picture nor any number:
 /// one sentence, to be translated. Empty if the field may have an effect. A field of the groups "light" and "plane"
-/// represents all elements of its list. A null `scene` means a scene that has everything.
+/// represents that field of all elements of the list. A null `scene` means a scene that has everything.
 std::string_view why_without_effect(const Params& params, const Scene* scene, std::string_view path);
 
 }  // namespace viewing

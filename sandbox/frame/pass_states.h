@@ -1,5 +1,5 @@
-// Named states for passes: what each lets through and what it writes. plan_stencil.cpp decides which pass has which
-// state.
+// Named states for passes: which fragments pass and which values they write. plan_stencil.cpp decides which pass has
+// which state.
 #pragma once
 
 #include "state/depth_params.h"

@@ -18,7 +18,7 @@ struct PixelReport {
     bool written = false;  ///< some surface was drawn here
     std::string object;    ///< "" for the background, "plane" for the patch
     bool front_facing = true;
-    bool has_depth = false;     ///< depth is not the cleared value; otherwise eye_z, step and world are meaningless
+    bool has_depth = false;     ///< depth is not the cleared value; if false, eye_z, step and world are meaningless
     double window_depth = 1.0;  ///< as read back
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
     DepthPrecision precision;

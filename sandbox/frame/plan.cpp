@@ -44,14 +44,14 @@ bool is_hidden(const Level& level, std::size_t plane) {
            });
 }
 
-/// Restores the stencil value of the mirror, from which the next patch counts.
+/// Restores the stencil value of the mirror, from which the next patch starts to count.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
                             tr("clears this patch's record of missing lights"));
     clear.depth.test = false;
     clear.stencil = stencil_of_forgetting_lights(level, plane);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
-    Pass back = patch_mask(level, plane, {marked("Unmark the patch"), marked("Unmark the patch {plane}")},
+    Pass back = patch_mask(level, plane, {marked("Unmark the patch"), marked("Unmark patch {plane}")},
                            tr("counts the stencil down to the mirror's value"));
     back.depth.test = false;
     back.stencil = stencil_of_leaving(level, plane);
@@ -74,7 +74,7 @@ void add_plane(std::vector<Pass>& passes, const Level& level, std::size_t plane)
     if (!level.is_real() && is_marked) give_region_back(passes, level, plane);
 }
 
-/// Returns how the scene's objects are shaded, if not by light.
+/// Returns the shading of the scene's objects if they are not lit.
 std::optional<Shading> shading_of(Shows shows) {
     switch (shows) {
         case Shows::facing:

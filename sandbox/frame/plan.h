@@ -32,7 +32,7 @@ enum class Shading {
     heat,      ///< gaps of flat pairs, divided by the smallest gap that depth surely resolves
     caster_w,  ///< w after S: casts a shadow, behind the plane, or beyond the light
 
-    // IDs instead of colors, for the renderer to read back: in no plan.
+    // IDs instead of colors, for the renderer to read back: no plan contains them.
     identity,         ///< of objects and patches
     polygon_identity  ///< of polygons drawn in order
 };
@@ -164,7 +164,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
 /// Returns the sRGB color unchanged, with components from 0 to 1.
 glm::dvec4 color_of(const Color& color, double alpha);
 
-/// Returns 1, or −1 with reversed depth, which counts the other way and so flips both signs of an offset.
+/// Returns 1, or −1 with reversed depth, which decreases with distance and therefore flips both signs of an offset.
 double offset_sign(const DepthParams& depth);
 
 /// Gives decals without a polygon offset their own pass after the objects: part of plan().

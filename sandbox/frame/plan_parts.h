@@ -35,7 +35,7 @@ struct Level {
     int deepest = 0;  ///< reflection_depth()
     int mirrors_met = 0;
     int region = 0;                       ///< the stencil's low bits where the level is drawn; 0 for level 0
-    std::optional<std::size_t> mirror{};  ///< the last one met
+    std::optional<std::size_t> mirror{};  ///< the last mirror on the way
     std::optional<ClipPlane> clip{};      ///< in the scene: keeps everything in front of the last mirror
     bool is_fresh = true;                 ///< nothing has been drawn here yet
 
@@ -68,25 +68,26 @@ StencilState stencil_of_mask(const Level& level, std::size_t plane);
 /// Passes inside a patch that is already marked.
 StencilState stencil_of_patch(const Level& level, std::size_t plane);
 
-/// Belongs to the patch itself: inside its mask if it blends over a mirror image; otherwise the patch is its own mask.
+/// For drawing the patch itself: passes inside its mask if it blends over a mirror image; otherwise, the patch is its
+/// own mask.
 StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blends);
 
-/// Belongs to a shadow on the patch. A painted shadow passes once per pixel and only on the patch, unless a switch says
-/// otherwise. For missing light, the shadow marks where the light is missing.
+/// For drawing a shadow on the patch. A painted shadow passes once per pixel and only on the patch, unless a switch
+/// says otherwise. For missing light, the shadow marks the pixels where the light is missing.
 StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_t light);
 
 /// Passes inside a patch where exactly these lights are marked as missing.
 StencilState stencil_of_patch_without(const Level& level, std::size_t plane, std::span<const std::size_t> missing);
 
-/// Undo the marks of missing lights and the patch's own mark: in a mirror the next patch uses the same values.
+/// Undo the marks of missing lights and the patch's own mark: in a mirror, the next patch uses the same values.
 StencilState stencil_of_forgetting_lights(const Level& level, std::size_t plane);
 StencilState stencil_of_leaving(const Level& level, std::size_t plane);
 
 /// Passes off the patch that `mask` has marked: objects behind a mirror must not show through it.
 StencilState stencil_of_objects_beyond(const Pass& mask);
 
-/// Belong to the objects under decals, and to the decals on those objects' visible pixels: an object's mark replaces
-/// the 0.
+/// For drawing the objects under decals, and the decals on those objects' visible pixels: an object's mark replaces the
+/// 0.
 StencilState stencil_of_decal_bases();
 StencilState stencil_of_decals();
 

@@ -44,7 +44,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, std::s
                          "light"_a = light, "planes"_a = behind));
 }
 
-/// Reports a light whose w is between those of parallel and point lights.
+/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light).
 void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (is_parallel_light(light) || light.w >= 1.0) return;
@@ -122,8 +122,8 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
                                   "matrix"_a = matrix));
             tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
-                               say("{matrix} entered by hand has a negative w between light and plane: clipping "
-                                   "removes the shadow; −S is the same map",
+                               say("{matrix} entered by hand gives points between light and plane a negative w: "
+                                   "clipping removes the shadow; −S is the same projection with a positive w",
                                    "matrix"_a = matrix));
         }
     }
@@ -153,8 +153,8 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
     }
     const double stretch = derived.view_aspect / derived.aspect;
     tell.broken(std::abs(stretch - 1.0) > 1e-3,
-                say("P expects a picture {aspect} times as wide as high, but the view's ratio is {view}: everything is "
-                    "stretched to {stretch} times its width",
+                say("P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
+                    "everything is stretched to {stretch} times its width",
                     "aspect"_a = figures(derived.aspect, 3), "view"_a = figures(derived.view_aspect, 3),
                     "stretch"_a = figures(stretch, 3)),
                 "projection.aspect");
@@ -162,7 +162,8 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
 
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
     Sayer tell(problems, "camera");
-    tell(slips.walk_slows, tr("mistake: walking follows the view direction, so it slows when looking up or down"));
+    tell(slips.walk_slows,
+         tr("mistake: walking follows the view direction, so it is slower when the camera looks up or down"));
     tell(slips.creeping_roll, tr("mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
     tell(slips.pole_flip, tr("mistake: orbiting over the pole flips the picture"));
     tell(slips.swapped_order, tr("mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));

@@ -9,7 +9,8 @@
 namespace viewing {
 namespace {
 
-/// Shown only over the picture: in the panel, a sentence that comes and goes would move the control being dragged.
+/// The sentence is shown only over the picture: in the panel, it would come and go and thereby move the control being
+/// dragged.
 constexpr std::string_view group = "view";
 
 /// Returns whether a sample of an object's vertices shows that it is in the picture, between near and far.
@@ -39,7 +40,7 @@ std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& deri
 std::string beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
-        return tr("every object is behind the camera: G frames them all, Home goes back");
+        return tr("every object is behind the camera: G frames them all, Home returns to the start");
     const Lens lens = params.lens();
     const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
     const glm::dvec2 edge(y * derived.aspect, y);
@@ -49,11 +50,13 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
         });
     };
     const char* const sentence =
-        beyond(0, -1.0)   ? marked("every object is past the left edge of the view: G frames them all, Home goes back")
-        : beyond(0, 1.0)  ? marked("every object is past the right edge of the view: G frames them all, Home goes back")
-        : beyond(1, 1.0)  ? marked("every object is above the view: G frames them all, Home goes back")
-        : beyond(1, -1.0) ? marked("every object is below the view: G frames them all, Home goes back")
-                          : marked("every object is outside the view: G frames them all, Home goes back");
+        beyond(0, -1.0)
+            ? marked("every object is past the left edge of the view: G frames them all, Home returns to the start")
+        : beyond(0, 1.0)
+            ? marked("every object is past the right edge of the view: G frames them all, Home returns to the start")
+        : beyond(1, 1.0)  ? marked("every object is above the view: G frames them all, Home returns to the start")
+        : beyond(1, -1.0) ? marked("every object is below the view: G frames them all, Home returns to the start")
+                          : marked("every object is outside the view: G frames them all, Home returns to the start");
     return tr(sentence);
 }
 

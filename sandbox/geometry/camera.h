@@ -22,7 +22,7 @@ glm::dmat4 rotation_from_angles(const Angles& angles);
 /// and yaw rotate about the same axis; there, roll is 0 and yaw is the whole rotation.
 Angles angles_from_rotation(const glm::dmat3& rotation);
 
-/// C = T(position) R: columns are right, up, back and the eye. Looks along −z at angles 0.
+/// C = T(position) R: columns are right, up, back and the eye. With all angles 0, the camera looks along −z.
 glm::dmat4 world_from_view(const glm::dvec3& position, const Angles& angles);
 
 /// V = C⁻¹ written out for a rigid C: Rᵀ and −Rᵀ·eye; no general inverse.

@@ -15,8 +15,8 @@ struct Framing {
 };
 
 /// Returns the nearest position from which a camera with these angles has the whole box in the middle of its picture,
-/// with a small margin. A box that is a point is seen from one unit away; an empty box counts as the origin. `aspect`
-/// must be positive.
+/// with a small margin. If the box is a single point, the camera is one unit away from it; an empty box counts as the
+/// origin. `aspect` must be positive.
 Framing framing(const Bounds& box, const Angles& angles, const Lens& lens, double aspect);
 
 }  // namespace viewing

@@ -12,7 +12,7 @@ using Vec3 = glm::dvec3;
 constexpr double max_step_s = 0.25, max_substep_s = 1.0 / 240.0;
 constexpr double slow_factor = 0.25;
 constexpr double max_orbit_pitch_deg = 89.9, min_orbit_distance = 0.01;
-constexpr double orbit_zoom_length = 2.5;  // moving forward by this length brings the eye e times nearer
+constexpr double orbit_zoom_length = 2.5;  // moving forward by this length divides the eye's distance by e = 2.718
 constexpr double rest_fraction = 1e-3;     // of the full speed: anything slower is at rest
 
 double wrapped(double degrees) {

@@ -17,7 +17,7 @@ struct MotionInput {
     glm::dvec3 move{0.0};                       ///< held keys: right, up, forward, each −1 … 1
     double yaw = 0.0, pitch = 0.0, roll = 0.0;  ///< held keys: −1 … 1, positive turns left, looks up, leans left
     glm::dvec2 look_deg{0.0};                   ///< mouse: yaw (left positive), pitch (up positive); immediate
-    glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (orbit: and the target), view right and up, world units;
+    glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (in orbit, also the target) right and up, world units;
                           ///< immediate
     double dolly = 0.0;   ///< fly, walk: distance forward, world units; immediate
     double zoom = 1.0;    ///< orbit: factor on the distance to the target, above 0
@@ -27,7 +27,7 @@ struct MotionInput {
     bool idle() const;
 };
 
-/// The mistakes to demonstrate (facts: creeping roll, walking that slows down, the flip at the pole).
+/// The mistakes to demonstrate (creeping roll, walking that slows down, the flip at the pole).
 struct MotionSlips {
     bool walk_slows = false;     ///< walk along the view direction, then restore the height
     bool creeping_roll = false;  ///< in walk and orbit, yaw and pitch both about the camera's own axes
@@ -52,7 +52,7 @@ struct Motion {
 };
 
 struct MotionTuning {
-    double speed = 2.5;         ///< world units per second; in orbit, 2.5 brings the eye e times nearer per second
+    double speed = 2.5;         ///< world units per second; in orbit, 2.5 divides the distance by e = 2.718 per second
     double turn_deg = 60.0;     ///< degrees per second
     double smoothing_s = 0.12;  ///< time constant of start and stop; 0 starts and stops immediately
 };
@@ -73,7 +73,7 @@ struct MovingFreedoms {
 /// Returns the freedoms of a mode: all six for fly, forward and yaw for walk, all but roll for orbit.
 MovingFreedoms available_freedoms(Navigation mode);
 
-/// Returns which available freedoms are moving, by continuing motion or by this step's mouse motion.
+/// Returns the available freedoms that are moving, from continuing motion or from this step's mouse motion.
 MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode);
 
 }  // namespace viewing

@@ -13,8 +13,8 @@ glm::dvec4 unit_plane(const glm::dvec4& plane);
 /// Returns whether a light (x, y, z, w) counts as infinitely far away: farther than a million units.
 bool is_parallel_light(const glm::dvec4& light);
 
-/// S = (Π·L) I − L Πᵀ maps p to where the ray from the light L through p meets the plane (after ÷ w). Uses the plane as
-/// given: pass a unit plane to get the displayed numbers. L.w = 1: point light, 0: parallel.
+/// S = (Π·L) I − L Πᵀ maps p to the point (after ÷ w) where the ray from the light L through p meets the plane. Uses
+/// the plane as given: pass a unit plane to get the displayed numbers. L.w = 1: point light, 0: parallel.
 /// S² = (Π·L) S, S L = 0, rank 3; rank 1 if Π·L = 0. Source: lecture, Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
@@ -22,8 +22,8 @@ glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 /// the shadow. +1 if Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// Returns the plane with the sign that puts a point, an eye or a light on its positive side; unchanged if that is in
-/// it.
+/// Returns the plane with the sign that puts a point, an eye or a light on its positive side. Returns it unchanged if
+/// the point is in the plane.
 glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
 
 /// Returns the unit direction in which an eye sees a point; an eye with w = 0 has parallel view rays.
@@ -45,7 +45,7 @@ glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& 
                                    ClipRange range = ClipRange::standard);
 
 /// The square drawn for a plane: its center is the point nearest to the world's origin, its half-axes along u and v
-/// have length `extent`. The same for P, −P and 2P.
+/// have length `extent`. P, −P and 2P have the same square.
 struct PlanePatch {
     glm::dvec3 center;
     glm::dvec3 u;       ///< unit

@@ -15,7 +15,8 @@ Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc) 
     const glm::dmat4 world_from_clip = glm::inverse(clip_from_world);
     const glm::dvec4 on_near = world_from_clip * glm::dvec4(ndc, -1.0, 1.0);
     const glm::dvec4 on_far = world_from_clip * glm::dvec4(ndc, 1.0, 1.0);
-    // The difference of the divided points would be inexact: w on the far plane is almost 0 if far is far away.
+    // Subtracting the points after the division by w would be inexact: if far is very large, w on the far plane is
+    // almost 0.
     const glm::dvec3 direction = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     return {glm::dvec3(on_near) / on_near.w, glm::normalize(direction)};
 }

@@ -23,8 +23,8 @@ struct Ray {
 /// range of −1 … 1.
 Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc);
 
-/// Returns the point where the ray meets the plane a x + b y + c z + d = 0; none if parallel to it, or if the plane is
-/// behind.
+/// Returns the point where the ray meets the plane a x + b y + c z + d = 0; none if the ray is parallel to the plane or
+/// the plane is behind its origin.
 std::optional<double> intersect_plane(const Ray& ray, const glm::dvec4& plane);
 
 /// Returns the s at which origin + s · direction is nearest to the ray, for dragging along an axis. None if the two are

@@ -22,12 +22,13 @@ constexpr Ring ring(double radius, double height) {
     return {radius, height, 0.56 * radius};
 }
 
-/// A cross-section of handle or spout: two points in the plane of symmetry, the sides `half_width` off it.
+/// A cross-section of handle or spout: two points in the plane of symmetry, and sides at a distance of `half_width`
+/// from that plane.
 struct Section {
     double x0, z0, x1, z1, half_width;
 };
 
-// Each line below ends a patch; its last entry begins the next one. Profiles run with the outside on their left.
+// Each line below ends a patch; its last entry begins the next one. The outside is on the left of each profile.
 
 constexpr std::array pot_rings = {
     ring(1.4, 2.4),    ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4),  // rim

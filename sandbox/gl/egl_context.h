@@ -51,7 +51,7 @@ public:
     /// Leaves the calling thread without a context.
     void let_go() const;
 
-    const std::string& description() const { return description_; }  ///< its origin: "EGL device 0 (software)"
+    const std::string& description() const { return description_; }  ///< how it was made: "EGL device 0 (software)"
 
 private:
     EglContext() = default;

@@ -1,4 +1,4 @@
-// A fence after all earlier GL commands: tells without waiting whether GL has finished them.
+// A fence after all earlier GL commands: reports whether GL has finished them, without waiting.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Owners of GL objects: move-only, empty until an object is made, which they then delete. An empty owner needs no
-// context.
+// Owners of GL objects: move-only, and empty until an object is made. An owner deletes its object. An empty owner needs
+// no context.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,8 @@ private:
 /// Makes a texture without contents, for unfiltered fetches and for drawing into.
 Texture texture_2d(GLenum internal_format, GLenum format, GLenum type, glm::ivec2 size_px);
 
-/// A color-only target for pictures that are made from another one: visualized depth and stencil, and the whole window.
+/// A color-only target for pictures that are made from another target (visualized depth and stencil) and for the whole
+/// window.
 class ColorTarget {
 public:
     ColorTarget() = default;

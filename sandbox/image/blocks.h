@@ -10,7 +10,8 @@ namespace viewing {
 /// Joins runs of pixels row by row, from the top; a row that is not added has no runs.
 class BlockFinder {
 public:
-    /// Adds the differences in row `y`, which must be below the last one added; those above `worst` belong to a block.
+    /// Adds the differences in row `y`, which must be below the last row added. A pixel whose difference exceeds
+    /// `worst` belongs to a block.
     void add_row(int y, std::span<const std::uint8_t> difference, int worst);
 
     std::int64_t blocks() const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_boxes = 16;
 
-/// Returns the number of pixels that the mask leaves out of the area that both pictures have.
+/// Returns how many pixels the mask leaves out, within the area that both pictures have.
 std::int64_t left_out_of(const Mask& mask, int width, int height) {
     if (mask.width() <= width && mask.height() <= height) return mask.pixels();
     std::int64_t count = 0;

@@ -28,8 +28,8 @@ struct CompareOptions {
     int worst = 2;
     /// From 0 to 1; with 0, no pixel may differ by more than `worst`.
     double share = 0.0;
-    /// A pixel does not count as beyond `worst` if, in either direction, the other picture has a matching pixel at most
-    /// this many pixels away in x and y. With 1, edges that moved by a pixel do not count.
+    /// A pixel does not count as beyond `worst` if each picture has a match for the other's pixel at most this many
+    /// pixels away in x and y. With 1, edges that moved by a pixel do not count.
     int reach_px = 0;
     CompareProfile profile = CompareProfile::strict;
     /// Only for portable. The default is 4, because another number of samples changes single pixels at corners and at
@@ -43,7 +43,7 @@ struct CompareOptions {
 };
 
 /// The thresholds of the portable profile. worst is 3: two levels of noise and one of rounding. share is 0.002: another
-/// number of samples changes at most 0.0006 of the pixels, in a picture full of lines; more than the threshold is not
+/// number of samples changes at most 0.0006 of the pixels, in a picture full of lines; a larger share cannot come from
 /// rounding, even if the pixels are far apart.
 constexpr CompareOptions portable_options{.worst = 3, .share = 0.002, .profile = CompareProfile::portable};
 
@@ -61,14 +61,14 @@ struct PixelBox {
 
 struct CompareReport {
     bool equal = false;
-    bool sizes_differ = false;      ///< if so, never equal; compares the area that both have, from the top left
+    bool sizes_differ = false;      ///< if so, never equal; only the common area from the top left is compared
     std::array<int, 2> size_a{};    ///< width, height
     std::array<int, 2> size_b{};    ///< width, height
-    std::int64_t pixels = 0;        ///< of the larger width times the larger height
+    std::int64_t pixels = 0;        ///< the larger width times the larger height
     std::int64_t left_out = 0;      ///< number of these that the mask leaves out
     std::int64_t different = 0;     ///< any channel differs, or only one picture has the pixel
     std::int64_t beyond = 0;        ///< a channel is off by more than options.worst, or only one picture has the pixel
-    std::int64_t resampled = 0;     ///< portable: pixels off by more that count as an edge with other samples
+    std::int64_t resampled = 0;     ///< portable: pixels off by more than worst that count as resampled edges
     double mean = 0.0;              ///< mean absolute difference over all channels, in levels
     std::array<double, 4> shift{};  ///< mean of A − B for red, green, blue, alpha, in levels
     std::array<double, 4>

@@ -1,4 +1,4 @@
-// Texts in zlib format, as stored in links and figures.
+// Text in zlib format, as stored in links and figures.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ enum class InflateEnd { whole, followed, too_long, damaged };
 
 struct Inflated {
     InflateEnd end = InflateEnd::damaged;
-    std::string text;  ///< "" unless it is whole
+    std::string text;  ///< "" unless `end` is whole
 };
 
 /// The inverse of deflated(), limited to `most` unpacked bytes. Throws std::bad_alloc.

@@ -12,7 +12,7 @@ namespace viewing {
 
 /// Returns elements of an SVG document; "" if there is no note, or one that no figure can store.
 std::string note_as_svg(std::string_view note);
-/// Returns a keyword of a PDF document, which after its name has only letters and digits; "" in the same cases.
+/// Returns a keyword of a PDF document: a name, then only letters and digits; "" in the same cases.
 std::string note_as_keyword(std::string_view note);
 
 /// Whether a file name has the extension of a figure: .png, .svg, .pdf.

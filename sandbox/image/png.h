@@ -27,7 +27,7 @@ Result<Image> read_png(const std::filesystem::path& path);
 /// Pixels per inch on a usual screen.
 inline constexpr double usual_dpi = 96.0;
 
-/// Does the same from an open file or pipe, up to the end of the picture; `name` begins the error.
+/// Reads a PNG from an open file or pipe, up to the end of the picture; `name` begins the error.
 Result<Image> read_png(std::FILE* stream, const std::string& name);
 
 /// The key of the text chunk with the note, which is the state that a picture shows, as JSON. A long note continues in

@@ -22,11 +22,12 @@ constexpr double moved_px = 0.8;
 constexpr int least_step = 24;
 /// How many pixels to search on each side for an edge: a multisampled edge is two pixels wide.
 constexpr int edge_reach = 3;
-/// How many pixels on each side contain both edges of a line: the lines of the floor's grid are up to five pixels wide.
+/// How many pixels to search on each side for both edges of a line: the lines of the floor's grid are up to five pixels
+/// wide.
 constexpr int line_reach = 5;
 /// A profile that reverses by more than a quarter of its range begins another edge.
 constexpr double turning = 0.25;
-/// Ignores an axis with a displacement above this: the edge runs along it, so that it seems to have moved far.
+/// An axis with a larger displacement is ignored: the edge runs along that axis and only seems to have moved far.
 constexpr double along_px = 3.0;
 
 struct ChannelRange {
@@ -64,7 +65,7 @@ struct Profile {
 
 struct Displacement {
     double px = 0.0;      ///< how far the edge moved; never negative
-    double net_px = 0.0;  ///< the same minus that of the line's other edge: 0 if the line shrank on both sides
+    double net_px = 0.0;  ///< px minus the displacement of the line's other edge: 0 if the line shrank on both sides
     int step = 0;         ///< height of the edge, in levels
     int least_range = 0;  ///< range of the profile, in the picture where it is smaller
 };

@@ -47,7 +47,7 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
 /// Reads an exercise from a string. `source` starts every message; files of its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// The number of variants that students get: the first ones of an exercise's combinations.
+/// The number of variants that students get: that many of an exercise's combinations, from the first on.
 inline constexpr std::size_t most_deployed = 16;
 
 /// Returns all combinations of values that pass `require`, shuffled; the first ones are for deployment. Fails if an

@@ -1,6 +1,6 @@
 // The expressions of lesson files: Lua computes one value from a closed list of names. An expression has no access to
 // files or libraries except the mathematics here, cannot define functions or loops, and has limited time and memory, so
-// that a stranger's file can do no harm. Read names.h for the names, lesson.h for the places of expressions.
+// that a stranger's file can do no harm. Read names.h for the names, lesson.h for the fields that contain expressions.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ struct Surroundings {
 
 /// Limits of an expression, including the conversion of its value to JSON.
 struct ExpressionLimits {
-    int instructions = 1'000'000;  ///< bytes of source, filled memory and entries of the value count, too
+    int instructions = 1'000'000;  ///< bytes of source, filled memory and entries of the value also count
     std::size_t memory_bytes = 8U << 20U;
     int measured_call = 20'000;  ///< instructions that each call of a measured name costs
     bool closed_list = true;     ///< false: allows statements, functions and any words, within the other limits

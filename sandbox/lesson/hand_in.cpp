@@ -130,8 +130,8 @@ const T& changed_or_kept(const T& kept, const T& known, const T& now) {
     return now == known ? kept : now;
 }
 
-/// Merges a draft. A checked answer is no longer a draft in this window; one entered meanwhile in another window still
-/// is.
+/// Merges a draft. A checked answer is no longer a draft in this window, but an answer entered meanwhile in another
+/// window is still one.
 template <typename T>
 const T& typed_last(const T& kept, const T& known, const T& now) {
     return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);

@@ -36,7 +36,8 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
     return std::all_of(apart->begin(), apart->end(), [&](double difference) { return difference <= tolerance; });
 }
 
-/// Returns the row or entry farthest from the right one, counted from 1; 0 if there is only one.
+/// Returns the number of the row or entry that differs most from the right answer, counted from 1; 0 if there is only
+/// one.
 int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
     if (ask.rows == 1 || answer.numbers.empty()) return 0;
     const Result<Answer> model = model_answer(ask, surroundings);

@@ -50,7 +50,7 @@ struct LessonChoice {
     std::string tag;  ///< the misconception that it shows
 };
 
-/// An answer: numbers row by row, or indices of choices or items in their lists, from 0.
+/// An answer: numbers row by row, or indices (from 0) into the list of choices or items.
 struct Answer {
     std::vector<double> numbers;
     std::vector<int> items;

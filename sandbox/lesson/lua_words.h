@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// Returns the words outside strings and comments, in order: names and Lua's keywords, but not members (after a point).
+/// Returns the words outside strings and comments, in order: names and Lua's keywords, but not members (after a dot).
 /// If Lua would refuse the source, words after the error may be missing.
 std::vector<std::string> words_of_source(std::string_view source);
 

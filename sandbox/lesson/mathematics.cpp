@@ -381,7 +381,7 @@ int scale(lua_State* lua) {
 bool are_close(const Tensor& a, const Tensor& b, double tolerance) {
     if (!a.has_shape_of(b)) return false;
     for (int i = 0; i < a.size(); ++i)
-        if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;  // NaN is close to nothing
+        if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;  // NaN is not close to anything
     return true;
 }
 
@@ -389,7 +389,8 @@ int close(lua_State* lua) {
     return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), scalar_at(lua, 3)));
 }
 
-/// Compares up to scale: divides both by their entry where the first has its largest one, which becomes 1 in both.
+/// Compares up to scale: finds the position of the first one's largest entry, and divides each by its own entry at that
+/// position, which becomes 1 in both.
 int same_map(lua_State* lua) {
     Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     const double tolerance = scalar_at(lua, 3);
@@ -471,8 +472,8 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
     }
 }
 
-/// Pushes a list of of(code) for the stored code of each fragment; the argument is a list of fragments, as from
-/// pixel().
+/// Pushes a list with the value of `of(code)` for the stored code of each fragment; the argument is a list of
+/// fragments, as from pixel().
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);

@@ -11,7 +11,7 @@ namespace viewing {
 enum class NameKind {
     value,       ///< known immediately
     measured,    ///< a function whose value may take a second
-    mathematics  ///< a function of its arguments alone
+    mathematics  ///< a function that depends on its arguments only
 };
 
 struct ExpressionName {

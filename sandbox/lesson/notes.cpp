@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …", continued below its beginning
+constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …": later lines are indented by the label
 
 std::string joined_texts(const std::vector<std::string>& texts, const char* between) {
     std::string all;

@@ -1,4 +1,5 @@
-// The lecturer's page while the audience sees the step: its note, the right answer, the next step, the time.
+// The page that the lecturer sees while the audience sees the step: its note, the right answer, the next step, the
+// time.
 #pragma once
 
 #include <string>

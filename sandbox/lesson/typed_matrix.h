@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Returns the start of a step, but with a shadow that also shows beyond the edge of the plane.
+/// Returns the start of a step, but with a shadow that is also visible beyond the edge of the plane.
 LoadedState with_right_matrix(const LessonStep& step);
 
 /// Returns the same start with 16 entered numbers, row by row, as the matrix that the step asks for (Ask::shows_as). If

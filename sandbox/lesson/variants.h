@@ -16,7 +16,7 @@ namespace viewing {
 std::uint64_t finalised(std::uint64_t bits);
 
 /// Returns 0 … count − 1 in an order that depends only on the seed: Fisher–Yates from the end, with SplitMix64 modulo
-/// the remaining places.
+/// the number of remaining places.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed);
 
 /// Returns a variant from 0 to `count` − 1 (`count` ≥ 1): the finalized FNV-1a of "course|student|exercise", modulo

@@ -13,7 +13,7 @@ glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px
     return glm::clamp(pixel - cells / 2, glm::ivec2(0), glm::max(size_px - cells, glm::ivec2(0)));
 }
 
-/// Returns the fragment at the pixel that the last triangle of a limited frame produces.
+/// Returns the fragment that the last triangle of a limited frame produces at the pixel.
 std::optional<Fragment> latest_of(const std::vector<Fragment>& fragments, const DrawCall& call, int triangle) {
     const auto found = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
         return fragment.pass == call.pass && std::max(fragment.object_index, -1) == call.object &&

@@ -1,5 +1,5 @@
-// The buffer values that the views below the camera's show, read back when one of them needs them and something has
-// changed.
+// The buffer values shown in the views below the camera view. They are read back when one of these views needs them and
+// something has changed.
 #pragma once
 
 #include <memory>
@@ -60,7 +60,7 @@ private:
     struct Fresh {
         bool now = false, before = false;
         std::optional<DepthCounts> counts;
-        std::optional<DepthWishes> told;  ///< the request that the data fulfill
+        std::optional<DepthWishes> told;  ///< the request that the data answer
     };
     Fresh fresh_;
     DepthData data_;

@@ -14,8 +14,8 @@ namespace viewing {
 
 class FightingCounter {
 public:
-    /// Returns the report so far, marked if it belongs to an earlier state; null while there is none. `may_wait`:
-    /// counts everything before it returns. Otherwise work starts, and continues, only at rest.
+    /// Returns the report so far, marked if it belongs to an earlier state; null while there is none. With `may_wait`,
+    /// counts everything before it returns; otherwise, work starts and continues only while nothing moves.
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
 

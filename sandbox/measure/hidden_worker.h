@@ -34,8 +34,8 @@ public:
     /// Returns the progress from 0 to 1; nothing if no work is in progress.
     std::optional<float> fraction();
 
-    /// Ends the current work at a person's request. Its incomplete result becomes the answer, and the same question
-    /// does not start again.
+    /// Ends the current work because the user canceled it. Its incomplete result becomes the answer, and the same
+    /// question does not start again.
     void cancel();
 
     /// Ends the current work without a result, and forgets the last answer.

@@ -13,11 +13,11 @@ namespace {
 constexpr glm::ivec2 size_px(48, 48);
 constexpr double most_turned_deg = 8.0;      ///< rotation of the quads, like the pairs of the scene `coplanar`
 constexpr double share_of_view = 0.6;        ///< half the side of a quad, relative to half the view's height
-constexpr double share_of_room = 0.9;        ///< the widest gap tried, relative to the distance to the near plane
+constexpr double share_of_room = 0.9;        ///< the widest gap tried, relative to the distance from the near plane
 constexpr double narrowest = 1e-12;          ///< the smallest gap tried, relative to the distance
 constexpr double widest_narrow_code = 1e-3;  ///< relative to the distance
 constexpr int places = 8;                    ///< positions of the pair for each gap
-constexpr int halvings = 4;                  ///< bisections between too narrow and wide enough, initially a factor of 2
+constexpr int halvings = 4;                  ///< bisections; the first one halves a factor of 2
 
 /// Returns the state with a camera at the origin that looks along −z, without settings that offset depth or keep it
 /// from being cleared.
@@ -32,7 +32,7 @@ Params plain(const Params& state) {
 }
 
 /// Returns the far end of a depth code near the distance. For a float format, returns the distance itself: every
-/// distance is as good.
+/// distance is equally good.
 double far_end_of_a_code(const DepthCoding& coding, double distance) {
     if (coding.precision.is_float) return distance;
     const double levels = coding.precision.greatest_code();
@@ -97,7 +97,7 @@ struct MinimumGapSearch::Implementation {
                     wide = gap;
                     gap /= 2.0;
                 } else if (gap >= room) {
-                    end(tr("Even a surface right at the near plane cannot be distinguished everywhere."));
+                    end(tr("Even with one surface right at the near plane, some pixels are wrong."));
                 } else {
                     gap = std::min(2.0 * gap, room);
                 }
@@ -155,11 +155,11 @@ struct MinimumGapSearch::Implementation {
     Params params;
     Lens lens;
     double room = 0.0;           ///< the widest gap
-    double sine = 0.0;           ///< of both rotation angles of a quad, which must not reach the near plane
+    double sine = 0.0;           ///< of both rotation angles; a rotated quad must not reach the near plane
     std::vector<double> shifts;  ///< shifts of the pair toward the eye
     Phase phase = Phase::widening;
     double gap = 0.0;                 ///< the gap being tried
-    std::size_t next_picture = 0;     ///< for this gap: each shift twice, the second time with the nearer quad first
+    std::size_t next_picture = 0;     ///< for this gap: two per shift, the second with the nearer quad drawn first
     double narrow = 0.0, wide = 0.0;  ///< too narrow, wide enough
     int halved = 0;
     MinimumGap found;

@@ -18,8 +18,8 @@ FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const 
     return plan(params, derive(params, scene, viewport));
 }
 
-/// Returns the frame up to and including the first mirror image, without the mirror itself; without a mirror it has no
-/// passes.
+/// Returns the frame up to and including the first mirror image, without the mirror itself. If there is no mirror, the
+/// frame has no passes.
 FramePlan until_image(FramePlan frame) {
     const auto first =
         std::find_if(frame.passes.begin(), frame.passes.end(), [](const Pass& pass) { return pass.is_mirror_image; });

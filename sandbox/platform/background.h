@@ -41,8 +41,8 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// Computes a T. Use it from one thread; only `Work` runs in another. The destructor waits for all work that was
-/// started; before that, only wait() does.
+/// Computes a T. Use it from one thread; only `Work` runs in another. Only wait() and the destructor wait; the
+/// destructor waits for all work that was started.
 template <typename T>
 class BackgroundTask {
 public:
@@ -73,7 +73,7 @@ public:
         dropped_.push_back(std::move(job_));
     }
 
-    bool is_running() const { return job_ != nullptr; }  ///< until take() returns the result
+    bool is_running() const { return job_ != nullptr; }  ///< true until take() returns the result
     bool is_done() const { return job_ && is_over(*job_); }
     float fraction() const { return job_ ? job_->progress.fraction.load() : 0.0F; }
     void cancel() {
@@ -97,7 +97,7 @@ private:
         ~Job() { progress.canceled = true; }
         WorkProgress progress;
         std::optional<Result<T>> result;
-        std::unique_ptr<BackgroundCall> call;  ///< declared last: waits for its end before the others go; null: no
+        std::unique_ptr<BackgroundCall> call;  ///< declared last, so that its destructor waits first; null: no
                                                ///< thread
     };
     static bool is_over(const Job& job) { return !job.call || job.call->is_done(); }

@@ -1,5 +1,5 @@
-// Writes files completely, so that nobody ever finds half of one, and checks files before they are read. All files are
-// written by these functions.
+// Writes files completely, so that nobody ever finds a half-written file, and checks files before they are read. All
+// files are written by these functions.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +35,9 @@ struct FileBytes {
     std::span<const std::uint8_t> bytes;
 };
 
-/// Writes all files or none. All of them are complete before the first one gets its name; if one cannot get its name,
-/// the files before it give theirs back (on a file system that cannot exchange names, only new files do).
-/// `before_names` runs between the two stages; if it throws, no file is written.
+/// Writes all files or none. All of them are complete before the first one gets its name. If one cannot get its name,
+/// the earlier files lose theirs again (on a file system that cannot exchange names, only new files do). `before_names`
+/// runs between the two stages; if it throws, no file is written.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
 
 /// Copies the content of one file to another in the same way as write_file().

@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Sets the texts, by exit status, of which say_last_words() writes one to the file. It writes the whole text or
-/// nothing if the file is or will be a plain file, otherwise as much as possible without blocking. "-" is standard
-/// output. Replaces earlier texts.
+/// Sets the file, and one text for each exit status; say_last_words() writes one of these texts to the file. In a plain
+/// file, existing or new, it writes the whole text or nothing; elsewhere, as much as possible without blocking. "-" is
+/// standard output. Replaces earlier texts.
 void set_last_words(const std::filesystem::path& file, std::vector<std::pair<int, std::string>> text_by_status);
 
 void forget_last_words();

@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// As long as it exists, makes other processes and threads that lock the folder wait. Creates a missing folder. If the
-/// folder cannot be locked, or a stopped process has held the lock for ten seconds, the caller continues without a
-/// lock: that loses less than not writing. A browser locks nothing: the page merges changes by other tabs (kept.js).
+/// While it exists, other processes and threads that lock the folder wait. Creates a missing folder. If the folder
+/// cannot be locked, or a stopped process has held the lock for ten seconds, the caller continues without a lock: that
+/// loses less than not writing. A browser locks nothing: the page merges changes by other tabs (kept.js).
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);

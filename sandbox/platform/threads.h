@@ -1,5 +1,5 @@
-// Checks whether threads can be started at all: a graphics driver that cannot start its threads may wait for them
-// forever.
+// Checks whether threads can be started at all: without this check, a graphics driver that cannot start its threads may
+// wait for them forever.
 #pragma once
 
 namespace viewing {

@@ -10,12 +10,12 @@
 
 namespace viewing {
 
-/// Whether a file in a folder is a result of the same kind, which a new one may replace.
+/// Whether a file in a folder is a result of the same kind, so that a new one may replace it.
 using IsOwnResult = std::function<bool(const std::filesystem::path&)>;
 
 /// Checks that a folder with this name can be written: it does not exist, is empty, or contains nothing but the
-/// program's own results. Follows links. The error names the first foreign entry, or says why there can be no such
-/// folder. Without `is_own`, only a new or empty folder is accepted.
+/// program's own results. Follows links. The error names the first foreign entry, or says why such a folder cannot
+/// exist. Without `is_own`, only a new or empty folder is accepted.
 Status check_folder_free(const std::filesystem::path& target, const IsOwnResult& is_own = {});
 
 class WholeFolder {

@@ -57,7 +57,7 @@ public:
     void drop() { asked_.reset(); }
 
 private:
-    /// A request first waits for the drawing, then for the copy, because llvmpipe in Mesa 22.3 sometimes reads before
+    /// A request waits for the drawing before it starts the copy, because llvmpipe in Mesa 22.3 sometimes reads before
     /// its threads have finished drawing.
     struct Asked {
         glm::ivec2 pixel{0};

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int columns = 64;
 
-/// Draws one rectangle for each column of pixels, with the same depth at all corners, so that rounding before the
-/// buffer is the same everywhere in a column.
+/// Draws one rectangle for each column of pixels. All four corners have the same depth, so that depth is rounded in the
+/// same way everywhere in a column before it is stored.
 constexpr const char* vertex_source = R"(
 uniform float first_ndc;
 uniform float step_ndc;
@@ -114,7 +114,7 @@ DepthPrecision precision_of(const Rows& rows) {
 
 StoredDepth measured(const gl::Program& program, gl::DepthKind kind) {
     const Rows rows(program, kind);
-    constexpr float units = 4.0F;  // detects units that are only a fraction of a code
+    constexpr float units = 4.0F;  // enough to detect a unit that is only a fraction of a code
     StoredDepth stored;
     stored.precision = precision_of(rows);
     const int codes = rows.moved(0.75, std::exp2(-std::min(stored.precision.bits, 24)), units);

@@ -1,7 +1,7 @@
 // Stencil tests for targets without a stencil buffer (gl/stencil_mask.h): the fragment shader compares with the mask
 // and writes the mask together with the color. With a stencil buffer, the first of overlapping triangles in a pass
-// excludes the others. A mask needs two steps for that: the pass changes only the mask, and then the pass's single
-// color fills the pixels whose mask has changed.
+// excludes the others. With a mask, this takes two steps: the pass changes only the mask, and then its single color
+// fills the pixels whose mask has changed.
 #pragma once
 
 #include "frame/plan.h"

@@ -17,8 +17,8 @@ private:
     gl::VertexArray no_vertices_ = gl::make_vertex_array();
 };
 
-/// Adds up the stencil bits of the framebuffer in its red channel, with one masked test for each bit: not every context
-/// can sample or read the stencil. The other channels become 0; the caller restores the state.
+/// Converts the stencil of the framebuffer to values in its red channel, with one masked test for each bit: not every
+/// context can sample or read the stencil. The other channels become 0; the caller restores the state.
 void gather_stencil(GLuint framebuffer, const ConstantProgram& constant, const Fullscreen& fullscreen);
 
 /// Needs a frame drawn without multisampling; leaves GL in its default state.

@@ -299,7 +299,8 @@ Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& 
     meshes.drop_unused();
     drawings.drop_unused();
 
-    // A frame that does not clear depth starts with the depth of the previous frame; the first one starts with its own.
+    // A frame that does not clear depth starts with the depth of the previous frame; the first such frame has no
+    // previous one and is drawn twice.
     if (fresh && !plan.clears_depth())
         if (Status drawn = draw_passes(plan, scene, view.target_, true, identify); !drawn) return drawn;
     return draw_passes(plan, scene, view.target_, plan.clears_depth(), identify);

@@ -47,7 +47,8 @@ constexpr ShaderConstant constants[] = {
     constant("OVERDRAW_COLORS", overdraw_colors.size()),
 };
 
-/// Whether the value of a comparison is the set of relations for which it passes, as surface.frag assumes.
+/// Whether the enumerator's value is the bit set of the relations for which the comparison passes, as surface.frag
+/// assumes.
 constexpr bool is_set_of(CompareFunc func, bool less, bool equal, bool greater) {
     return static_cast<int>(func) == (less ? static_cast<int>(CompareFunc::less) : 0) +
                                          (equal ? static_cast<int>(CompareFunc::equal) : 0) +

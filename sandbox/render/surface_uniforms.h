@@ -34,7 +34,7 @@ void set_placement(const SurfaceProgram& program, const FrameState& frame, const
 /// flip them.
 void set_turned_normals(const SurfaceProgram& program, const Pass& pass);
 
-/// Sets the polygon offset, which GL or the fragments themselves apply.
+/// Sets the polygon offset, which either GL or the fragment shader applies.
 void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset);
 
 /// Sets the identity of the next object drawn, below 2^16, as the bytes of red and green.

@@ -21,7 +21,7 @@ struct UniformPlace {
     GLuint stage = 0;
 };
 
-/// A row of the table. `place` is a member of the uniform.
+/// A row of the table. `place` points to a member of the uniform.
 struct UniformEntry {
     const char* name;
     GLenum type;

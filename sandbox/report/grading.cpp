@@ -37,7 +37,7 @@ std::optional<double> clock_s(const std::string& at) {
     return two(11) * 3600.0 + two(14) * 60.0 + two(17);
 }
 
-/// Whether all answers are correct on the first try, and came faster than anyone can read the questions.
+/// Whether all answers are correct on the first try and were entered faster than anyone can read the questions.
 bool is_hasty(const StudentGrade& grade) {
     std::vector<double> times;
     for (const HandInItem& item : grade.hand_in.items)
@@ -163,8 +163,9 @@ void Grader::stop_when(std::function<bool()> is_over, std::string why) {
     why_over_ = std::move(why);
 }
 
-/// Returns everything about an exercise except the verdicts on its answers. If there are no answers to judge, its
-/// standing is final; otherwise it has a place for each verdict, or a trouble.
+/// Returns everything about an exercise except the verdicts on its answers. If there are no answers to judge, the
+/// standing is final; otherwise, the result has an empty place for each verdict, or a trouble that says why nothing is
+/// judged.
 ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
     const Exercise& asked = exercises_[exercise];
     ItemGrade grade;

@@ -69,8 +69,8 @@ struct TagCount {
 };
 
 /// Returns the order in which the answers to one exercise are judged while the budget lasts: the last one, the first
-/// one, those that the file calls right from the latest to the earliest, then the others in the same order. `answers`
-/// are the attempts without the hints; the result contains indices into it.
+/// one, then those that the file calls right and then all others, both from the latest to the earliest. `answers` are
+/// the attempts without the hints; the result contains indices into it.
 std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers);
 
 /// The budget of one file: each different answer costs 1, more if it needs measured pictures. The last and the first
@@ -111,7 +111,7 @@ private:
     std::map<std::string, Result<Verdict>> verdicts_;  ///< keyed by exercise, variant and answer
 };
 
-/// Adds notes if two files have the times of attempts, or a replay, in common.
+/// Adds notes if two files contain the same times of attempts, or the same replay.
 void compare_hand_ins(std::vector<StudentGrade>& grades);
 
 /// Counts tags over all readable files, the most frequent one first.

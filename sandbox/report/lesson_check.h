@@ -14,8 +14,9 @@ namespace viewing {
 using LessonFindings = std::vector<std::string>;
 
 /// Returns the findings; empty if there are none. Claims must be true before and after the answer. The model answer
-/// must be right, and nothing right before it. Each listed wrong answer must be recognized and distinguished from the
-/// others, and every tag must be one of the lesson's. A goal's model must not change anything that may not be changed.
+/// must be right, and a goal must not be reached at the start. Each listed wrong answer must be recognized and
+/// distinguished from the others, and every tag must be one of the lesson's. A goal's model must not change anything
+/// that may not be changed.
 LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer);
 
 }  // namespace viewing

@@ -1,4 +1,5 @@
-// Reports the mirror image of a state made in four ways, as JSON. Read measure/mirror_measure.h for the counting.
+// Reports, as JSON, how four ways of making the mirror image of a state differ. Read measure/mirror_measure.h for the
+// counting.
 #pragma once
 
 #include "render/renderer.h"

@@ -7,13 +7,13 @@
 
 namespace viewing {
 
-/// Reports which polygons, and which objects, must be painted before which; whether whole ones can be painted in some
-/// order or form a cycle; and how many pairs each of the painter's keys orders wrongly. Draws nothing. The error says
-/// that there are too many polygons to compare.
+/// Reports which polygons, and which objects, must be painted before which; whether they can be painted whole in some
+/// order or form a cycle; and how many pairs are ordered wrongly by each of the painter's keys. Draws nothing. The
+/// error says that there are too many polygons to compare.
 Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 /// Returns the nodes of the BSP tree in the order in which the camera draws them, farthest first: {"count": n, "order":
-/// [3, 1, 2]}. Nodes are numbered from 1 in the order in which they are built, like in the tree's picture. The error
+/// [3, 1, 2]}. Nodes are numbered from 1 in the order in which they are built, as in the picture of the tree. The error
 /// says that the scene is too large.
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 

@@ -71,7 +71,7 @@ Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std
             {"after", left}};
 }
 
-/// Measurements of one state, with each method in turn.
+/// Measures one state with each method in turn.
 class Measurement {
 public:
     Measurement(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px)

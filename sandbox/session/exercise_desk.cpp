@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <string_view>
 #include <utility>
 
 #include "lesson/allowed.h"
@@ -49,6 +50,20 @@ std::string answers_file_name(const Student& student) {
     constexpr std::size_t longest = 200;
     if (name.size() > longest) name = name.substr(0, longest) + "-" + std::to_string(fnv1a(name));
     return name + ".json";
+}
+
+std::string hand_in_file_name(const Student& student) {
+    const bool has_both = !student.number.empty() && !student.name.empty();
+    std::string name = student.number + (has_both ? "_" : "") + student.name;
+    constexpr std::size_t longest = 120;  // bytes; common file systems allow 255
+    while (name.size() > longest) remove_last_character(name);
+    const auto is_refused = [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == 0x7F ||
+               std::string_view("\"*/:<>?\\|").find(c) != std::string_view::npos;
+    };
+    std::replace_if(name.begin(), name.end(), is_refused, '-');
+    if (name.starts_with('.')) name[0] = '-';
+    return (name.empty() ? "answers" : name) + ".json";
 }
 
 void ExerciseDesk::keep_in(std::filesystem::path folder, std::string program) {
@@ -384,7 +399,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
     if (run.is_revealed()) return;
     if (step.ask.kind != AskKind::goal) {
         const std::vector<double> typed = answer_numbers(run.answer());
-        if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window may have typed since
+        if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window's may be newer
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
         if (typed.empty() || (is_blank && (!known || !known->draft))) return;
         if (known && (known->draft ? *known->draft : latest_answer(*known)) == typed) return;

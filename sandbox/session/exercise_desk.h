@@ -39,8 +39,8 @@ public:
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
     /// Whether number and course are known: a student who practices can then return to a sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
-    /// The number of practice exercises tried, and how many of them have this student's own numbers and attempts that
-    /// this sheet lacks. Answers to other numbers do not count here.
+    /// The number of practice exercises tried, and the number of those that have the student's own numbers and attempts
+    /// that this sheet lacks. Answers to other numbers do not count.
     struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
@@ -110,7 +110,7 @@ private:
     std::filesystem::path folder_;
     std::string program_;
     Student student_;  ///< as typed
-    Student owner_;    ///< whose numbers and file; without number and course for practice
+    Student owner_;    ///< whose numbers and file are used; number and course are empty for practice
     HandIn practice_;  ///< read when another sheet was opened
     std::vector<Entry> entries_;
     HandIn hand_in_;
@@ -131,5 +131,9 @@ private:
 /// Returns the name of the file with a student's answers to a course: letters, digits, - and _, other bytes as %XX, and
 /// a tilde between course and number.
 std::string answers_file_name(const Student& student);
+
+/// Returns the usual name of a file to hand in: "32201234_홍길동.json". Characters that some file systems refuse become
+/// "-". Without a number and a name: "answers.json".
+std::string hand_in_file_name(const Student& student);
 
 }  // namespace viewing

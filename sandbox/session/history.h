@@ -1,4 +1,4 @@
-// Undo and redo of whole values, one step between two rests.
+// Undo and redo of whole values: all changes between two pauses make one step.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@ class History {
 public:
     explicit History(Value initial) : current_(std::move(initial)) {}
 
-    /// Called whenever nothing is held or moving: a value that differs from the last rest becomes one step. Only then
-    /// are the redo steps dropped. Returns whether a step was made.
+    /// Called whenever nothing is held or moving: a value that differs from that of the previous call becomes one step.
+    /// Only such a step drops the redo steps. Returns whether a step was made.
     bool rest(const Value& value) {
         if (value == current_) return false;
         if (past_.size() == max_steps) past_.pop_front();

@@ -14,7 +14,7 @@ namespace viewing {
 
 class Replay {
 public:
-    /// Begins at the flight's start, which the session already has.
+    /// Begins at the flight's start, which is already the session's state.
     void begin(std::shared_ptr<const Flight> flight);
     /// Begins at the step's start. Shortens long pauses, and skips changes that cannot be applied.
     void begin(const LessonStep& step, const std::vector<ReplayStep>& steps);

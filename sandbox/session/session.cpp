@@ -138,7 +138,7 @@ void Session::rest() {
 
 void Session::undo() {
     if (wanted_ && wanted_->is_whole) return cancel_loading();      // not a step yet
-    if (awaits_scene() && params != at_rest_) return keep_scene();  // nor is this
+    if (awaits_scene() && params != at_rest_) return keep_scene();  // not a step yet either
     rest();
     if (const std::optional<Step> earlier = history_.undo()) {
         ++steps_back_;

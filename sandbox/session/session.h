@@ -69,7 +69,7 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Yes allows this session to read from the file's folder, whatever names the file.
+    /// If true, this session may read any file in that file's folder, wherever the name comes from.
     void answer(bool may_read);
 
     /// Moves the camera; the motion continues until it is at rest.
@@ -159,7 +159,7 @@ private:
         bool is_whole = false;                 ///< otherwise only the scene
         bool may_be_silent = false;            ///< default looks and layout count as not set
         bool is_first = false;                 ///< the session's first state
-        std::optional<std::string> told = {};  ///< the message on arrival
+        std::optional<std::string> told = {};  ///< the message when it arrives
     };
     struct Arrived {
         LoadedState state;
@@ -167,7 +167,8 @@ private:
         std::filesystem::path outside;  ///< not empty: this file needs permission, and there is no scene
     };
 
-    /// Rotates the camera toward the orbit's target if that is out of view: orbiting something unseen helps nobody.
+    /// Rotates the camera toward the orbit's target if the target is out of view: nobody wants to orbit something
+    /// invisible.
     void aim_at_target();
     /// Remakes a scene immediately if its formula's parameters changed: there is nothing to wait for.
     void remake_scene();
@@ -199,7 +200,7 @@ private:
     BackgroundTask<std::monostate> writing_;
     std::string written_;  ///< the message when done
     std::optional<Status> outcome_;
-    int steps_back_ = 0;  ///< history steps back to where the awaited scene belongs; negative: forward
+    int steps_back_ = 0;  ///< steps back in the history to where the awaited scene belongs; negative: forward
 
     CameraParams home_;
     double home_height_ = 0.0;  ///< of the orthographic view at home_

@@ -14,7 +14,7 @@ namespace {
 /// Most scenes load quickly: a short wait avoids a frame with the old one.
 constexpr double a_moment_s = 0.02;
 
-/// Whether a scene would look the same, so that nothing needs to be drawn again.
+/// Whether a scene would look the same as the current one, so that nothing needs to be redrawn.
 bool is_same(const Scene& a, const Scene& b) {
     return a.made_from == b.made_from &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),

@@ -1,5 +1,5 @@
-// The comparisons of glDepthFunc and glStencilFunc. Also correct for the bits of floats ≥ 0, which sort like the
-// floats.
+// The comparisons of glDepthFunc and glStencilFunc. Also correct for the bits of floats ≥ 0, which have the same order
+// as the floats.
 #pragma once
 
 #include "state/depth_params.h"

@@ -15,7 +15,7 @@ struct DepthOffset {
 };
 
 struct DepthParams {
-    bool buffer = true;  ///< off: the window has no depth buffer, as without GLUT_DEPTH
+    bool buffer = true;  ///< off: no depth buffer, like a window without GLUT_DEPTH
     bool test = true;
     CompareFunc func = CompareFunc::less;
     bool write = true;

@@ -128,8 +128,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help = "The point that orbiting turns about and at whose distance the depth step is reported. Changing it moves "
-             "nothing by itself."},
+     .help = "The point about which the camera orbits, and at whose distance the depth step is reported. Changing this "
+             "point does not move anything by itself."},
     {.path = "camera.navigation",
      .place = IN(camera.navigation),
      .label = "navigation",
@@ -173,8 +173,9 @@ const Field all_fields[] = {
      .max = 1e6,
      .step = 0.01,
      .logarithmic = true,
-     .help = "Distance of the near plane: everything closer is clipped. In perspective with standard depth, it decides "
-             "the precision: a tenth of it makes the depth steps far away ten times as wide.",
+     .help =
+         "Distance of the near plane: everything closer is clipped. In perspective with standard depth, this distance "
+         "decides the precision: a tenth of the distance makes the depth steps far away ten times as wide.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.far",
@@ -253,8 +254,8 @@ const Field all_fields[] = {
      .min = -offset_limit,
      .max = offset_limit,
      .step = 0.1,
-     .help = "Polygon offset of objects marked as decals, times the polygon's steepest depth slope m. Negative pulls "
-             "toward the eye.",
+     .help = "Polygon offset of objects marked as decals, as a multiple of the polygon's steepest depth slope m. A "
+             "negative value pulls decals toward the eye.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.offset.units",
@@ -264,39 +265,39 @@ const Field all_fields[] = {
      .max = offset_limit,
      .step = 0.1,
      .help = "Polygon offset of objects marked as decals, in the smallest steps r that the depth buffer can resolve. "
-             "Too little stipples; too much bleeds through.",
+             "With too little, decals are stippled; with too much, they bleed through nearer surfaces.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.decals",
      .place = IN(depth.decals),
      .label = "decals by",
-     .help = "Keeps objects marked as decals from fighting with the surface below: a polygon offset; drawing them last "
-             "where depth is EQUAL, which needs identical triangles; or a stencil mark on the surface below and no "
-             "depth test at all.",
+     .help = "How objects marked as decals are kept from fighting with the surface below: by a polygon offset; by "
+             "drawing them last where depth is EQUAL, which needs identical triangles; or by a stencil mark on the "
+             "surface below, with no depth test at all.",
      .gl_call = "glPolygonOffset | glDepthFunc(GL_EQUAL) | glStencilFunc"},
     {.path = "depth.write_while_clearing",
      .place = IN(depth.write_while_clearing),
      .label = "mask on while clearing",
-     .help = "glClear obeys the depth mask. When off, it is called with the mask off and clears no depth: new "
+     .help = "glClear obeys the depth mask. When off, glClear is called with the mask off and clears no depth: new "
              "fragments are tested against depths from the previous frame.",
      .gl_call = "glDepthMask(GL_TRUE); glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.reversed_zero_to_one",
      .place = IN(depth.reversed_zero_to_one),
      .label = "clip range 0 to 1",
-     .help = "Reversed depth pays off only if clip space goes from 0 to 1. When off, it goes from −1 to 1, and halving "
-             "and adding a half rounds away a float's precision near 0.",
+     .help = "Reversed depth pays off only if z in clip space goes from 0 to 1. When off, z goes from −1 to 1, and "
+             "halving it and adding a half rounds away the precision that a float has near 0.",
      .gl_call = "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)"},
     {.path = "depth.reversed_clear",
      .place = IN(depth.reversed_clear),
      .label = "clear to 0",
      .help = "Reversed depth is 0 at the far plane, so the buffer is cleared to 0. When off, it is cleared to 1 as "
-             "usual: nothing is greater, so nothing is drawn.",
+             "usual: nothing is greater than 1, so nothing is drawn.",
      .gl_call = "glClearDepth(0)"},
     {.path = "depth.reversed_offset",
      .place = IN(depth.reversed_offset),
      .label = "flip the offset's sign",
-     .help = "With reversed depth, nearer means greater, so both signs of a polygon offset flip. When off, they do "
-             "not, and surfaces are pushed away instead of nearer.",
+     .help = "With reversed depth, nearer means greater, so both signs of a polygon offset flip. When off, the signs "
+             "do not flip, and surfaces are pushed away from the eye instead of pulled toward it.",
      .gl_call = "glPolygonOffset(−factor, −units)"},
     {.path = "depth.logarithm_per_vertex",
      .place = IN(depth.logarithm_per_vertex),
@@ -322,8 +323,8 @@ const Field all_fields[] = {
      .min = 0,
      .max = 85,
      .step = 0.5,
-     .help = "Angle by which the pairs of the scene `coplanar` are turned out of the picture plane. The larger it is, "
-             "the more codes cross a quad and the narrower the stripes."},
+     .help = "Angle by which the pairs of the scene `coplanar` are turned out of the picture plane. The larger the "
+             "angle, the more depth codes each quad spans and the narrower the stripes."},
     {.path = "coplanar.distance",
      .place = IN(coplanar.distance),
      .label = "distance",
@@ -339,8 +340,8 @@ const Field all_fields[] = {
     {.path = "cull.enabled",
      .place = IN(cull.enabled),
      .label = "cull face",
-     .help = "Culls polygons by the side they show, before rasterization: about half of those of closed objects. The "
-             "enum is GL_CULL_FACE, not GL_CULL.",
+     .help = "Culls polygons before rasterization, depending on the side they show: about half the polygons of a "
+             "closed object. The enum is GL_CULL_FACE, not GL_CULL.",
      .gl_call = "glEnable(GL_CULL_FACE)"},
     {.path = "cull.face",
      .place = IN(cull.face),
@@ -351,8 +352,8 @@ const Field all_fields[] = {
     {.path = "cull.front_face",
      .place = IN(cull.front_face),
      .label = "front face",
-     .help = "The winding on screen that counts as front-facing: counterclockwise (CCW), as the objects are made, or "
-             "clockwise (CW), which turns them inside out.",
+     .help = "The winding on screen that counts as front-facing: counterclockwise (CCW), the winding of the objects as "
+             "built, or clockwise (CW), which turns them inside out.",
      .gl_call = "glFrontFace"},
 
     // light
@@ -364,7 +365,7 @@ const Field all_fields[] = {
      .max = position_limit,
      .step = 0.05,
      .help = "The light ℓ = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light from the "
-             "direction (x, y, z). With w in between, it lies at (x, y, z) ÷ w.",
+             "direction (x, y, z). With w in between, the light lies at (x, y, z) ÷ w.",
      .formula = shadow_formula},
     {.path = "lights",
      .place = [](Params& params, std::size_t) -> FieldRef { return Further<LightParams>{&params.lights}; },
@@ -389,8 +390,8 @@ const Field all_fields[] = {
      .max = 1e4,
      .step = 0.05,
      .logarithmic = true,
-     .help = "Half the side of the square patch that is drawn for the plane. The plane itself is infinite: that is why "
-             "shadows and reflections need the stencil at the patch's edge."},
+     .help = "Half the side length of the square patch that represents the plane. The plane itself is infinite: that "
+             "is why shadows and reflections need the stencil at the patch's edge."},
     {.path = "plane.receives_shadow",
      .place = IN(planes[element].receives_shadow),
      .label = "receives shadows",
@@ -402,12 +403,13 @@ const Field all_fields[] = {
     {.path = "plane.gloss",
      .place = IN(planes[element].gloss),
      .label = "gloss",
-     .help = "Gives the patch a highlight, which a shadow must remove: blending only darkens it, missing light leaves "
-             "it out."},
+     .help = "Gives the patch a highlight, which a shadow must remove: blending only darkens the highlight, whereas "
+             "leaving out the light removes it."},
     {.path = "planes",
      .place = [](Params& params, std::size_t) -> FieldRef { return Further<PlaneParams>{&params.planes}; },
      .label = "more planes",
-     .help = "More planes, each with its equation and extent, and whether it receives shadows and is a mirror."},
+     .help = "More planes, each with its equation and extent, and with settings for whether it receives shadows and "
+             "whether it is a mirror."},
 
     // shadow
     {.path = "shadow.enabled",
@@ -425,7 +427,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "How much of the shadow's color replaces the surface below: 0 none, 1 all.",
+     .help = "How much of the shadow's color replaces the color of the surface below: 0 none, 1 all.",
      .formula = "color = opacity · shadow + (1 − opacity) · plane",
      .gl_call = "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"},
     {.path = "shadow.stencil_once",
@@ -443,14 +445,14 @@ const Field all_fields[] = {
     {.path = "shadow.clip_casters",
      .place = IN(shadow.clip_casters),
      .label = "clip casters",
-     .help = "Lets only parts between the light and the plane cast a shadow. When off, objects behind the plane cast a "
-             "false shadow.",
+     .help = "Only parts that are between the light and the plane can cast a shadow. When off, objects behind the "
+             "plane cast a false shadow.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.offset",
      .place = IN(shadow.offset),
      .label = "shadow offset",
-     .help = "Keeps the shadow from fighting with its plane: nothing, a polygon offset in depth, lifting it along the "
-             "normal, or drawing it without the depth test.",
+     .help = "How the shadow is kept from fighting with its plane: not at all, by a polygon offset in depth, by "
+             "lifting it along the normal, or by drawing it without the depth test.",
      .gl_call = "glPolygonOffset | glDisable(GL_DEPTH_TEST)"},
     {.path = "shadow.offset_factor",
      .place = IN(shadow.offset_factor),
@@ -482,33 +484,35 @@ const Field all_fields[] = {
     {.path = "shadow.style",
      .place = IN(shadow.style),
      .label = "style",
-     .help = "blend paints the shadow's color over the plane; missing_light leaves out this light's contribution, so "
-             "that highlights vanish in the shadow and textures stay."},
+     .help = "With blend, the shadow's color is painted over the plane. With missing_light, this light's contribution "
+             "is left out, so that highlights vanish in the shadow and textures stay."},
     {.path = "shadow.clip_at_light",
      .place = IN(shadow.clip_at_light),
      .label = "clip at the light",
-     .help =
-         "Lets only parts nearer to the plane than the light cast a shadow: each triangle is clipped to w > 0. When "
-         "off, triangles that cross the plane through the light, parallel to the receiver, stretch to infinity.",
+     .help = "Only parts that are nearer to the plane than the light is can cast a shadow: each triangle is clipped to "
+             "w > 0. When off, triangles stretch to infinity if they cross the plane w = 0, which contains the light "
+             "and is parallel to the receiver.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.sign",
      .place = IN(shadow.sign),
      .label = "sign of S",
-     .help =
-         "The factor for S before it is uploaded. plane_dot_light is the sign of Π·L, so w is positive between light "
-         "and plane; none uploads S unchanged, and every shadow vanishes when the normal points away from the light; "
-         "forced negates each vertex with a negative w, and casters beyond the light cast an anti-shadow.",
+     .help = "The factor by which S is multiplied before it is uploaded. With plane_dot_light, it is the sign of Π·L, "
+             "so w is positive between light and plane. With none, S is uploaded unchanged, and every shadow vanishes "
+             "when the normal points away from the light. With forced, each vertex with a negative w is negated, and "
+             "casters beyond the light cast an anti-shadow.",
      .formula = "sign(Π·L) S"},
     {.path = "shadow.write_depth",
      .place = IN(shadow.write_depth),
      .label = "write depth",
-     .help = "Lets the shadow write its depth, offset included: the plane's stored depths are no longer its own.",
+     .help = "Lets the shadow write its depth, including the offset: the depths stored for the plane are then no "
+             "longer the plane's own.",
      .gl_call = "glDepthMask"},
     {.path = "shadow.own_stencil",
      .place = IN(shadow.own_stencil),
      .label = "own stencil",
-     .help = "Gives each plane its own stencil value and each light its own bit. When off, they share one: where one "
-             "shadow was counted, the next is missing, and shadows leak from plane to plane.",
+     .help =
+         "Gives each plane its own stencil value and each light its own bit. When off, all planes share one value and "
+         "all lights one bit: where one shadow was counted, the next is missing, and shadows leak from plane to plane.",
      .gl_call = "glStencilMask"},
 
     // reflection
@@ -534,16 +538,17 @@ const Field all_fields[] = {
     {.path = "reflection.clip",
      .place = IN(reflection.clip),
      .label = "clip to mirror",
-     .help = "How objects behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an "
-             "oblique near plane in the projection, which needs no extra hardware but measures depth from the mirror: "
-             "finer or coarser, depending on where you look.",
+     .help = "How objects behind the mirror are kept out of the mirror image: not at all, by a clip plane per vertex, "
+             "or by an oblique near plane in the projection. The oblique plane needs no extra hardware, but depth is "
+             "then measured from the mirror and is finer or coarser, depending on where you look.",
      .formula = "oblique: row₃ = 2 c / (c·q) − row₄",
      .gl_call = "glEnable(GL_CLIP_DISTANCE0)"},
     {.path = "reflection.flip_winding",
      .place = IN(reflection.flip_winding),
      .label = "flip winding",
-     .help = "A mirror turns counterclockwise winding clockwise (det R = −1), so front and back must be swapped while "
-             "the mirrored scene is drawn. When off, it is culled inside out.",
+     .help = "A mirror reverses the winding from counterclockwise to clockwise (det R = −1), so front and back must be "
+             "swapped while the mirrored scene is drawn. When off, the wrong faces are culled, and the image appears "
+             "inside out.",
      .formula = "det R = −1",
      .gl_call = "glFrontFace"},
     {.path = "reflection.reflect_light",
@@ -568,30 +573,31 @@ const Field all_fields[] = {
     {.path = "reflection.same_projection",
      .place = IN(reflection.same_projection),
      .label = "same projection",
-     .help = "Gives the mirrored camera the camera's own projection. When off, it uses the aspect ratio of a square "
-             "picture, and the image does not fit its mirror."},
+     .help = "Gives the mirrored camera the camera's own projection. When off, the mirrored camera uses the aspect "
+             "ratio of a square picture, and the mirror image does not fit the mirror."},
     {.path = "reflection.printed_by_rows",
      .place = IN(reflection.printed_by_rows),
      .label = "as printed",
-     .help = "Fills R by rows, as the lecture prints its code. OpenGL reads columns, so it gets the transpose: correct "
-             "only where d = 0.",
+     .help = "Fills R row by row, as in the lecture's printed code. OpenGL reads it column by column and so gets the "
+             "transpose, which is correct only if d = 0.",
      .formula = mirror_formula,
      .gl_call = "glUniformMatrix4fv"},
     {.path = "reflection.mask_writes_depth",
      .place = IN(reflection.mask_writes_depth),
      .label = "mask writes depth",
-     .help = "Lets the mask write the mirror's own depth: the image lies beyond it and is hidden.",
+     .help = "Lets the mask write the mirror's own depth: the mirror image lies beyond that depth and is hidden.",
      .gl_call = "glDepthMask"},
     {.path = "reflection.after_objects",
      .place = IN(reflection.after_objects),
      .label = "mirror last",
-     .help = "Draws the objects first and then the mirror, without a depth test: it covers the objects in front of it.",
+     .help = "Draws the objects first and then the mirror, without a depth test: the mirror then covers even the "
+             "objects in front of it.",
      .gl_call = "glDisable(GL_DEPTH_TEST)"},
     {.path = "reflection.side_of_eye",
      .place = IN(reflection.side_of_eye),
      .label = "side of the eye",
-     .help = "Mirrors the objects on the eye's side of the plane. When off, it is the normal's side, and a mirror seen "
-             "from behind shows the objects behind it."},
+     .help = "Mirrors the objects on the eye's side of the plane. When off, the objects on the normal's side are "
+             "mirrored, and a mirror seen from behind shows the objects behind it."},
     {.path = "reflection.shadows",
      .place = IN(reflection.shadows),
      .label = "shadows inside",
@@ -601,14 +607,14 @@ const Field all_fields[] = {
     {.path = "overrides.shadow_from_world",
      .place = IN(overrides[0].shadowed_world_from_world[0]),
      .label = "S by hand",
-     .help = "Four rows that replace the shadow matrix S, to see what each entry does; null computes S from light and "
-             "plane.",
+     .help = "Four rows that replace the shadow matrix S and show what each entry does; null computes S from the light "
+             "and the plane.",
      .formula = shadow_formula},
     {.path = "overrides.mirror_from_world",
      .place = IN(overrides[0].mirrored_world_from_world),
      .label = "R by hand",
-     .help =
-         "Four rows that replace the reflection matrix R, to see what each entry does; null computes R from the plane.",
+     .help = "Four rows that replace the reflection matrix R and show what each entry does; null computes R from the "
+             "plane.",
      .formula = mirror_formula},
     {.path = "overrides.further",
      .place = [](Params& params, std::size_t) -> FieldRef { return FurtherOverrides{&params.overrides}; },
@@ -627,22 +633,22 @@ const Field all_fields[] = {
     {.path = "visibility.method",
      .place = IN(visibility.method),
      .label = "method",
-     .help = "Decides which surfaces are hidden: the GPU's depth buffer, nothing, sorting (painter, Newell), a BSP "
-             "tree, a depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth "
-             "test off. The slide puts all of this before rasterization: sorting belongs there, but the depth test "
-             "comes after, fragment by fragment."},
+     .help = "How hidden surfaces are removed: by the GPU's depth buffer, not at all, by sorting (painter, Newell), "
+             "with a BSP tree, with a depth buffer in software, or with a ray through each pixel. All methods except "
+             "the GPU's depth buffer turn GL's depth test off. The slide puts hidden-surface removal before "
+             "rasterization: that is true for sorting, but the depth test comes afterward, fragment by fragment."},
     {.path = "visibility.step",
      .place = IN(visibility.step),
      .label = "step",
      .min = -1,
      .max = 1e9,
      .step = 1,
-     .help = "Stops the method after this many steps, to watch it work; −1 runs all of them."},
+     .help = "Stops the method after this many steps, so that you can watch it work; −1 runs all of them."},
     {.path = "visibility.sort_key",
      .place = IN(visibility.sort_key),
      .label = "sort key",
      .help = "The painter's sort key for polygons: the distance of the nearest vertex, the farthest vertex, or the "
-             "centroid. Each of them fails on some scene."},
+             "centroid. Each of these keys fails in some scenes."},
     {.path = "visibility.splitter",
      .place = IN(visibility.splitter),
      .label = "splitter",
@@ -651,9 +657,9 @@ const Field all_fields[] = {
     {.path = "visibility.walk",
      .place = IN(visibility.walk),
      .label = "walk",
-     .help = "How a BSP tree is drawn: back to front, each polygon over the ones before; or front to back, where a "
-             "mask of covered pixels protects the picture so far. The walk depends on the eye; the tree itself does "
-             "not, although the slide divides it \"according to the viewer direction\"."},
+     .help = "How a BSP tree is drawn: back to front, each polygon over the earlier ones; or front to back, with a "
+             "mask of covered pixels that protects what is already drawn. The traversal order depends on the eye; the "
+             "tree itself does not, although the slide divides it \"according to the viewer direction\"."},
     {.path = "visibility.epsilon",
      .place = IN(visibility.epsilon),
      .label = "epsilon",
@@ -662,8 +668,9 @@ const Field all_fields[] = {
      .max = 0.1,
      .step = 1e-9,
      .logarithmic = true,
-     .help = "How near to a plane a vertex may be and still count as on it when BSP and Newell split polygons. If too "
-             "large, polygons that should be split are not: seams tear and orders are wrong."},
+     .help = "How near to a plane a vertex may be and still count as lying on the plane when BSP and Newell split "
+             "polygons. If this distance is too large, polygons that should be split are not: seams tear, and the "
+             "drawing order is wrong."},
     {.path = "visibility.exact_curves",
      .place = IN(visibility.exact_curves),
      .label = "exact curves",
@@ -672,12 +679,12 @@ const Field all_fields[] = {
     {.path = "visibility.compare_with",
      .place = IN(visibility.compare_with),
      .label = "compare with",
-     .help = "The method that the difference view compares with this one: pixels away from edges are red where the two "
-             "see different polygons."},
+     .help = "The method with which the difference view compares the current one: pixels away from edges are red where "
+             "the two methods see different polygons."},
     {.path = "visibility.numbers",
      .place = IN(visibility.numbers),
      .label = "numbers",
-     .help = "Writes each polygon's place in the drawing order on it."},
+     .help = "Writes on each polygon its number in the drawing order."},
     {.path = "visibility.raster",
      .place = IN(visibility.raster),
      .label = "raster",
@@ -685,9 +692,9 @@ const Field all_fields[] = {
      .min = 1,
      .max = 256,
      .step = 1,
-     .help =
-         "Columns and rows of the picture that a method computes, shown as large squares with their depths; null uses "
-         "the view's own pixels. GL's depth buffer always uses those. Shadows and mirrors are not drawn meanwhile."},
+     .help = "Columns and rows of the picture that a method computes, shown as large squares with their depths; null "
+             "uses the view's own pixels, as GL's depth buffer always does. With a size set, shadows and mirrors are "
+             "not drawn."},
     {.path = "visibility.pixel",
      .place = IN(visibility.pixel),
      .label = "chosen pixel",
@@ -695,21 +702,21 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16383,
      .step = 1,
-     .help = "The pixel of the method's picture, counted from the top left, whose fragments and ray are shown and "
-             "whose next fragment you can step to; null is none."},
+     .help = "A pixel of the method's picture, counted from the top left: its fragments and ray are shown, and you can "
+             "step to its next fragment; null means no pixel."},
 
     // view
     {.path = "view.shows",
      .place = IN(view.shows),
      .label = "shows",
-     .help = "The buffer that the camera view shows: color, depth (near black, far white), stencil, which side of each "
-             "polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, or where "
-             "the gap between two flat surfaces is smaller than depth can reliably resolve (fighting)."},
+     .help = "The buffer that the camera view shows: color, depth (black is near, white is far), stencil, which side "
+             "of each polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, "
+             "or where the gap between two flat surfaces is smaller than depth can reliably resolve (fighting)."},
     {.path = "view.depth_scale",
      .place = IN(view.depth_scale),
      .label = "depth scale",
-     .help = "window shows depth as stored, which is nearly white for standard depth in perspective; linear shows the "
-             "distance from the eye between near and far."},
+     .help = "With window, the picture shows depth as stored, which is nearly white for standard depth in perspective. "
+             "With linear, it shows the distance from the eye, between near and far."},
     {.path = "view.depth_colors",
      .place = IN(view.depth_colors),
      .label = "depth colors",
@@ -722,8 +729,9 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 0.01,
      .logarithmic = true,
-     .help = "The eye distances that depth pictures show as black and white; null is near and far in the camera's own "
-             "picture, and the visible range in the pictures beside and below it. The depths do not change."},
+     .help = "The eye distances that depth pictures show as black and as white. With null, these are near and far in "
+             "the camera's own picture, and the visible range in the pictures beside and below it. The stored depths "
+             "do not change."},
     {.path = "view.samples",
      .place = IN(view.samples),
      .label = "samples",
@@ -738,15 +746,16 @@ const Field all_fields[] = {
      .min = 1,
      .max = most_planes,
      .step = 1,
-     .help = "The plane that derivations, the followed point, the lecture's code, S and R entered by hand, the handles "
-             "and the light's view use: 1 is `plane`, 2 the first of `planes`."},
+     .help = "The plane that is used by derivations, the followed point, the lecture's code, S and R entered by hand, "
+             "the handles and the light's view: 1 is `plane`, 2 is the first of `planes`."},
     {.path = "view.light",
      .place = IN(view.light),
      .label = "chosen light",
      .min = 1,
      .max = most_lights,
      .step = 1,
-     .help = "The light that derivations and code use, and that orbits: 1 is `light`, 2 the first of `lights`."},
+     .help =
+         "The light that is used in derivations and code, and that orbits: 1 is `light`, 2 is the first of `lights`."},
     {.path = "view.beside.shows",
      .place = IN(view.beside.shows),
      .label = "2nd picture",
@@ -779,17 +788,18 @@ const Field all_fields[] = {
      .min = 0,
      .max = 16383,
      .step = 1,
-     .help = "The pixel of the camera view that the pixel and cell views describe, counted from the top left; null is "
-             "the one under the pointer."},
+     .help = "The pixel of the camera view that the pixel and cell views describe, counted from the top left; null "
+             "means the pixel under the pointer."},
     {.path = "view.pin",
      .place = IN(view.pin),
      .label = "pin",
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "Pins a pixel relative to an object, so that it stays in place at every size: a scene object and a "
-             "fraction of its box in the picture, from the top left (default: the middle of its visible part); or, "
-             "without an object, a fraction of the view. Overrides the pinned pixel; null means none."},
+     .help = "Pins a pixel relative to an object, so that the pixel stays in place at every picture size. Give a scene "
+             "object and a fraction of the object's box in the picture, from the top left (default: the middle of the "
+             "object's visible part); or, without an object, a fraction of the view. Overrides the pinned pixel; null "
+             "means none."},
     {.path = "view.cells",
      .place = IN(view.cells),
      .label = "cells",
@@ -798,14 +808,15 @@ const Field all_fields[] = {
      .max = 64,
      .step = 1,
      .help = "Columns and rows of the block that the cell view shows around the pinned pixel, or in the middle of the "
-             "picture if there is none; null shows as many as are readable."},
+             "picture if no pixel is pinned; null shows as many as are readable."},
     {.path = "view.call",
      .place = IN(view.call),
      .label = "draw call",
      .min = -1,
      .max = 1e9,
      .step = 1,
-     .help = "Draws the frame only up to this draw call, counted from 0, to watch the buffers fill; −1 draws all."},
+     .help = "Draws the frame only up to this draw call, counted from 0, so that you can watch the buffers fill; −1 "
+             "draws all."},
     {.path = "view.triangle",
      .place = IN(view.triangle),
      .label = "triangle",
@@ -819,15 +830,16 @@ const Field all_fields[] = {
      .min = -1,
      .max = 1e6,
      .step = 1,
-     .help = "Stops the frame after this pass, counted from 0, to see what each one leaves in color, depth and "
-             "stencil; −1 draws all of them."},
+     .help = "Stops the frame after this pass, counted from 0, so that you can see what each pass leaves in color, "
+             "depth and stencil; −1 draws all of them."},
     {.path = "view.derivation_step",
      .place = IN(view.derivation_step),
      .label = "derivation step",
      .min = -1,
      .max = 1000,
      .step = 1,
-     .help = "The last line shown of the derivation of shadow or mirror image, counted from 0; −1 shows all of them."},
+     .help = "The last line to show in the derivation of the shadow or the mirror image, counted from 0; −1 shows all "
+             "lines."},
     {.path = "view.lower_left",
      .place = IN(view.lower_left),
      .label = "lower left",
@@ -853,7 +865,7 @@ const Field all_fields[] = {
     {.path = "view.layout.folded",
      .place = IN(view.layout.folded),
      .label = "folded",
-     .help = "The columns that are folded away: the panel, the matrices."},
+     .help = "The columns that are folded away: the panel, the matrices, or both."},
 
     // observer
     {.path = "observer.target",
@@ -863,8 +875,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help =
-         "The point that the observer looks at and turns about, seeing camera, frustum, light and plane from outside."},
+     .help = "The point that the observer looks at and turns about. From outside, the observer sees the camera, the "
+             "frustum, the light and the plane."},
     {.path = "observer.yaw",
      .place = IN(observer.yaw),
      .label = "observer yaw",
@@ -907,8 +919,8 @@ const Field all_fields[] = {
     {.path = "slips.walk_slows",
      .place = IN(slips.walk_slows),
      .label = "walk slows",
-     .help = "A common mistake: walking moves along the view direction and then restores the height, so you slow down "
-             "the farther you look up or down."},
+     .help = "A common mistake: walking moves along the view direction and then restores the height, so the farther "
+             "you look up or down, the slower you walk."},
     {.path = "slips.creeping_roll",
      .place = IN(slips.creeping_roll),
      .label = "creeping roll",
@@ -934,21 +946,21 @@ const Field all_fields[] = {
     {.path = "slips.degrees_as_radians",
      .place = IN(slips.degrees_as_radians),
      .label = "degrees as radians",
-     .help = "The slide's perspective(45, …): passes fovy in degrees where GLM takes radians. 45 radians look like "
+     .help = "The slide's perspective(45, …) passes fovy in degrees where GLM takes radians. 45 radians look like "
              "58.3°, so the picture is plausible.",
      .formula = "P₂₂ = 1 / tan(fovy / 2), fovy read as radians",
      .gl_call = "glm::perspective(45.f, …)"},
     {.path = "slips.plus_2ab",
      .place = IN(slips.plus_2ab),
      .label = "+2ab in R",
-     .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab instead of −2ab. It shows if the "
-             "plane's normal has both an x and a y part.",
+     .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab instead of −2ab. The mistake shows if "
+             "the plane's normal has both an x and a y component.",
      .formula = "R₂₁ = −2ab"},
     {.path = "slips.normal_not_unit",
      .place = IN(slips.normal_not_unit),
      .label = "n not divided by |n|",
-     .help = "Fills R from (a, b, c, d) as entered. The formula needs a normal of length 1; with a longer one, points "
-             "move too far.",
+     .help = "Fills R from (a, b, c, d) as entered. The formula needs a normal of length 1; with a longer normal, "
+             "points move too far.",
      .formula = mirror_formula},
 
     // animation
@@ -975,14 +987,14 @@ const Field all_fields[] = {
      .place = IN(ui.theme),
      .label = "theme",
      .help =
-         "The colors of the window: dark, light, or projector, with larger type and heavier lines for a bright room."},
+         "The colors of the window: dark, light, or projector, with larger text and heavier lines for a bright room."},
     {.path = "ui.scale",
      .place = IN(ui.scale),
      .label = "scale",
      .min = 0.5,
      .max = 4,
      .step = 0.05,
-     .help = "The size of type and controls, on top of the screen's own scaling."},
+     .help = "The size of text and controls, on top of the screen's own scaling."},
     {.path = "ui.language",
      .place = IN(ui.language),
      .label = "language",

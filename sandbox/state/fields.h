@@ -115,7 +115,7 @@ std::vector<std::string> allowed_names(const Field& field);
 /// Lists these names as a phrase that completes "must be".
 std::string allowed_name_text(const Field& field);
 
-/// A smaller aspect ratio, except 0, would squeeze the picture into a line.
+/// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;
 
 /// Returns the accepted values as a phrase that completes "must be": "a number from 1 to 179", "one of fly, walk,

@@ -9,7 +9,8 @@ namespace viewing {
 /// Returns an absolute path; follows links as far as the path exists.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
-/// Files, and folders with everything below them, after links are followed. The assets are always within reach.
+/// A set of files, and of folders with everything below them. Links are followed before a file is looked up. The assets
+/// are always within reach.
 struct FileReach {
     bool is_everywhere = true;
     std::vector<std::filesystem::path> places;  ///< resolved

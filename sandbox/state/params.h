@@ -67,7 +67,7 @@ struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
     bool light_rays = false;    ///< draws rays from the light through the outline's vertices to their shadow
-    bool mirrored_eye = false;  ///< draws it with the frustum through which it sees the mirror image
+    bool mirrored_eye = false;  ///< draws the mirrored eye with its frustum, which shows the mirror image
     bool image_space = false;   ///< draws the scene again, behind the mirror
     bool operator==(const ObserverParams&) const = default;
 };
@@ -87,7 +87,7 @@ struct SlipParams {
 
 /// Motion while the window is open; pictures without a window show its start.
 struct AnimationParams {
-    bool jiggle = false;        ///< jitters the camera by so little that only depth fighting shows it
+    bool jiggle = false;        ///< jitters the camera so slightly that only depth fighting makes it visible
     bool light_orbit = false;   ///< the chosen light orbits the world's y axis
     double light_speed = 30.0;  ///< degrees per second; positive turns left
     bool operator==(const AnimationParams&) const = default;

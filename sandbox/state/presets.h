@@ -24,7 +24,7 @@ struct NamedFile {
     /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes it, as on the command line.
     std::string mended_by;
     std::filesystem::path path;
-    /// Its state sets the theme or the type size, so it opens from the list only: Page Down skips it.
+    /// Its state sets the theme or the text size, so it opens only from the list: Page Down skips it.
     bool sets_looks = false;
 };
 

@@ -53,7 +53,7 @@ struct SceneDescription {
     bool operator==(const SceneDescription&) const = default;
 };
 
-/// A name in assets/scenes, a path, or the scene itself; written back unchanged.
+/// The name of a scene in assets/scenes, a path, or the scene itself; written back unchanged.
 using SceneSource = std::variant<std::string, SceneDescription>;
 
 }  // namespace viewing

@@ -80,9 +80,9 @@ struct ViewParams {
     std::optional<Pin> pin;           ///< overrides `pixel`
     std::optional<glm::ivec2> cells;  ///< columns and rows of cells around it; none: as many as stay readable
     int call = -1;                    ///< the last draw call of the frame, from 0; −1: all of them
-    int triangle = -1;                ///< triangles drawn of that call; −1: all of them
+    int triangle = -1;                ///< number of triangles of that call to draw; −1: all of them
     int pass = -1;                    ///< the last pass of the frame, from 0; −1: all of them
-    int derivation_step = -1;         ///< the last line shown of a derivation, from 0; −1: all of them
+    int derivation_step = -1;         ///< the last line of a derivation that is shown, from 0; −1: all of them
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;

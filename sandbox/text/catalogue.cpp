@@ -35,7 +35,7 @@ const std::string* find_text(std::string_view english) {
     return found == texts->end() ? nullptr : &found->second;
 }
 
-/// Letters of Latin-1 that the fonts have and English does not use, for a … z and A … Z.
+/// Replacements for a … z and A … Z: letters of Latin-1 that the fonts have and English does not use.
 constexpr std::array<const char*, 26> small_letters = {"å", "þ", "ç", "ð", "é", "ß", "ñ", "ü", "í", "ì", "ø", "î", "ù",
                                                        "ñ", "ö", "þ", "ð", "ë", "ß", "ï", "ú", "ý", "û", "æ", "ÿ", "ç"};
 constexpr std::array<const char*, 26> capital_letters = {"Å", "Þ", "Ç", "Ð", "É", "È", "Ñ", "Ü", "Í",

@@ -36,10 +36,10 @@ using fmt::literals::operator""_a;
 // ---- the language ------------------------------------------------------------------------------------------------
 
 void speak_english();
-/// Sets the translations; fuzzy and empty ones stay English. Safe while other threads look texts up.
+/// Sets the translations; fuzzy and empty ones stay English. Safe while other threads look up texts.
 void speak(std::span<const PoEntry> entries);
-/// For tests: encloses each text of the entries in brackets and stretches it by 40 %, without any letter of the English
-/// alphabet; placeholders stay. A text that is then still in English never went through the catalog.
+/// For tests: sets translations that are the entries' own texts in brackets, 40 % longer and with every English letter
+/// replaced; placeholders stay. Text that still appears in English never went through the catalog.
 void speak_pseudo(std::span<const PoEntry> entries);
 
 /// Returns all translations of the current language, joined: its fonts must have these characters. "" for English.

@@ -22,7 +22,7 @@ constexpr std::string_view raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "�
 constexpr double largest_fixed = 1e6;  ///< from here on 1.234·10⁶
 constexpr double residue = 1e-9;       ///< smaller magnitudes come from rounding: 0.000
 
-/// 12.5, 1.25·10¹, and 1.25e1 where space is short.
+/// The ways to write a number: 12.5, 1.25·10¹, or, if space is short, 1.25e1.
 enum class Notation { fixed, power, compact };
 
 /// to_chars writes 1.5e-05; the program writes 1.5·10⁻⁵.

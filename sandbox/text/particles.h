@@ -10,9 +10,9 @@ namespace viewing {
 /// How a word ends when it is read aloud.
 enum class LastSound { vowel, l, consonant };
 
-/// The last sound of a text in Korean: of Hangul by its final letter; of digits, units and single letters by their
-/// Korean names ("3" 삼, "%" 퍼센트, "R" 알); of Latin words by their last letter: l, m and n are consonants. Brackets
-/// and quotes at the end are skipped. Vowel for everything else and for an empty text.
+/// The last sound of a text when it is read in Korean. Hangul counts by its final letter; digits, units and single
+/// letters are read by their Korean names ("3" 삼, "%" 퍼센트, "R" 알); Latin words that end in l, m or n end in a
+/// consonant. Brackets and quotes at the end are skipped. Vowel for everything else and for an empty text.
 LastSound last_sound(std::string_view text);
 
 /// Replaces each "[은/는]", "[이/가]", "[을/를]", "[과/와]" and "[으로/로]" by the form that fits the text before it.

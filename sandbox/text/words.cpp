@@ -126,6 +126,23 @@ std::string in_lines(const std::string& text, std::size_t width, const std::stri
     return result + begin + line + "\n";
 }
 
+std::string_view unbroken_start(std::string_view text) {
+    static constexpr std::string_view signs[] = {"=", "+", "−", "/", "×", "÷", "<", ">", "≤", "≥", "≈", "≠", "≪", "≫"};
+    const auto is_sign = [](std::string_view word) {
+        return std::find(std::begin(signs), std::end(signs), word) != std::end(signs);
+    };
+    std::size_t end = std::min(text.find(' '), text.size());
+    bool ends_with_sign = is_sign(text.substr(0, end));
+    while (end < text.size()) {
+        const std::size_t next = std::min(text.find(' ', end + 1), text.size());
+        const bool next_is_sign = is_sign(text.substr(end + 1, next - end - 1));
+        if (!ends_with_sign && !next_is_sign) break;
+        end = next;
+        ends_with_sign = next_is_sign;
+    }
+    return text.substr(0, end);
+}
+
 std::string in_lower_case(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -45,6 +45,9 @@ std::string excerpt(std::string_view text);
 /// begins with `first`, the others with `indent` blanks. Words are separated by single blanks.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
 
+/// Returns the start of a text that should stay on one line: a word, or a formula with blanks around its signs.
+std::string_view unbroken_start(std::string_view text);
+
 /// Converts ASCII letters to lower case and keeps everything else: for file extensions and searches.
 std::string in_lower_case(std::string text);
 

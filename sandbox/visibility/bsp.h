@@ -31,7 +31,7 @@ struct BspNode {
     int depth = 1;                              ///< 1 at the root
     int first_fragment = 0, fragment_count = 0; /**< a run of BspTree::fragments: the polygons in the plane, the lowest
                                                      source last, so that it is visible where they overlap */
-    bool sorted = true;                         ///< false: polygons that the budget left uncut; drawn in their order
+    bool sorted = true;                         ///< false: polygons left uncut by the budget, drawn in list order
 
     int splitter_source = 0;  ///< the polygon that defines the plane
     int input_count = 0;      ///< polygons that reached this node

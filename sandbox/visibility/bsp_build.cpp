@@ -107,7 +107,7 @@ private:
                                                                : std::pair(larger_child, spanning);
     }
 
-    /// A polygon is in its own plane, whatever rounding says.
+    /// A polygon counts as in its own plane, whatever the result of rounding.
     PlaneSide side_as_to(int splitter, int polygon) {
         if (splitter == polygon) return PlaneSide::coplanar;
         ++tree_.counters.plane_tests;

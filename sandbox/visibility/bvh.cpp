@@ -55,7 +55,7 @@ struct Cut {
     int axis = -1, last_bin = 0;                          ///< of the left side
 };
 
-/// Items in the same bin stay together; a few items need only a few bins.
+/// The cut never separates items in the same bin; few items need only few bins.
 struct Bins {
     Bins(std::size_t item_count, const Box& twice_centers)
         : count(static_cast<int>(std::min<std::size_t>(most_bins, 4 + item_count / 20))), first(twice_centers.least) {

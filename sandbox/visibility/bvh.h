@@ -28,13 +28,13 @@ struct RayCounters {
     std::int64_t rays = 0, box_tests = 0, triangle_tests = 0, curved_tests = 0;
 };
 
-/// A ray from t = 0 to max_t; if max_t is negative, the range is empty.
+/// A ray from t = 0 to max_t; if max_t is negative, the ray hits nothing.
 struct BoundedRay {
     Ray ray;
     double max_t;
 };
 
-/// Two children are adjacent: at `first` and first + 1. A leaf has its triangles from `first` on.
+/// The two children of a node are adjacent, at `first` and first + 1. A leaf has its triangles from `first` on.
 struct BvhNode {
     /// The lowest and the highest coordinates of the box, relative to the root's middle, in units of its half diagonal.
     std::array<glm::vec3, 2> corners{};
@@ -46,7 +46,7 @@ struct BvhNode {
     int axis() const { return -content; }  ///< the axis along which the first child comes before the second
 };
 
-inline constexpr int deepest_bvh = 60;  ///< leaves at this depth may have any size: limits the rays' stack
+inline constexpr int deepest_bvh = 60;  ///< limits the stack of a traversal; leaves this deep may have any size
 
 class Bvh {
 public:

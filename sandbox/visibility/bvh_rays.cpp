@@ -154,7 +154,8 @@ struct Bvh::Together {
         limit[lane] = in_units(lane, t);
     }
 
-    /// Returns the rays of a half that hit the triangle, as bits, and their t; like geometry's intersect_triangle.
+    /// Returns which rays in one half of the group hit the triangle, as bits, and their t; like intersect_triangle in
+    /// geometry/.
     VIEWING_INLINE unsigned meet(const Triangle& triangle, std::size_t part, Double& t) const {
         const Three<Double>& d = direction[part];
         const Three<double> ab{triangle.ab.x, triangle.ab.y, triangle.ab.z},
@@ -172,8 +173,8 @@ struct Bvh::Together {
         return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
     }
 
-    /// Calls visit(triangles, lanes as bits) for every leaf whose box is hit before the rays' ends; the call may move
-    /// the ends closer.
+    /// Calls visit(triangles, lanes as bits) for every leaf whose box some rays hit before they end; the call may make
+    /// the rays end earlier.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
         struct Waiting {

@@ -30,7 +30,7 @@ std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm:
     return corners;
 }
 
-/// A positive area is counterclockwise; `size` is the longest distance from the first corner.
+/// A positive area means counterclockwise; `size` is the longest distance from the first corner.
 struct ScreenArea {
     double twice_area = 0.0, size = 0.0;
 };

@@ -1,6 +1,6 @@
-// Back-face culling, the cheapest step before any of the methods: polygons that face away are not drawn. Decides in two
-// ways: by the eye's side of the plane, in world space, and by the sign of the area on the screen, like GL. Read
-// painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
+// Back-face culling, the cheapest step before any of the methods: polygons that face away are not drawn. There are two
+// ways to decide: by the eye's side of the plane, in world space, or by the sign of the area on the screen, like GL.
+// Read painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
 #pragma once
 
 #include <span>

@@ -23,7 +23,7 @@ constexpr double infinity = 1e300;
 Interval quadratic_roots(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (!(discriminant > 0.0)) return {0.0, 0.0};
-    // Both roots from the sum that does not cancel: q / a and c / q.
+    // Compute both roots from q, the sum that does not cancel: q / a and c / q.
     const double q = -(b + std::copysign(std::sqrt(discriminant), b));
     const double first = q / a, second = c / q;
     return {std::min(first, second), std::max(first, second)};

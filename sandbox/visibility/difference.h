@@ -12,8 +12,8 @@ namespace viewing {
 
 struct IdDifference {
     std::int64_t compared = 0;            ///< pixels
-    std::int64_t different = 0;           ///< that show an ID that the reference shows nowhere within a pixel
-    std::int64_t different_at_edges = 0;  ///< all others that differ: rounding alone may cause them
+    std::int64_t different = 0;           ///< pixels whose ID the reference does not show within a pixel of them
+    std::int64_t different_at_edges = 0;  ///< all other differing pixels: rounding alone may cause them
     std::vector<std::uint8_t> differs;    ///< 1 where `different` counts; row by row from the top
 };
 

@@ -126,8 +126,9 @@ private:
 std::string sentence_of(const FailureView& result, PainterKey key) {
     const char* const key_name = name_of(key);
     if (!result.found && result.canceled)
-        return say("The search was canceled; sorting by {key} was right in every view. Views tried: {views}.",
-                   "views"_a = result.views_tried, "key"_a = key_name);
+        return say(
+            "The search was canceled; up to then, sorting by {key} was correct in every view. Views tried: {views}.",
+            "views"_a = result.views_tried, "key"_a = key_name);
     if (!result.found)
         return say("No view found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
                    "views"_a = result.views_tried);

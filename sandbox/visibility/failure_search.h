@@ -48,9 +48,10 @@ struct FailureView {
 };
 
 /// Searches the full circle in steps of 15 degrees, beginning at the start, at the start's pitch and at three others.
-/// If nothing fails, searches once more in between. Then searches near the worst view with ever smaller steps. The eye
-/// stays above the target, or above its start. Deterministic. Tries nothing without polygons, without pixels or with an
-/// orbit that is not finite. If canceled, returns the worst view so far.
+/// If nothing fails, searches once more at yaws and pitches in between. Then searches near the worst view with ever
+/// smaller steps. The eye never goes below the target or, if it starts there, below its start. Deterministic. Tries no
+/// view if there are no polygons or no pixels, or if the orbit is not finite. If canceled, returns the worst view so
+/// far.
 FailureView find_failure(std::span<const Polygon> polygons, const Orbit& orbit, const FailureSearchOptions& options,
                          WorkProgress* progress = nullptr);
 

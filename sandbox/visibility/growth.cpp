@@ -145,13 +145,14 @@ private:
         const std::string_view name = tr_part(growth_method_name(method));
         switch (candidate.too_much) {
             case TooMuch::polygons:
-                return say("With {polygons} or more, {method} was not tried: {too_many} exceeded its budget.",
+                return say("With {polygons} or more, {method} was not tried: {too_many} already exceeded its budget.",
                            "polygons"_a = from, "method"_a = name, "too_many"_a = many);
             case TooMuch::time:
-                return say("From {polygons} on, {method} was not tried: {too_many} took longer than {budget}.",
-                           "polygons"_a = from, "method"_a = name, "too_many"_a = many, "budget"_a = budget());
+                return say(
+                    "With {polygons} or more, {method} was not tried: {too_many} already took longer than {budget}.",
+                    "polygons"_a = from, "method"_a = name, "too_many"_a = many, "budget"_a = budget());
             case TooMuch::missing_tree:
-                return say("From {polygons} on, {method} was not tried: the tree was not finished.",
+                return say("With {polygons} or more, {method} was not tried: the tree was not finished.",
                            "polygons"_a = from, "method"_a = name);
             case TooMuch::nothing:
                 break;

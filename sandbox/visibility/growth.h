@@ -21,7 +21,8 @@ namespace viewing {
 enum class GrowthMethod { painter, newell, bsp_build, bsp_walk, z_buffer, ray_casting };
 inline constexpr std::size_t growth_method_count = 6;
 
-/// Returns the name for the middle of a sentence: "the software z-buffer"; in English, use tr_part() to show it.
+/// Returns the name for the middle of a sentence: "the software z-buffer". The name is in English: use tr_part() to
+/// show it.
 std::string_view growth_method_name(GrowthMethod method);
 
 /// Returns the name of the method's most frequent operation, in the plural: "pixels tested".
@@ -34,7 +35,7 @@ enum class GrowthScene { small_triangles, large_triangles, own_polygons };
 
 struct GrowthRequest {
     GrowthScene scene = GrowthScene::small_triangles;
-    std::vector<Polygon> own_polygons{};  ///< for own_polygons: every k-th of them, down to the measured count
+    std::vector<Polygon> own_polygons{};  ///< for own_polygons: evenly spaced ones are used, up to the measured count
     std::vector<int> counts{10, 30, 100, 300, 1'000, 3'000, 10'000, 30'000, 100'000};
     int width = 320, height = 240;         ///< of the picture, pixels; at least 1
     std::optional<Viewpoint> viewpoint{};  ///< none: one with the whole scene in view
@@ -62,14 +63,14 @@ struct GrowthRow {
     std::int64_t work() const { return operations + pixels_painted; }
 };
 
-/// Returns the polygons for a given count: `count` random triangles, which any larger count begins with; or up to
-/// `count` of the scene's own polygons.
+/// Returns the polygons for a given count: `count` random triangles, which are also the first ones of any larger count;
+/// or up to `count` of the scene's own polygons.
 std::vector<Polygon> growth_polygons(const GrowthRequest& request, int count);
 
 /// Measures all methods at the lowest count, then at the next one, and so on; calls `on_row` with each row as it is
 /// added. Sorts the counts, drops those below 1 and duplicates, and limits them to a million and to the number of own
-/// polygons. Runs each method three times, and more often while that is quick. A method that a budget stopped, or that
-/// exceeded its time, gets one more row, at the next count: it is not tried again, and `problem` says so. A row's
+/// polygons. Runs each method three times, or more often if that is quick. A method that a budget stopped, or that
+/// exceeded its time, is not tried again: it gets one more row, at the next count, whose `problem` says so. A row's
 /// operations depend on time only if time stopped it. If canceled, returns the finished rows.
 std::vector<GrowthRow> measure_growth(const GrowthRequest& request, WorkProgress* progress = nullptr,
                                       const std::function<void(const GrowthRow&)>& on_row = {});

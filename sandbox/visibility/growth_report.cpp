@@ -99,7 +99,8 @@ std::string growth_of_work(std::span<const GrowthRow> rows) {
                              : ", " + say("by {times} for {method}", "times"_a = times, "method"_a = name);
     }
     if (list.empty()) return "";
-    return say("At the end of the curves, ten times the polygons multiply the operations {list}.", "list"_a = list);
+    return say("At the end of the curves, ten times as many polygons multiply the number of operations {list}.",
+               "list"_a = list);
 }
 
 }  // namespace
@@ -150,10 +151,11 @@ std::string growth_summary(std::span<const GrowthRow> rows) {
     std::string list;
     for (const Reign& reign : reigns) list += (list.empty() ? "" : ", ") + reign_text(reign, reigns);
     std::string text =
-        say("Fewest operations of the methods that are always right, painting included: {list}.", "list"_a = list);
+        say("Methods with the fewest operations, painting included, among those that are always correct: {list}.",
+            "list"_a = list);
     const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
-    if (walk_wins) text += std::string(" ") + tr("The tree is built once, in advance, for every eye position.");
+    if (walk_wins) text += std::string(" ") + tr("One tree, built in advance, serves every eye position.");
     const std::string growth = growth_of_work(rows);
     return growth.empty() ? text : text + " " + growth;
 }

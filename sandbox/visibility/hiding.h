@@ -29,14 +29,14 @@ std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Vi
                                      std::optional<double> epsilon = std::nullopt,
                                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// Returns the pairs between groups, sorted, each once, without pairs inside a group; `group_of` has each index's
-/// group.
+/// Converts pairs of items to pairs of groups: sorted, each once, without pairs inside a group. `group_of` has the
+/// group of each item.
 std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<const int> group_of);
 
 /// Items from 0 to count − 1, back to front.
 struct WholeOrder {
-    std::vector<int> order;  ///< an order that satisfies every pair; equals: lowest first; empty if none exists
-    std::vector<int> cycle;  ///< if so: each must come before the next one, the last before the first; a short cycle
+    std::vector<int> order;  ///< satisfies every pair, the lowest item first where several fit; empty if impossible
+    std::vector<int> cycle;  ///< in that case: each must come before the next, the last before the first; short
 };
 WholeOrder whole_order(int count, std::span<const HidingPair> pairs);
 

@@ -77,7 +77,7 @@ private:
         return std::nullopt;
     }
 
-    /// The sort order of the list: the first one to draw is at the end.
+    /// The sort order of the list: the next fragment to draw is at the end.
     bool is_drawn_later(int a, int b) const {
         const double a_farthest = projected_[a].farthest, b_farthest = projected_[b].farthest;
         return a_farthest != b_farthest ? a_farthest < b_farthest : a < b;

@@ -36,8 +36,8 @@ enum class NewellAction {
     goes_on,  ///< P may go before Q; continue with the next Q
     swaps,    ///< Q takes P's place
     splits,   ///< two pieces replace P or Q
-    draws,    ///< nothing stands in the way of P; there is no Q
-    forces    ///< P is drawn despite Q: they overlap by less than epsilon, so no cut is left
+    draws,    ///< P is drawn: no Q is left that it may hide
+    forces    ///< P is drawn despite Q: they overlap by less than epsilon, so nothing can be cut
 };
 
 /// One comparison of P and Q. All tests before `decided_by` have failed for the pair.
@@ -65,7 +65,7 @@ struct NewellCounters {
 };
 
 struct NewellOrder {
-    std::vector<Polygon> fragments;  ///< all that ever existed, in world space, including those that were cut later
+    std::vector<Polygon> fragments;  ///< all that ever existed, even if cut later, in world space
     std::vector<int> order;          ///< indices into fragments, back to front
     double clipped_area = 0.0;       ///< of the parts on or behind the near plane, which the order leaves out
     std::vector<NewellStep> steps;

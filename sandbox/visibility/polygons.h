@@ -21,9 +21,9 @@ struct Polygon {
     int source = 0;                    ///< number of the input triangle, as in ID images
 };
 
-/// A direction at an angle with a smaller sine counts as being in a plane.
+/// A direction counts as parallel to a plane if the sine of its angle with the plane is smaller than this.
 inline constexpr double parallel_sine = 1e-12;
-/// If twice the area is a smaller fraction of the squared longest edge, the area counts as zero.
+/// An area counts as zero if twice the area, divided by the square of the longest edge, is smaller than this.
 inline constexpr double smallest_relative_area = 1e-12;
 
 /// Returns the polygon with these corners, or none if it has no area: fewer than three corners, twice the area at most

@@ -20,7 +20,8 @@ std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector
     return extent;
 }
 
-/// Returns whether an edge of `a` has all of `b` on its other side, or `a` has no width across an edge, or no edges.
+/// Returns whether some edge of `a` has all of `b` on its outside. Also true if `a` has no width across an edge, or no
+/// edges.
 bool an_edge_separates(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
     bool is_a_point = true;
     for (std::size_t i = 0; i < a.size(); ++i) {

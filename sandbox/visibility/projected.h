@@ -18,11 +18,11 @@ struct Projected {
 /// Projects a polygon in front of the near plane.
 Projected project(const Polygon& polygon, const Viewpoint& viewpoint, const glm::dmat4& clip_from_world);
 
-/// Returns whether two are apart on an axis (0 x, 1 y), to within a hundred-millionth of the picture's size.
+/// Returns whether two polygons are apart on an axis (0: x, 1: y), to within a hundred-millionth of the picture's size.
 bool apart_on(int axis, const Projected& a, const Projected& b);
 
-/// Returns whether two are apart on the screen, with the same tolerance. One without area there is apart from
-/// everything.
+/// Returns whether two polygons are apart on the screen, with the same tolerance. A polygon without area on the screen
+/// is apart from everything.
 bool are_disjoint(const Projected& a, const Projected& b);
 
 }  // namespace viewing

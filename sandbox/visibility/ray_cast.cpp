@@ -78,7 +78,8 @@ BoundedRay PixelRays::through(int x, int y) const {
     const glm::dvec4 across = static_cast<double>(x) * per_x_ + static_cast<double>(y) * per_y_;
     const glm::dvec4 on_near = near_origin_ + across, on_far = far_origin_ + across;
     const glm::dvec3 origin = glm::dvec3(on_near) / on_near.w;
-    // The difference of the divided points would be inexact: w on the far plane is almost 0 if far is far away.
+    // Subtracting the points after the division by w would be inexact: if far is very large, w on the far plane is
+    // almost 0.
     const glm::dvec3 along = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     const double length = glm::length(along);
     // Behind an oblique near plane a ray may never reach that plane, or never leave through the far plane.

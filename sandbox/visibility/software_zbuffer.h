@@ -38,13 +38,13 @@ struct RasterStep {
 
 /// A fragment of the watched pixel.
 struct RasterTouch {
-    std::int64_t number = 0;  ///< position of its polygon in the order
-    int place = 0;            ///< of its polygon in the order
+    std::int64_t number = 0;  ///< among all tested fragments, counted from 1
+    int place = 0;            ///< position of its polygon in the order
     RasterStep fragment;
 };
 
 struct RasterCounters {
-    std::int64_t polygons = 0;  ///< with a part between near and far
+    std::int64_t polygons = 0;  ///< those with a part between near and far
     std::int64_t pixels_tested = 0, pixels_written = 0;
     std::int64_t pixels_covered = 0;  ///< with an ID at the end
 

@@ -206,7 +206,7 @@ TEST_F(GradeCommand, ThePageHasEverythingInIt) {
     EXPECT_TRUE(has(read("grades.txt"), "w:M33"));
     const std::string page = read("report.html");
     for (const char* const part : {"class=\"histogram\"", "김학생", "&lt;script&gt;&amp;", "rows and columns",
-                                   "What the wrong matrices do", "entered by 1 student", "Rows are columns. (M33)"})
+                                   "Effects of wrong matrices", "entered by 1 student", "Rows are columns. (M33)"})
         EXPECT_TRUE(has(page, part)) << part;
     EXPECT_FALSE(has(page, "<script"));
     EXPECT_EQ(count_of(page, "data:image/png;base64,iVBORw0KGgo"), 2U);

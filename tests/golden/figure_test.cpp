@@ -233,16 +233,5 @@ TEST_F(FigureTest, PrintedTypeHasTheSameHeightAtAnyResolution) {
     EXPECT_NEAR(largest_pt(288.0), at_96, 0.05 * at_96);
 }
 
-TEST_F(FigureTest, AHaloIsNotASeparateText) {
-    const Result<Drawing> drawing = drawing_of(state_with({}), {PictureView::precision, usual_px, std::nullopt});
-    ASSERT_TRUE(drawing);
-    const std::string text = text_in(*drawing);
-    EXPECT_EQ(text.find("16 log"), text.rfind("16 log")) << text;
-    EXPECT_TRUE(std::any_of(drawing->marks.begin(), drawing->marks.end(), [](const Mark& mark) {
-        const Line* line = std::get_if<Line>(&mark.what);
-        return line && line->halo.a > 0 && line->halo_px > 0.0F;
-    }));
-}
-
 }  // namespace
 }  // namespace viewing

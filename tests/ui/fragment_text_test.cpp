@@ -345,7 +345,7 @@ TEST(PixelNumbers, OmitUnknownNumbers) {
     for (const char* name : {"eye z", "width Δz", "world"}) EXPECT_EQ(named(numbers, name).value, " —");
     const auto complains = [&] {
         const std::string explanation = named(pixel_numbers(pixel, {}, {}), "eye z").explanation;
-        return explanation.starts_with("Its depth is the clear value.");
+        return explanation.starts_with("The pixel's depth is the clear value.");
     };
     EXPECT_FALSE(complains());
     pixel.written = true;

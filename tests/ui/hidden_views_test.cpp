@@ -132,7 +132,7 @@ TEST_F(HiddenViews, ANodesSentenceSaysWhichSideIsDrawnFirst) {
             const bool in_front = glm::dot(glm::dvec3(plane), eye) + plane.w > 0.0;
             const bool front_first = in_front == (walk == BspOrder::front_to_back);
             EXPECT_NE(told.find(in_front ? "the eye is in front" : "the eye is behind"), std::string::npos) << told;
-            EXPECT_NE(told.find(front_first ? "its front side is drawn first" : "its back side is drawn first"),
+            EXPECT_NE(told.find(front_first ? "front side is drawn first" : "back side is drawn first"),
                       std::string::npos)
                 << told;
         }

@@ -26,13 +26,6 @@ inline bool overlap(const Line& a, const Line& b) {
            top(b) + accents < bottom(a);
 }
 
-/// A halo is the same text, slightly offset; adjacent text may be read as part of it.
-inline bool is_halo(const Line& a, const Line& b) {
-    const bool same_line = std::abs(a.min.y - b.min.y) <= 0.2F * a.line_height;
-    const bool is_part = a.text.find(b.text) != std::string::npos || b.text.find(a.text) != std::string::npos;
-    return a.text == b.text || (same_line && is_part);
-}
-
 /// Whether a text ends with an ellipsis that is not its own, after a blank or in the catalog. Stretched texts may end
 /// like that when there is too little room.
 inline bool is_shortened(const std::string& text) {
@@ -58,7 +51,7 @@ inline std::vector<std::string> unreadable(const Desk& desk) {
             if (is_shortened(line.text)) found.push_back(window + ": shortened: " + line.text);
         for (std::size_t a = 0; a < lines.size(); ++a)
             for (std::size_t b = a + 1; b < lines.size(); ++b)
-                if (overlap(lines[a], lines[b]) && !is_halo(lines[a], lines[b]))
+                if (overlap(lines[a], lines[b]))
                     found.push_back(window + ": over each other: " + lines[a].text + " | " + lines[b].text);
     }
     return found;

@@ -40,11 +40,8 @@ class Accounts {
 public:
     Accounts(const std::vector<Letter>& letters, const Drawing& drawing) {
         for (const Letter& letter : letters) drawn_[letter.character].push_back({letter});
-        for (const bool is_halo : {false, true})
-            for (const Mark& mark : drawing.marks)
-                if (const viewing::Line* const line = std::get_if<viewing::Line>(&mark.what)) account(*line, is_halo);
-        if (copies_ != copies_due_)
-            wrong.push_back("halos have " + std::to_string(copies_) + " letters, not " + std::to_string(copies_due_));
+        for (const Mark& mark : drawing.marks)
+            if (const viewing::Line* const line = std::get_if<viewing::Line>(&mark.what)) account(*line);
         for (const auto& [character, all] : drawn_)
             for (const LetterOfFrame& drawn : all)
                 if (!drawn.is_recorded && is_seen(drawn.letter))
@@ -60,38 +57,26 @@ private:
                letter.max.y > std::max(letter.clip.y, 0.0F) && letter.min.y < std::min(letter.clip.w, screen.y);
     }
 
-    /// Matches the letter itself, or the copies around it that form its halo. The copies of two letters may be
-    /// interleaved.
-    void account(const viewing::Line& line, bool is_halo) {
+    void account(const viewing::Line& line) {
         for (std::size_t i = 0; i < line.characters.size(); ++i) {
-            const char32_t character = line.characters[i];
             const float x = line.lefts_px[i], baseline = line.baseline_px;
-            if (character == U' ' || (is_halo && line.halo.a == 0)) continue;
-            if (is_halo) {
-                copies_due_ += 8;
-                copies_ += take(character, x, baseline, line.halo_px + 1.05F, line.halo,
-                                drawn_[static_cast<ImWchar>(character)].size());
-            } else if (take(character, x, baseline, 0.3F, line.ink, 1) == 0) {
-                wrong.push_back("made up: " + described(character, x, baseline));
-            }
+            if (line.characters[i] != U' ' && !take(line.characters[i], x, baseline, line.ink))
+                wrong.push_back("made up: " + described(line.characters[i], x, baseline));
         }
     }
 
-    std::size_t take(char32_t character, float x, float baseline, float reach, const Ink& ink, std::size_t most) {
-        std::size_t taken = 0;
+    bool take(char32_t character, float x, float baseline, const Ink& ink) {
+        constexpr float reach = 0.3F;
         for (LetterOfFrame& drawn : drawn_[static_cast<ImWchar>(character)]) {
-            if (taken == most) break;
             if (drawn.is_recorded || std::abs(drawn.letter.pen.x - x) > reach ||
                 std::abs(drawn.letter.baseline - baseline) > reach || ink_of(drawn.letter.color) != ink)
                 continue;
-            drawn.is_recorded = true;
-            ++taken;
+            return drawn.is_recorded = true;
         }
-        return taken;
+        return false;
     }
 
     std::map<ImWchar, std::vector<LetterOfFrame>> drawn_;
-    std::size_t copies_ = 0, copies_due_ = 0;
 };
 
 /// The contents of the text elements of an SVG document.

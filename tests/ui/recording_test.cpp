@@ -1,11 +1,10 @@
-// A frame recorded as a figure, without GL: random tables, halos, and the windows of all presets.
+// A frame recorded as a figure, without GL: random tables, and the windows of all presets.
 #include <cstdlib>
 #include <random>
 
 #include "desk.h"
 #include "recorded_letters.h"
 #include "state/presets.h"
-#include "widgets/halo.h"
 
 namespace viewing::test {
 namespace {
@@ -57,7 +56,7 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
                     const ImVec2 at = ImGui::GetCursorScreenPos();
                     if (c == 0)
                         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 8.0F, at.y + 8.0F}, IM_COL32_WHITE, 2.0F);
-                    if (c == 1) widgets::HaloText(ImGui::GetWindowDrawList(), at, IM_COL32_WHITE, number().c_str());
+                    if (c == 1) widgets::PlateText(ImGui::GetWindowDrawList(), at, IM_COL32_WHITE, number().c_str());
                     if (c == 2)
                         ImGui::TextUnformatted("0.000");  // equal numbers below each other
                     else
@@ -76,32 +75,6 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
         });
         expect_whole("seed " + std::to_string(seed) + ", round " + std::to_string(round));
     }
-}
-
-/// A halo is eight copies around a text; eight equal texts elsewhere are not a halo.
-TEST_F(RecordingTest, OnlyHalosAreRecordedAsHalos) {
-    constexpr float r = 2.0F;
-    std::vector<ImVec2> sides(std::begin(widgets::halo_sides), std::end(widgets::halo_sides));
-    const auto lines_with = [&](const std::vector<ImVec2>& places, ImU32 first) {
-        frame([&] {
-            for (std::size_t i = 0; i < places.size(); ++i)
-                ImGui::GetWindowDrawList()->AddText({100.0F + r * places[i].x, 100.0F + r * places[i].y},
-                                                    i == 0 ? first : IM_COL32(9, 9, 9, 200), "0.5");
-            ImGui::GetWindowDrawList()->AddText({100.0F, 100.0F}, IM_COL32_WHITE, "0.5");
-        });
-        return lines_in(recorded_frame()).size();
-    };
-    const ImU32 halo = IM_COL32(9, 9, 9, 200);
-    EXPECT_EQ(lines_with(sides, halo), 1U);
-    EXPECT_EQ(lines_with(sides, IM_COL32(200, 9, 9, 200)), 9U) << "one copy has its own color";
-    std::vector<ImVec2> moved = sides;
-    moved[4] = {0.0F, -4.0F};
-    EXPECT_EQ(lines_with(moved, halo), 9U);
-    std::vector<ImVec2> column;
-    for (int row = 0; row < 8; ++row) column.push_back({0.0F, static_cast<float>(row - 8) * 6.0F});
-    EXPECT_EQ(lines_with(column, halo), 9U);
-    std::swap(sides[0], sides[2]);
-    EXPECT_EQ(lines_with(sides, halo), 9U);
 }
 
 /// Every fifth preset; all of them with VIEWING_LONG_TESTS.

@@ -94,7 +94,7 @@ class Firefox(unittest.TestCase):
         before = self.firefox.js("turns")
         self.firefox.wait(SETTLE)
         self.assertGreater(self.firefox.js("turns"), before + 20)
-        self.assertNotIn("stood still", self.firefox.js("UTF8ToString(Module._page_told())"))
+        self.assertNotIn("froze", self.firefox.js("UTF8ToString(Module._page_told())"))
 
 
 if __name__ == "__main__":

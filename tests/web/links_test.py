@@ -85,6 +85,19 @@ class Links(browser.Test):
         self.page.travel(1)
         self.assertEqual(self.page.opened(), "#preset=room")
 
+    def test_a_link_typed_as_the_page_comes_to_rest_is_opened(self):
+        self.page.open("#preset=teapot")
+        self.page.js("""(() => {
+            const later = window.setTimeout;
+            window.setTimeout = (call, ms, ...more) => ms === 500 ? (window.rest = call, 0) : later(call, ms, ...more);
+        })()""")
+        self.page.ask("page_set", "view.samples=0")
+        self.page.settle()
+        self.page.js("(location.hash = '#preset=room', window.rest())")  # before the browser reports the new address
+        self.page.settle()
+        self.assertEqual(self.page.opened(), "#preset=room")
+        self.assertEqual(self.page.address(), "#preset=room")
+
     def test_a_reload_restores_the_state(self):
         self.page.open("#preset=teapot")
         self.page.drag(VIEW, (VIEW[0] + 60, VIEW[1] + 10))

@@ -63,7 +63,7 @@ class NotKept(student.Student, browser.Checked):
         bottom = self.page.js("document.getElementById('bar').getBoundingClientRect().bottom")
         self.assertEqual(self.page.js("document.getElementById('view').getBoundingClientRect().top"), bottom, "nothing is covered")
         self.press("Save answers")
-        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+        self.assertEqual(self.attempts(self.page.downloaded(f"{student.NUMBER}.json")), [7])
         self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
         self.answer(8)
         self.page.settle(0.8)
@@ -95,7 +95,7 @@ class NotKept(student.Student, browser.Checked):
         self.page.until("the notice", self.page.notice)
         [button] = [button for button in self.page.driver.find_elements("css selector", "#notice button") if student.NUMBER in button.text]
         button.click()
-        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+        self.assertEqual(self.attempts(self.page.downloaded(f"{student.NUMBER}.json")), [7])
         self.page.complaints()  # the trap
 
     def test_blocked_storage_is_reported_for_looks_and_answers(self):
@@ -114,7 +114,7 @@ class NotKept(student.Student, browser.Checked):
         self.page.settle(0.8)
         self.assertRegex(self.bar(), r"not let this page save anything.*answers since \d\d:\d\d .*closes\.$")
         self.press("Save answers")
-        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+        self.assertEqual(self.attempts(self.page.downloaded(f"{student.NUMBER}.json")), [7])
 
     def test_an_embed_does_not_mention_looks(self):
         self.page.open("#embed&preset=teapot")

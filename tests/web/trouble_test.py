@@ -132,7 +132,7 @@ class Ended(browser.Test):
         text = keep_answers(self.page)
         self.end()
         self.buttons()["Save answers of 32201234"].click()
-        self.assertEqual(self.page.downloaded("answers-32201234.json").read_text(), text)
+        self.assertEqual(self.page.downloaded("32201234.json").read_text(), text)
 
     def test_it_is_reported_in_korean(self):
         self.page.open()

@@ -217,6 +217,29 @@ TEST_F(ViewTest, LabelsNeverCoverEachOther) {
     }
 }
 
+/// Where there is room beside the lines. Otherwise the plate keeps the label readable.
+TEST_F(ViewTest, LabelsKeepOffLines) {
+    std::mt19937 random(34);
+    std::uniform_real_distribution<float> across(150, 1100), down(150, 650);
+    const ImVec2 from(across(random), 0), to(across(random), 800);
+    start([&] {
+        LabelPlacer placer(ImGui::GetForegroundDrawList(), ImVec2(0, 0), ImVec2(1280, 800));
+        placer.AvoidLine(from, to);
+        for (int i = 0; i < 30; ++i) {  // points on the line, too
+            const float y = down(random), on_line = from.x + (to.x - from.x) * y / 800.0F;
+            placer.Place(ImVec2(i % 2 ? on_line : across(random), y), "near plane", IM_COL32_WHITE);
+        }
+        return false;
+    });
+    ASSERT_GE(context.recorded.size(), 25U);
+    for (const RecordedItem& label : context.recorded)
+        for (int i = 0; i <= 8000; ++i) {
+            const float share = static_cast<float>(i) / 8000.0F;
+            const ImVec2 at(from.x + (to.x - from.x) * share, 800.0F * share);
+            ASSERT_FALSE(at.x > label.min.x && at.x < label.max.x && at.y > label.min.y && at.y < label.max.y);
+        }
+}
+
 TEST_F(ViewTest, AFullViewDropsLabels) {
     int placed = 0;
     start([&] {
@@ -252,7 +275,7 @@ TEST_F(ViewTest, SentencesAreRecorded) {
         Trouble("The light lies in the plane.");
         Note("24-bit depth");
         ValueText("p = (1, 2)", Role::point);
-        HaloText(ImGui::GetForegroundDrawList(), ImVec2(10, 10), IM_COL32_WHITE, "n");
+        PlateText(ImGui::GetForegroundDrawList(), ImVec2(10, 10), IM_COL32_WHITE, "n");
         return false;
     });
     EXPECT_EQ(ui.text_of("trouble"), "The light lies in the plane.");

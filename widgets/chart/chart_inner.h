@@ -49,7 +49,7 @@ struct EndLabel {
     Box box;
 };
 /// Places names beside the curves' ends, to the left of `right`. Nudges them so that none covers another name or
-/// `taken`, nor a curve if a small nudge suffices. Omits names that do not fit, emphasized ones last.
+/// `taken`; avoids curves, too, if a small nudge suffices. Omits names that do not fit, emphasized ones last.
 std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCurve> curves, float right,
                                   std::vector<Box> taken);
 void DrawEndLabel(ImDrawList* draw, const EndLabel& label, const char* name, ImU32 color);

@@ -103,7 +103,7 @@ void DrawEndLabel(ImDrawList* draw, const EndLabel& label, const char* name, ImU
         draw->AddLine(label.end, ImVec2(label.box.min.x - Px(2), middle), WithAlpha(color, 0.5F),
                       Px(1) * CurrentContext().palette.stroke);
     }
-    HaloText(draw, label.box.min, color, name, CurrentContext().fonts.note);
+    PlateText(draw, label.box.min, color, name, CurrentContext().fonts.note);
     RecordRect(("label/" + std::string(name)).c_str(), label.box.min, label.box.max, name);
 }
 

@@ -84,7 +84,7 @@ std::vector<Box> DrawVerticalMarker(ImDrawList* draw, const ChartPlot& plot, con
     const ImVec2 size = inner::FaceOf(CurrentContext().fonts.note).Measure(style.marker_label);
     const bool to_left = x + Px(6) + size.x > plot.max.x;
     const ImVec2 at(std::floor(to_left ? x - Px(6) - size.x : x + Px(6)), plot.min.y + Px(3));
-    HaloText(draw, at, Shown(palette.accent), style.marker_label, CurrentContext().fonts.note);
+    PlateText(draw, at, Shown(palette.accent), style.marker_label, CurrentContext().fonts.note);
     return {{at, ImVec2(at.x + size.x, at.y + size.y)}};
 }
 

@@ -74,7 +74,8 @@ bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const Divider
          .x = min.x + edited * width,
          .text = viewing::number_text(edited, 2),
          .tip_title = "Divider",
-         .tip = viewing::marked("Drag to see more of one picture; Alt for finer steps, right-click resets it.")},
+         .tip = viewing::marked(
+             "Drag to see more of one picture; hold Alt for finer steps, right-click to reset the divider.")},
         min.y, max.y);
     ImGui::SetCursorScreenPos(cursor);
     if (style.held) *style.held = use.held || use.hovered;

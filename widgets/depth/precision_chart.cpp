@@ -48,8 +48,9 @@ inner::DragLine NearLine(const ChartPlot& plot, double near) {
             .x = PlaceOf(plot, near),
             .text = viewing::steady_figures(near),
             .tip_title = "Near",
-            .tip = viewing::marked("Drag to move the near plane; Alt for finer steps, right-click resets it. Nothing "
-                                   "nearer is drawn. The code width grows as near shrinks.")};
+            .tip = viewing::marked(
+                "Drag to move the near plane; hold Alt for finer steps, right-click to reset it. Nothing nearer than "
+                "this plane is drawn. The code width grows as the plane moves closer to the eye.")};
 }
 
 inner::DragLine FarLine(const ChartPlot& plot, double far) {
@@ -57,8 +58,8 @@ inner::DragLine FarLine(const ChartPlot& plot, double far) {
             .x = PlaceOf(plot, far),
             .text = viewing::steady_figures(far),
             .tip_title = "Far",
-            .tip = viewing::marked(
-                "Drag to move the far plane; Alt for finer steps, right-click resets it. Nothing farther is drawn.")};
+            .tip = viewing::marked("Drag to move the far plane; hold Alt for finer steps, right-click to reset it. "
+                                   "Nothing beyond this plane is drawn.")};
 }
 
 /// Returns the distances after this frame's dragging. Ignores edits that would break near < far.

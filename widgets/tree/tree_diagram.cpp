@@ -241,8 +241,8 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
         Record("fit");
         button_hovered = ImGui::IsItemHovered();
         Tooltip("Fit",
-                "Fits the whole tree; a double-click on the background does the same. Drag to move, turn the wheel to "
-                "zoom, double-click a node to collapse its subtree.");
+                "Fits the whole tree into the view; a double-click on the background does the same. Drag to move, turn "
+                "the wheel to zoom, double-click a node to collapse its subtree.");
     }
 
     ImGui::SetCursorScreenPos(min);

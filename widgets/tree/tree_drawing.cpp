@@ -1,5 +1,5 @@
-// Drawing of a tree diagram: only the visible part, with fewer details for smaller nodes. If more nodes are visible
-// than anyone could distinguish, draws only every n-th node of each level.
+// Drawing of a tree diagram: only the visible part, with fewer details for smaller nodes. If too many nodes are visible
+// to distinguish them, draws only every n-th node of each level.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -157,7 +157,7 @@ private:
                              Shown(fill));
     }
 
-    /// Marks the eye's side of a plane that has no child there.
+    /// Marks the eye's side of a plane if the node has no child on that side.
     void DrawStub(int node, ImVec2 center) {
         const TreeNode& info = At(node);
         if (info.eye_side == 0 || (info.eye_side > 0 ? info.front : info.back) >= 0) return;

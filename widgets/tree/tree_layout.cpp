@@ -55,7 +55,7 @@ private:
     struct Node {
         Children children;
         double offset = 0.0;  ///< from its parent
-        Reached thread;       ///< continuation of a contour below this leaf
+        Reached thread;       ///< where the contour continues below this leaf
         Reached ends[2];      ///< the outermost nodes of the subtree's deepest level
     };
 

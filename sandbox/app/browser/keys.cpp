@@ -99,7 +99,7 @@ const KnownKey* known(std::string_view code) {
     return at != std::end(known_keys) ? at : nullptr;
 }
 
-/// Returns the key that prints `text` on a US keyboard; null if it is not a letter, plus or minus.
+/// Returns the key that produces `text` on a US keyboard; null unless `text` is a letter, plus or minus.
 const KnownKey* printing(std::string_view text) {
     if (text == "+") return known("Equal");
     if (text == "-") return known("Minus");

@@ -7,9 +7,9 @@
 
 namespace viewing {
 
-/// Translates a key event. `code` is the key's position on a US keyboard ("KeyW"), `key` the character that the layout
-/// prints ("w"). Letters are matched by `key`, or by `code` if the layout prints no Latin letter. Returns nothing for
-/// unknown keys.
+/// Translates a key event. `code` is the key's position on a US keyboard ("KeyW"), `key` the character that the
+/// keyboard layout produces ("w"). Letters are matched by `key`, or by `code` if the layout produces no Latin letter.
+/// Returns nothing for unknown keys.
 std::optional<KeyChanged> key_changed(std::string_view code, std::string_view key, bool down, bool ctrl, bool shift);
 
 /// Fills io.KeyMap, which maps ImGui's own keys to entries of io.KeysDown.

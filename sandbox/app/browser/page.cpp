@@ -62,7 +62,7 @@ void open_link(const std::string& text) {
     link->kind == Link::Kind::preset ? session.open(link->text) : session.report(session.paste(text));
 }
 
-/// Returns the fragment that reopens the state or lesson opened last; "" for the opening state.
+/// Returns the fragment for the state or lesson that was opened last; "" for the state at startup.
 std::string opened_fragment() {
     const Workbench& workbench = page->studio.workbench;
     if (const LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
@@ -127,7 +127,7 @@ std::string matrices_text() {
     return text;
 }
 
-/// Whether reading a pixel back would block until all queued drawing is done. The page then waits between its frames
+/// Whether reading a pixel back would block until all queued drawing is done. If so, the page delays its next frame
 /// instead.
 bool waits_for_gl() {
     constexpr double patience_s = 0.25;
@@ -137,7 +137,8 @@ bool waits_for_gl() {
 /// Shorter freezes go unnoticed.
 constexpr double noticed_ms = 500.0;
 
-/// Reports a freeze one frame after the slow one, which would otherwise use up the message's time on screen.
+/// Reports a freeze in the frame after the slow one, whose length would otherwise count as the message's time on
+/// screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();
     Message& message = page->studio.session.message;
@@ -149,8 +150,8 @@ void tell_standstill() {
     page->any = true;
 }
 
-/// Whether the sandbox uses this key when embedded. Keys belong to the host page, except while a person types or
-/// chooses from a list, and except the flying keys while the pointer is over the picture.
+/// Whether the sandbox uses this key when embedded. All keys belong to the host page, with two exceptions: while a
+/// person types or chooses from a list, and the flying keys while the pointer is over the picture.
 bool uses_embedded(const KeyChanged& change) {
     constexpr std::array flying{Key::w, Key::a, Key::s, Key::d, Key::q, Key::e, Key::r, Key::f};
     const ImGuiIO& io = ImGui::GetIO();
@@ -283,7 +284,8 @@ EMSCRIPTEN_KEEPALIVE int page_key(const char* code, const char* key, int is_down
     const std::optional<KeyChanged> changed = key_changed(code, key, is_down != 0, ctrl != 0, shift != 0);
     if (!changed) return 0;
     const bool is_used = !page->studio.workbench.arrangement.embedded || uses_embedded(*changed);
-    // Forward every release, because its press may have been used, and every modifier, because the mouse uses them too.
+    // Forward every release, because its press may have been used, and every modifier, because modifiers also change
+    // mouse actions.
     if (is_used || !changed->down || changed->kind == KeyKind::modifier) push(*changed);
     return is_used ? 1 : 0;
 }
@@ -390,8 +392,8 @@ EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     page->studio.workbench.guide.moves = moves != 0;
 }
 
-/// Records the places of all controls from the next frame on. page_places() returns them as JSON: name: [x, y, width,
-/// height] in pixels. For tests.
+/// For tests: records the rectangles of all controls from the next frame on. page_places() returns them as JSON: name:
+/// [x, y, width, height] in pixels.
 EMSCRIPTEN_KEEPALIVE void page_note_places() {
     page->studio.workbench.widgets.record = true;
     push(FocusChanged{true});

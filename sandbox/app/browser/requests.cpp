@@ -138,7 +138,7 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
-    page->studio.session.take_outcome();  // discards the outcome of loading, which ended in the question
+    page->studio.session.take_outcome();  // loading ended in this question: discards that outcome
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // errors stay on screen
 }
@@ -149,7 +149,7 @@ void refuse_what_is_not_there() {
 extern "C" {
 using namespace viewing;
 
-/// Returns why page.js must not hand over a text of this size, as one sentence; "" if it may.
+/// Returns the reason, as one sentence, why page.js must not pass a text of this size; "" if it may.
 EMSCRIPTEN_KEEPALIVE const char* page_text_trouble(double bytes) {
     return given(text_trouble(static_cast<std::size_t>(bytes)));
 }
@@ -204,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
     session.update_scene();
     refuse_what_is_not_there();
     if (session.asks_to_read()) {
-        session.take_outcome();  // discards the outcome of loading, which ended in the question
+        session.take_outcome();  // loading ended in this question: discards that outcome
         return given("");
     }
     if (session.loading_fraction()) return given("");

@@ -18,7 +18,7 @@ struct WakeUp {
     WakeUp& operator=(const WakeUp&) = delete;
 };
 
-/// Collects the window's events. Letter keys are matched by the character that the keyboard's layout prints.
+/// Collects the window's events. Letter keys are matched by the character that the keyboard layout produces.
 class Events {
 public:
     InputQueue queue;
@@ -28,7 +28,7 @@ public:
     Events(const Events&) = delete;
     Events& operator=(const Events&) = delete;
 
-    /// Also collects the keys pressed in this window; any change of it wakes the first window.
+    /// Also collects the keys pressed in this window. Resizing, uncovering or closing it wakes the first window.
     void hear_keys_of(GLFWwindow* window);
 
     /// Takes pending events; if there are none, waits up to `wait_s` for one; negative: forever.

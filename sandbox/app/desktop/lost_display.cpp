@@ -20,8 +20,8 @@ int on_lost_display(void*) {
     end_saying("the window's display is gone\n");
 }
 
-/// Exits with one sentence; Xlib's own handler would print five lines and exit with 1. Another program that destroys
-/// the window counts as a lost display, too.
+/// Exits with one sentence; Xlib's own handler would print five lines and exit with 1. If another program destroys the
+/// window, the display also counts as lost.
 int on_x_error(void* /*display*/, void* /*event*/) {
     end_saying("the window is gone: the display no longer accepts its drawing\n");
 }

@@ -35,8 +35,7 @@ public:
 
     /// Sets the notes to show from the next draw() on.
     void set(Notes notes);
-    /// Draws and shows the window if something has changed: the notes, the window's size, the theme, or the window was
-    /// covered.
+    /// Draws and shows the window if its notes, size or theme have changed, or if it was covered.
     void draw(Theme theme, double device_scale);
 
 private:

@@ -109,7 +109,7 @@ Result<Window> make_window(bool checks_gl) {
     return window;
 }
 
-/// Saves text that is still being typed when the window closes, with two more frames that are not shown.
+/// Saves text that is still being typed when the window closes, by drawing two more frames that are not shown.
 void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory, bool keeps_answers) {
     if (!widgets::IsTyping(studio.workbench.widgets)) return;
     widgets::EndTyping(studio.workbench.widgets);

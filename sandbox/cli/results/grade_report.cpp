@@ -153,7 +153,7 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
 
 // ---- exercises -----------------------------------------------------------------------------------------------------
 
-/// A student's result for an exercise, as the bars distinguish it.
+/// A student's result for an exercise, one of the kinds that the bars distinguish.
 enum class AnswerOutcome { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
@@ -309,7 +309,7 @@ std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t
 std::string student_details(Grader& grader, const StudentGrade& grade) {
     std::string text = "<details><summary><b>" + foreign(grade.hand_in.student) + "</b> " +
                        foreign(grade.hand_in.name) +
-                       say(" · {points}/{of} points · {first}/{tried} at the first try · {hints}",
+                       say(" · {points}/{of} points · {first}/{tried} on the first try · {hints}",
                            "points"_a = grade.points(), "of"_a = grade.of(), "first"_a = grade.at_first_try(),
                            "tried"_a = grade.tried(), "hints"_a = say_count(grade.hints(), "1 hint", "{count} hints"));
     text += "</summary>\n<p>" + escaped(grade.file) + "</p>\n";
@@ -402,7 +402,7 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
             captioned(answer_picture(headless, with_right_matrix(step)), tr("the right matrix")) + "<div>" +
             matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
-    return section.empty() ? "" : heading(marked("What the wrong matrices do")) + section;
+    return section.empty() ? "" : heading(marked("Effects of wrong matrices")) + section;
 }
 
 }  // namespace

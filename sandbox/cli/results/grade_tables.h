@@ -1,4 +1,4 @@
-// Grades as tables: for a terminal, for a spreadsheet, or for another program. Texts from hand-ins go through
+// Grades as tables: for a terminal, for a spreadsheet, or for another program. Text from hand-ins goes through
 // printable(). Read report/grading.h first.
 #pragma once
 

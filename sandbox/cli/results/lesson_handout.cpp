@@ -1,5 +1,8 @@
 #include "cli/results/lesson_handout.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "app/picture.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
@@ -7,6 +10,7 @@
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
 #include "text/html.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -39,15 +43,27 @@ std::string person_line() {
     return line + "</p>\n";
 }
 
+/// Escapes a sentence whose formulas must not be broken at their blanks.
+std::string prose(const std::string& sentence) {
+    std::string page;
+    for (std::string_view rest = sentence; !rest.empty();) {
+        const std::string_view unbroken = unbroken_start(rest);
+        for (const char c : escaped(unbroken)) c == ' ' ? page += "&nbsp;" : page += c;
+        if (unbroken.size() < rest.size()) page += ' ';
+        rest.remove_prefix(std::min(rest.size(), unbroken.size() + 1));
+    }
+    return page;
+}
+
 std::string paragraph(const char* name, const std::string& text) {
-    return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + escaped(text) + "</p>\n";
+    return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + prose(text) + "</p>\n";
 }
 
 /// Returns the choices, or a line to write on.
 std::string answers(const Ask& ask) {
     std::string list;
-    for (const LessonChoice& choice : ask.choices) list += "<li>" + escaped(choice.say.shown()) + "</li>\n";
-    for (const LessonText& item : ask.items) list += "<li>" + escaped(item.shown()) + "</li>\n";
+    for (const LessonChoice& choice : ask.choices) list += "<li>" + prose(choice.say.shown()) + "</li>\n";
+    for (const LessonText& item : ask.items) list += "<li>" + prose(item.shown()) + "</li>\n";
     if (list.empty()) return "<div class=\"blank\"></div>\n";
     return std::string(ask.items.empty() ? "<ol>\n" : "<ol class=\"items\">\n") + list + "</ol>\n";
 }
@@ -55,8 +71,8 @@ std::string answers(const Ask& ask) {
 std::string answer_of(const LessonStep& step) {
     const Scene scene = scene_of(step.start);
     LessonNumbers numbers(step.start.params, step.start.params, scene, nullptr);
-    return "<div class=\"answer\"><strong>" + escaped(answer_in_words(step.ask, numbers.surroundings())) +
-           "</strong><br>" + escaped(step.reveal.say.shown()) + "</div>\n";
+    return "<div class=\"answer\"><strong>" + prose(answer_in_words(step.ask, numbers.surroundings())) +
+           "</strong><br>" + prose(step.reveal.say.shown()) + "</div>\n";
 }
 
 std::string step_picture(Headless& headless, const Lesson& lesson, std::size_t index) {

@@ -26,8 +26,8 @@ public:
     /// Return the exit status and the message for this comparison.
     ExitStatus status() const;
     std::string told() const;
-    /// Prints the message on standard output, unless a result goes there. Throws Failure if the message must go to
-    /// standard error.
+    /// Prints the message on standard output, unless a result goes there. Throws Failure with the message if it must go
+    /// to standard error instead.
     void tell(bool stdout_is_taken) const;
 
 private:

@@ -121,13 +121,6 @@ private:
             clusters.push_back({static_cast<int>(character.size()), 1});
         }
         const int count = static_cast<int>(glyphs.size());
-        if (line.halo.a > 0) {
-            cairo_glyph_path(page_, glyphs.data(), count);
-            set(line.halo);
-            cairo_set_line_width(page_, 2.0 * static_cast<double>(line.halo_px));
-            cairo_set_line_join(page_, CAIRO_LINE_JOIN_ROUND);
-            cairo_stroke(page_);
-        }
         set(line.ink);
         cairo_show_text_glyphs(page_, text.c_str(), static_cast<int>(text.size()), glyphs.data(), count,
                                clusters.data(), count, static_cast<cairo_text_cluster_flags_t>(0));

@@ -136,9 +136,6 @@ private:
         std::string element = "<text" + attribute("class", "f" + std::to_string(face_number(line.face))) +
                               attribute("font-size", px(line.em_px)) + attribute("x", lefts) +
                               attribute("y", px(line.baseline_px)) + painted("fill", line.ink);
-        if (line.halo.a > 0)
-            element += painted("stroke", line.halo) + attribute("stroke-width", px(2.0F * line.halo_px)) +
-                       attribute("stroke-linejoin", "round") + attribute("paint-order", "stroke");
         const float last = line.lefts_px.empty() ? 0.0F : line.lefts_px.back();
         const DrawingBox box{
             {line.lefts_px.empty() ? 0.0F : line.lefts_px.front(), line.baseline_px - 0.8F * line.em_px},

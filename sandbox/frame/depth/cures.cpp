@@ -12,7 +12,8 @@ Cure near_for_what_is_seen(const Params& params, const Derived& derived, const S
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
     cure.params.projection.near = largest_near(seen).value_or(params.projection.near);
     cure.name = say("near {near}", "near"_a = figures(cure.params.projection.near, 3));
-    cure.explanation = tr("The near plane as far away as the view allows: nine tenths of the nearest distance.");
+    cure.explanation =
+        tr("The near plane, moved as far away as the view allows: to nine tenths of the nearest visible distance.");
     return cure;
 }
 
@@ -47,16 +48,17 @@ std::vector<Cure> cures(const Params& params, const Derived& derived, const Scen
                      tr("Standard depth as a 32-bit float. It is finest near 0, at the near plane; near 1, where most "
                         "visible surfaces lie, it is no finer than 24 bits.")),
         with_mapping(params, CureKind::reversed_float, DepthMapping::reversed, DepthFormat::d32f, tr("reversed"),
-                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: the finest steps, near 0, lie far away.")),
+                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: the finest steps, those near 0, fall on "
+                        "large distances.")),
         with_mapping(params, CureKind::logarithmic, DepthMapping::logarithmic, format, tr("log"),
-                     tr("Logarithmic depth: the same number of codes for each tenfold distance.")),
+                     tr("Logarithmic depth: the same number of codes for each tenfold increase in distance.")),
     };
     if (!has_decals(scene)) return all;
     all.push_back(for_decals(params, CureKind::offset, DecalMethod::offset, tr("offset"),
                              tr("glPolygonOffset(−1, −1) for the surface on top.")));
     all.push_back(for_decals(params, CureKind::equal, DecalMethod::equal, "GL_EQUAL",
                              tr("The surface on top is drawn last, where its depth equals that of the surface below: "
-                                "only identical triangles without a gap match.")));
+                                "this works only for identical triangles without a gap.")));
     all.push_back(for_decals(params, CureKind::stencil, DecalMethod::stencil, tr("stencil"),
                              tr("The surface below marks its pixels; the one on top is drawn only there, without a "
                                 "depth test, so any part that sticks out is lost.")));

@@ -1,5 +1,5 @@
-// The cures for depth fighting, each applied alone: the state with one change, so that all cures can be counted on the
-// same fight. Pure.
+// The cures for depth fighting, each applied alone: the state with one change, so that wrong pixels can be counted for
+// all cures in the same scene. Pure.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct Cure {
     Params params;            ///< the state with the cure applied; unchanged if it already has it
 };
 
-/// Returns the cures in the order of CureKind; those for decals only if the scene has decals. The cure for near uses
-/// the value of near_advice() in any case, and changes nothing if something reaches up to the eye.
+/// Returns the cures in the order of CureKind; those for decals only if the scene has decals. The cure that changes
+/// near uses largest_near(), even if near is already fine; it changes nothing if something reaches up to the eye.
 std::vector<Cure> cures(const Params& params, const Derived& derived, const Scene& scene);
 
 }  // namespace viewing

@@ -12,7 +12,7 @@ bool has_decals(const Scene& scene);
 
 /// Returns each object's stencil value: its own value if it has a decal on it, the value of the object below for a
 /// decal, 0 for anything else. A decal lies on the first flat object that is not a decal and nearly coplanar with it
-/// (frame/depth/fighting.h); a decal on nothing has 0. After 252 objects the values repeat.
+/// (frame/depth/fighting.h); a decal without such an object has 0. After 252 objects the values repeat.
 std::vector<int> decal_marks(const Scene& scene);
 
 }  // namespace viewing

@@ -41,7 +41,7 @@ void read_codes(std::span<const std::uint32_t> stored, const DepthPrecision& rea
     }
 }
 
-/// Replaces the fraction of the window depth with that of the eye distance between near and far.
+/// Replaces the fraction of the window depth range with the fraction of the eye distance between near and far.
 void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) {
     const auto near = static_cast<float>(lens.near), range = static_cast<float>(lens.far - lens.near);
     for (std::size_t i = 0; i < count; ++i)

@@ -17,7 +17,7 @@ namespace viewing {
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls);
 
 struct DepthData {
-    std::optional<PixelReport> pixel;  ///< the pinned pixel, else the one under the pointer; none if there is neither
+    std::optional<PixelReport> pixel;  ///< the pinned pixel, else the pixel under the pointer, if any
     std::vector<Fragment> fragments;   ///< on its ray, in drawing order
 
     std::vector<DrawCall> calls;     ///< of the whole frame, in order

@@ -13,7 +13,7 @@ namespace viewing {
 /// The points of a curve: (eye distance, step Δz), from near to far.
 using StepPoints = std::vector<glm::dvec2>;
 
-/// The total step of a format and a mapping.
+/// The total step Δz with a format and a mapping.
 struct StepCurve {
     DepthFormat format = DepthFormat::d24;
     DepthMapping mapping = DepthMapping::standard;
@@ -26,8 +26,8 @@ struct PrecisionCurves {
     std::vector<StepCurve> others;        ///< 16 bit, 24 bit and float32 with each mapping, except the current one
 };
 
-/// Returns the curves for the state's near and far. Each curve begins at the first distance that surely has a different
-/// code than the near plane.
+/// Returns the curves for the state's near and far. Each curve begins at the first distance whose code surely differs
+/// from that of the near plane.
 PrecisionCurves precision_curves(const Params& params, const Derived& derived);
 
 /// Returns a curve's name: "24 bit", "24 rev", "float log".

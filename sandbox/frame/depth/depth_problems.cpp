@@ -102,7 +102,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                 depth.reversed_zero_to_one
                     ? tr("this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
                          "away a float's fine steps near 0, so little is gained")
-                    : tr("reversed depth in a clip range of −1 to 1: halving it and adding a half rounds away a "
+                    : tr("reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                          "float's fine steps near 0, so little is gained"));
     tell.broken(!depth.reversed_clear && wants_nearer(depth),
                 tr("reversed depth is 0 at the far plane, but the buffer is cleared to 1: nothing can be nearer, so "
@@ -130,7 +130,7 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || !has_decals(scene)) return;
     tell.broken(method == DecalMethod::equal, tr("GL_EQUAL: a decal passes only where its depth rounds to exactly that "
-                                                 "of the surface below; with different triangles, it stipples"));
+                                                 "of the surface below; with different triangles, it is stippled"));
     for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
         if (scene.objects[i].description.decal && derived.object_marks[i] == 0)
             return tell.broken(
@@ -138,12 +138,15 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
                 tr("a decal that lies on no flat object is left out: no mark in the stencil says where to draw it"));
 }
 
-/// Reports omissions from the picture that do not make it wrong.
+/// Reports what the picture omits without being wrong.
 void say_omissions(Sayer& tell, const Params& params) {
-    tell.broken(params.view.call >= 0,
-                tr("the frame is drawn only up to the step in the cell view: release it there, or undo"), "view.call");
+    tell.broken(
+        params.view.call >= 0,
+        tr("the frame is drawn only up to the step chosen in the cell view: go to the last step there, or undo"),
+        "view.call");
     tell.broken(params.view.pass >= 0,
-                tr("the frame is drawn only up to one of its passes: release it in the list of passes, or undo"),
+                tr("the frame is drawn only up to one of its passes: click that pass in the list of passes to draw the "
+                   "whole frame, or undo"),
                 "view.pass");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
     tell.broken(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,

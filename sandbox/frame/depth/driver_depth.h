@@ -10,7 +10,7 @@ namespace viewing {
 
 struct StoredDepth {
     DepthPrecision precision;  ///< as stored: {32, true} is float32
-    /// Codes per unit of glPolygonOffset; for a float, the codes between 1/2 and 1 count. A multiple of 1/4, 0 to 16.
+    /// Codes per unit of glPolygonOffset; for a float, codes between 1/2 and 1 are meant. A multiple of 1/4, 0 to 16.
     /// None if not measured.
     std::optional<double> unit_codes;
     bool operator==(const StoredDepth&) const = default;

@@ -23,7 +23,7 @@ struct FlatPair {
     double radius = 0.0;                 ///< distance from the center to the farthest corner of the two
     bool first_is_decal = false, second_is_decal = false;
 
-    /// For a coplanar pair: the only decal of the two is on top; without one, the second object is.
+    /// For a coplanar pair: if exactly one of the two is a decal, it is on top; otherwise, the second object is.
     bool first_lies_on_top() const { return first_is_decal && !second_is_decal; }
     bool has_one_decal() const { return first_is_decal != second_is_decal; }
 
@@ -45,14 +45,14 @@ DepthCoding depth_coding(const Params& params, const Derived& derived);
 /// Returns how far apart the window depths of two surfaces that should be equal may be before they are stored, at an
 /// eye distance between near and far: the effect of rounding to float32 on the way. `span` is how much nearer to the
 /// eye the surfaces extend: depth is interpolated across them, so the larger values at their near ends are rounded too.
-/// Source: facts §3, with the largest error of each float32 rounding added up.
+/// Adds up the largest error of each float32 rounding.
 double depth_rounding(const DepthCoding& coding, double distance, double span = 0.0);
 
-/// The smallest gap at which depth distinguishes two surfaces, whatever their codes: below this sum they fight. In eye
-/// distance, from a surface toward the eye.
+/// The smallest gap at which depth distinguishes two surfaces wherever their depths fall within a code: with a gap
+/// below this sum, they fight. In eye distance, from a surface toward the eye.
 struct FightingOnset {
-    double quantisation = 0.0;  ///< added by the float32 arithmetic before depth is stored
-    double arithmetic = 0.0;    ///< added by the float32 arithmetic before the store
+    double quantisation = 0.0;  ///< one whole code, but at most the distance to the near plane
+    double arithmetic = 0.0;    ///< added by the float32 arithmetic before depth is stored
     bool is_reachable = true;   ///< false: even a surface on the near plane may have the same code
 
     double gap() const { return quantisation + arithmetic; }

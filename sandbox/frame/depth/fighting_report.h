@@ -26,7 +26,7 @@ struct CountedPair {
 
 struct FightingCounts {
     std::vector<CountedPair> pairs;
-    std::int64_t wrong_elsewhere = 0;     ///< likewise away from edges
+    std::int64_t wrong_elsewhere = 0;     ///< likewise, at other pixels away from edges
     std::int64_t bleeding_elsewhere = 0;  ///< of these, where GL shows an object behind the visible one
     std::int64_t vanished_elsewhere = 0;  ///< of these, where GL shows the background
     std::int64_t pixels_elsewhere = 0;
@@ -36,8 +36,8 @@ struct FightingCounts {
     double wrong_fraction() const;
 };
 
-/// The share of a pair's wrong pixels, from several cameras that jitter like animation.jiggle: the codes that the
-/// pixels meet are random, so one picture says little.
+/// The share of a pair's wrong pixels, from several cameras that jitter like animation.jiggle: the depth codes at the
+/// pixels are as good as random, so one picture says little.
 struct ShareSpread {
     int cameras = 0;  ///< those that see pixels of the pair
     double sum = 0.0, least = 1.0, most = 0.0;
@@ -78,7 +78,8 @@ struct FightingReport {
     std::string problem;  ///< a sentence if nothing could be counted
 };
 
-/// The number of cameras for a spread, and one of these cameras, counted from 0: the state's own camera, jittered.
+/// The number of cameras for a spread, and the state with one of these cameras (counted from 0), which is the state's
+/// own camera, jittered.
 constexpr int spread_cameras = 12;
 Params trembling(const Params& state, int camera);
 

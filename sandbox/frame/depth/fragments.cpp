@@ -175,7 +175,8 @@ private:
     std::uint32_t depth_, stencil_ = 0;
 };
 
-/// Masks and shadows have one flat color; so does the scene when overdraw is added up, but it counts.
+/// Returns false for masks and shadows, which have one flat color. The scene also has one while overdraw is added up,
+/// but it does show surfaces.
 bool shows_surfaces(const Pass& pass) {
     return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
 }
@@ -240,7 +241,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     static const Mesh quad = quad_mesh();
     static const BoxTree quad_tree = BoxTree::of_triangles(quad);
     std::vector<Batch> batches;
-    std::set<std::size_t> patches;  // two passes draw a patch, lit and in shadow; only one draws a pixel
+    std::set<std::size_t> patches;  // two passes draw each patch, lit and in shadow, but only one draws this pixel
     int next_call = 0;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         if (plan.limit.pass >= 0 && static_cast<int>(number) > plan.limit.pass) break;

@@ -26,7 +26,7 @@ struct Fragment {
     bool is_sent = true;  ///< false: the method found another surface here, and GL never gets this one
     bool culled = false;  ///< rejected because of the way it faces
     bool passes = false;  ///< not culled, and depth and stencil tests pass
-    bool drawn = false;   ///< writes its color when it is drawn: the last such fragment is visible
+    bool drawn = false;   ///< writes its color; the last fragment that does is visible
     bool tie = false;     ///< its code equals the code that it is compared with
     double step = 0.0;    ///< depth_step() at its distance
 

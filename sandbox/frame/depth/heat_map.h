@@ -25,8 +25,8 @@ struct HeatMap {
     static constexpr std::size_t entry_count = 256;
 
     /// fighting_onset().gap(), which is one code plus the arithmetic before it, over the logarithm of the eye distance:
-    /// the first entry is at near, the last at far. Very close to near no gap is wide enough; there, an entry repeats
-    /// the value of the nearest distance where one is, which is wider than the space in front of it. All entries are
+    /// the first entry is at near, the last at far. Very close to near, the space up to the near plane is too narrow
+    /// for any sufficient gap; these entries repeat the value of the nearest distance that has one. All entries are
     /// positive.
     std::array<double, entry_count> onsets{};
     double near = 1.0, far = 2.0;
@@ -44,8 +44,8 @@ struct HeatMap {
 HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scene);
 
 /// Colors for a gap divided by its onset: at 0, ½ and just below 1, where the surfaces share codes, then at 1, 2 and
-/// from 4 on. Interpolated linearly below 1 and logarithmically above. Fighting is dark and red, safety light and blue,
-/// so the order is visible without color, too.
+/// from 4 on. Interpolated linearly below 1 and logarithmically above. Colors for fighting are dark and red, colors for
+/// safe gaps light and blue, so the order is visible without color, too.
 inline constexpr std::array<Color, 6> heat_colors = {{{0x8e, 0x1b, 0x12},
                                                       {0xc0, 0x36, 0x1e},
                                                       {0xe4, 0x57, 0x2e},

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_gain = 4.0;   // with a smaller factor, near is fine
+constexpr double least_gain = 4.0;   // if less can be gained, near is fine
 constexpr double margin = 0.9;       // fraction of the nearest distance, so that a small camera move clips nothing
 constexpr double least_near = 1e-3;  // anything nearer reaches up to the eye
 
@@ -155,10 +155,10 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
         is_finer
             ? marked(
                   "near = {near} cuts into {object}, whose nearest point is at {nearest}: near = {better} would keep "
-                  "it whole, and the safe gap at z = {z} would be {then} instead of {now}, {factor} times finer.")
+                  "it whole, and the safe gap at z = {z} would be {then} instead of {now}, {factor} times smaller.")
             : marked(
                   "near = {near} cuts into {object}, whose nearest point is at {nearest}: near = {better} would keep "
-                  "it whole, but the safe gap at z = {z} would be {then} instead of {now}, {factor} times coarser.");
+                  "it whole, but the safe gap at z = {z} would be {then} instead of {now}, {factor} times larger.");
     return {true, near,
             say(fmt::runtime(sentence), "near"_a = near_now, "object"_a = object_text(nearest.name),
                 "nearest"_a = figures(rounded_down(nearest.nearest)), "better"_a = figures(near), "z"_a = figures(z),
@@ -197,7 +197,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
 }
 
 std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std::size_t most) {
-    constexpr double told_apart = 1.02;  // things with a smaller ratio of distances share a mark
+    constexpr double told_apart = 1.02;  // things whose distances have a smaller ratio share a mark
     std::vector<const SeenThing*> things;
     for (const SeenThing& thing : seen)
         if (thing.nearest > 0.0) things.push_back(&thing);
@@ -247,7 +247,7 @@ std::optional<NearAdvice> near_advice(const Params& params, const Derived& deriv
     if (!(change.now >= least_gain * change.then)) return std::nullopt;
     return NearAdvice{false, near,
                       say("Nothing is nearer than {nearest}: with near = {near}, the safe gap at z = {z} would be "
-                          "{then} instead of {now}, {factor} times finer.",
+                          "{then} instead of {now}, {factor} times smaller.",
                           "nearest"_a = figures(rounded_down(nearest.nearest)), "near"_a = figures(near),
                           "z"_a = figures(change.z), "then"_a = figures(change.then), "now"_a = figures(change.now),
                           "factor"_a = figures(change.now / change.then))};

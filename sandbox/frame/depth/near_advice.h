@@ -21,7 +21,7 @@ struct SeenThing {
 /// Returns the things in view, in the order of the scene, then the patch. Exact: clips every triangle.
 std::vector<SeenThing> seen_things(const Params& params, const Derived& derived, const Scene& scene);
 
-/// Things at nearly the same distance under one name.
+/// One mark for things at nearly the same distance.
 struct DistanceMark {
     std::string label;  ///< name of the nearest thing, and the number of others: "torus +2"
     double z = 0.0;     ///< eye distance at which the nearest thing begins

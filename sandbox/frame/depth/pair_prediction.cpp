@@ -9,8 +9,8 @@
 namespace viewing {
 namespace {
 
-constexpr double says_nothing = 0.9;  ///< an interval this wide or wider
-constexpr double fewest_codes = 2.0;  ///< that a surface must cross so that its pixels sample all phases of a code
+constexpr double says_nothing = 0.9;  ///< an interval of at least this width predicts nothing
+constexpr double fewest_codes = 2.0;  ///< codes to cross, at least, for pixels to sample all phases of a code
 constexpr double most_codes_a_pixel = 0.5;
 
 ShareInterval certainly(double share) {
@@ -142,8 +142,9 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
 }
 
 /// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit is: it is
-/// measured; it is one if the sandbox itself moves depths of few bits; otherwise it is at least one. `lead` and
-/// `most_lead`: how many codes the right surface is nearer without the offset, at least and at most.
+/// measured; it is one if the sandbox itself offsets depths (formats with few bits); otherwise, it is at least one.
+/// `lead` and `most_lead`: by how many codes, at least and at most, the surface that should be visible is nearer
+/// without the offset.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {

@@ -14,9 +14,9 @@ struct ShareInterval {
     bool holds(double share) const { return least <= share && share <= most; }
 };
 
-/// Returns the share of wrong pixels of surfaces `gap_codes` to `most_gap_codes` (not less) apart, whose codes meet the
-/// pixels at random. Arithmetic moves the two by at most `arithmetic_codes` relative to each other. A tie is the same
-/// code. Without arithmetic, a tie has the probability 1 − gap, and 0 for gaps of at least one code.
+/// Returns the share of wrong pixels of surfaces `gap_codes` to `most_gap_codes` (not less) apart, whose codes fall on
+/// the pixels at random. Arithmetic moves the two by at most `arithmetic_codes` relative to each other. In a tie, both
+/// have the same code. Without arithmetic, the probability of a tie is 1 − gap, or 0 for gaps of at least one code.
 ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, double arithmetic_codes,
                                     bool tie_is_wrong);
 
@@ -31,7 +31,6 @@ struct PairPrediction {
     /// logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes (all of their
     /// pixels have the same one) or more than one in two pixels (pixel positions decide which ones), decals drawn with
     /// GL_EQUAL, and a polygon offset that does not surely exceed one code.
-    /// polygon offset that does not surely exceed one code.
     std::optional<ShareInterval> wrong_share;
 };
 

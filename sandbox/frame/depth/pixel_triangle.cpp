@@ -14,8 +14,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Returns the areas between a point next to the center and the edges opposite the corners: the corners' weights at
-/// that point, up to their sum.
+/// Returns the areas between a point next to the center and the edges opposite the corners. Divided by their sum, they
+/// are the corners' weights at that point.
 glm::dvec3 areas(const PixelTriangle& triangle, const glm::dvec2& beside_px) {
     std::array<glm::dvec2, 3> to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = triangle[i].offset_px - triangle[i].w * beside_px;

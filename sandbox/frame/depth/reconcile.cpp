@@ -52,7 +52,7 @@ void decide(Fragment& fragment, bool passes) {
     fragment.passes = passes;
 }
 
-/// Nothing wrote depth, so everything was compared with the previous frame's value.
+/// No fragment wrote depth, so all were compared with the previous frame's value.
 void compare_with_last_frame(std::vector<Fragment>& fragments, const PixelReport& report) {
     for (Fragment& fragment : fragments) {
         if (!is_compared(fragment)) continue;

@@ -43,8 +43,8 @@ struct HiddenDrawing {
     bool is_cut = false;                  ///< canceled before the last triangle
 };
 
-/// Draws the polygons up to the step, or the picture at the step. If canceled, has at least the first 32,768 polygons,
-/// so that a quick drawing is complete.
+/// Draws the polygons up to the step, or the picture at the step. If canceled, the drawing has at least the first
+/// 32,768 polygons, so that a quick one is complete.
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
 /// Red where two pictures differ, a veil elsewhere.

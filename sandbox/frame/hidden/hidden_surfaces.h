@@ -41,8 +41,8 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
 
 /// The operations of a method up to the requested step. −1: not counted by this method.
 struct HiddenCounters {
-    std::int64_t polygons = 0;  ///< left out beforehand because of the way they face
-    std::int64_t culled = 0;    ///< left out before, because of their facing
+    std::int64_t polygons = 0;  ///< given to the method
+    std::int64_t culled = 0;    ///< left out beforehand because of the way they face
     std::int64_t comparisons = -1, swaps = -1, splits = -1;
     std::int64_t fragments = -1;   ///< polygons after cutting
     std::int64_t tree_depth = -1;  ///< 1 for a tree with only a root
@@ -101,7 +101,7 @@ struct HiddenResult {
     bool is_canceled = false;
 };
 
-/// Returns the sentence for a canceled method that has no more specific one.
+/// Returns the sentence for a canceled method that has none of its own.
 std::string sentence_of_canceled();
 
 /// Returns whether rays meet curved shapes exactly; their triangles are used while culling distinguishes front and

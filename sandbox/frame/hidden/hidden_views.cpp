@@ -20,7 +20,8 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
            has_other_camera;
 }
 
-/// Returns the painter's algorithm's worst error, in a picture that costs little compared with the view's.
+/// Returns the painter's algorithm's worst error in a small picture, which takes little time compared with that of the
+/// view.
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;

@@ -27,7 +27,7 @@ struct HiddenAnswer {
     std::shared_ptr<const HiddenResult> camera{}, mirrored{}, other{};
     HiddenPictures pictures{};  ///< without the difference if GL has to draw one of the two pictures
     std::int64_t different_pixels = -1, compared_pixels = -1;
-    std::optional<WrongPair> painter_fails{};  ///< by the painter's algorithm; searched for in a small picture
+    std::optional<WrongPair> painter_fails{};  ///< by the painter's algorithm; found in a small picture
 
     /// Returns a sentence if a method stopped at a budget or was canceled; otherwise empty.
     std::string problem() const;

@@ -35,7 +35,8 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     beyond.clip_planes = {-towards_eye};
     passes.back().name = tr("Objects in front of the plane");
     passes.back().clip_planes = {towards_eye};
-    // A mirror lets its image show through, but must not show the objects behind it: the mask keeps them out.
+    // The patch of a mirror is transparent for its image, but must not show the objects behind it: the mask excludes
+    // them.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
     if (has_mask) beyond.stencil = stencil_of_objects_beyond(passes.front());
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
@@ -78,7 +79,8 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;
-    frame.passes.push_back(difference_pass(tr("red where the two methods see different polygons, dimmed elsewhere")));
+    frame.passes.push_back(
+        difference_pass(tr("colors a pixel red where the two methods see different polygons, and dims all others")));
 }
 
 void count_overdraw(FramePlan& frame) {

@@ -100,7 +100,7 @@ const char* sentence_of(ShadowRay ray) {
             return tr("p lies behind the plane: the ray meets the plane first, so s is a false shadow.");
         case ShadowRay::beyond_light:
             return tr(
-                "p is farther from the plane than the light: the line meets the plane behind the light, where w has "
+                "p is farther from the plane than the light is: the line meets the plane behind the light, where w has "
                 "the opposite sign, so s is an anti-shadow.");
         case ShadowRay::parallel:
             return tr("The ray is parallel to the plane: w = 0, and s lies at infinity.");

@@ -39,7 +39,7 @@ struct ShadowDerivation {
     double n_dot_l = 0.0, n_dot_p = 0.0;
     double light_height = 0.0;  ///< n·l + d; for a parallel light, n·l
     double point_height = 0.0;  ///< n·p + d
-    double w = 0.0;             ///< of S p = (Π·L) p − (P·p) L
+    double w = 0.0;             ///< w of S p = (Π·L) p − (P·p) L
 
     /// Point light: s = l + t (p − l), t = (n·l + d)/(n·l − n·p).
     /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 if there is no s.

@@ -11,9 +11,9 @@ namespace viewing {
 
 /// One line of an array fill: name[index] = expression;
 struct CodeLine {
-    int index = 0;           ///< in C, with plane[0 … 3], lightpos[0 … 3] and dot
+    int index = 0;           ///< in the array
     std::string expression;  ///< in C, of plane[0 … 3], lightpos[0 … 3] and dot
-    int row = 0;             ///< of the entry that GL, which reads by columns, takes it as
+    int row = 0;             ///< of the matrix entry that it becomes, since GL reads by columns
     int column = 0;
     double value = 0.0;
 };
@@ -21,7 +21,8 @@ struct CodeLine {
 /// All lines in the order of their indices.
 using CodeLines = std::array<CodeLine, 16>;
 
-/// Returns ShadowMatrix for a plane and a light, filled by columns. It equals the S shown only for a unit normal.
+/// Returns ShadowMatrix for a plane and a light, filled by columns. It equals the displayed S only if the normal is a
+/// unit vector.
 CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// Returns R for a plane, correct for a unit normal; with `plus_2ab`, its second line has the slide's +2ab.

@@ -36,7 +36,7 @@ glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
 }
 
-/// Reports the depth precision that the mirror as the near plane costs or gains.
+/// Reports how much depth precision is lost or gained by using the mirror as the near plane.
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                  const FramePlan& frame) {
     constexpr double alike = 1.05;
@@ -45,14 +45,14 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
     if (!depth) return;
     tell.broken(depth->greatest > alike,
-                say("the mirror is the image's near plane, which makes depth coarser: up to {factor} times, at z = {z}",
+                say("the mirror is the image's near plane, which makes depth up to {factor} times coarser, at z = {z}",
                     "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance)),
                 "reflection.clip");
     const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
     tell(depth->greatest <= alike && 1.0 / depth->least > alike,
-         least == most ? say("the mirror is the image's near plane, which makes depth finer: about {factor} times",
+         least == most ? say("the mirror is the image's near plane, which makes depth about {factor} times finer",
                              "factor"_a = most)
-                       : say("the mirror is the image's near plane, which makes depth finer: {least} to {most} times",
+                       : say("the mirror is the image's near plane, which makes depth {least} to {most} times finer",
                              "least"_a = least, "most"_a = most));
 }
 
@@ -66,8 +66,8 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
         "reflection.clip");
     tell.broken(!reflection.side_of_eye && std::any_of(mirrors.begin(), mirrors.end(),
                                                        [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
-                tr("the mirror is seen from behind, but the normal's side is mirrored: the eye sees the image of the "
-                   "objects behind the mirror"),
+                tr("the mirror is seen from behind, but the side that the normal points to is mirrored: the eye sees "
+                   "the image of the objects behind the mirror"),
                 "reflection.side_of_eye");
     if (reflection.clip != MirrorClip::none) return;
     for (const Mirror& mirror : mirrors) {
@@ -80,10 +80,11 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
                                "reflection.clip");
         const std::string behind = objects_at_most(scene, mirror.towards_eye(), -standing);
         if (!behind.empty())
-            return tell.broken(true,
-                               say("{objects} behind the mirror: without clipping, the image appears in front of it",
-                                   "objects"_a = behind),
-                               "reflection.clip");
+            return tell.broken(
+                true,
+                say("{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
+                    "objects"_a = behind),
+                "reflection.clip");
     }
 }
 
@@ -100,8 +101,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     };
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
     tell.broken(!reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
-                tr("R mirrors in the infinite plane, not its patch: without the stencil, the image shows beyond the "
-                   "mirror's edge"),
+                tr("R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
+                   "beyond the mirror's edge"),
                 "reflection.stencil");
     tell.broken(
         reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
@@ -141,8 +142,8 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
     const ReflectionParams& reflection = params.reflection;
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
     tell.broken(!reflection.flip_winding && (culls || params.view.shows == Shows::facing),
-                culls ? tr("R reverses winding (det R = −1), counterclockwise to clockwise: without the flip, the "
-                           "image's front faces are culled and it appears inside out")
+                culls ? tr("R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
+                           "front faces are culled, and the image appears inside out")
                       : tr("R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
                            "front faces count as back-facing"),
                 "reflection.flip_winding");
@@ -158,8 +159,8 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
         return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;
     };
     tell.broken(reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
-                tr("R is filled by rows as printed, but OpenGL reads columns: Rᵀ has −2d n in its last row, where it "
-                   "changes w instead of moving the image"),
+                tr("R is filled row by row as printed, but OpenGL reads columns: Rᵀ has −2d n in its last row, where "
+                   "it changes w instead of moving the image"),
                 "reflection.printed_by_rows");
 }
 

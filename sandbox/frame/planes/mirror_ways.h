@@ -20,7 +20,7 @@ const char* name_of(MirrorWay way);
 
 /// One way compared with the first.
 struct MirrorWayReport {
-    std::int64_t different = 0;                  ///< pixels unlike the first picture's pixel there and its neighbors
+    std::int64_t different = 0;                  ///< pixels unlike the first picture's same pixel and its neighbors
     int worst = 0;                               ///< largest difference of these pixels, in levels
     double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
     std::int64_t distinct_depths = 0;            ///< number of different codes

@@ -16,7 +16,7 @@ public:
 
     glm::dvec4 clip(const glm::dvec3& at_world) const { return clip_from_world_ * glm::dvec4(at_world, 1.0); }
 
-    /// Returns world units along the direction.
+    /// Returns the width of a code along the direction, in world units.
     double width_of_code(const glm::dvec3& at_world, const glm::dvec3& direction) const {
         const glm::dvec4 here = clip(at_world), change = clip_from_world_ * glm::dvec4(direction, 0.0);
         const double share = zero_to_one_ ? 1.0 : 0.5;

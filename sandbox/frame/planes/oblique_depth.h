@@ -1,4 +1,4 @@
-// Measures the effect of the mirror as the near plane on depth in the image: along each view ray, codes are closer
+// Measures how depth in the image changes if the mirror is the near plane: along each view ray, codes are closer
 // together or farther apart than with the near plane of P. Read mirror_problems.cpp, which reports it.
 #pragma once
 

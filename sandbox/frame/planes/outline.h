@@ -1,4 +1,5 @@
-// The outline of an object as the light sees it: the vertices whose rays graze past it to the edge of its shadow.
+// The outline of an object as the light sees it: the vertices at which light rays graze the object and reach the edge
+// of its shadow.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_images = 64, most_drawings = 256;
 
-/// Returns the total number of images if `mirrors` mirrors each show all the others.
+/// Returns the total number of images if each of `mirrors` mirrors shows all the others.
 int image_count(int mirrors, int depth) {
     int all = 0, at_depth = mirrors;
     for (int level = 0; level < depth && all <= most_images; ++level) {

@@ -15,7 +15,8 @@ std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4
     std::vector<ClipPlane> clips;
     if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
-        // Slightly before w = 0, where float32 may get its sign wrong: a light may almost touch a caster.
+        // Slightly before w = 0, since float32 may get the sign of w wrong there, and a light may almost touch a
+        // caster.
         constexpr double smallest_w = 1e-5;
         glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
         w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
@@ -104,7 +105,7 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
         Pass mask =
             shadow_pass(level, plane, light,
                         is_alone ? tr("Shadow mask") : say("Shadow mask of light {light}", "light"_a = light + 1),
-                        tr("marks where the light is missing: no color yet"));
+                        tr("marks the pixels that the light does not reach; draws no color yet"));
         mask.color_write = false;
         mask.depth.test = false;
         mask.stencil = stencil_of_shadow(level, plane, light);
@@ -119,10 +120,10 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
         patch.name = level.placed(name_without(level, missing));
-        patch.reason = missing.empty() ? tr("where the stencil is clear, the light arrives")
+        patch.reason = missing.empty() ? tr("where the stencil marks no shadow, the patch is fully lit")
                        : shining.empty()
                            ? tr("where the stencil marks a shadow, only ambient light arrives")
-                           : tr("where the stencil marks these lights as missing, only the others arrive");
+                           : tr("where the stencil marks the shadows of these lights, only the other lights arrive");
         patch.stencil = stencil_of_patch_without(level, plane, missing);
         passes.push_back(patch);
     }

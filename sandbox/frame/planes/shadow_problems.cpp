@@ -18,7 +18,7 @@ struct Thrown {
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
-    /// The dot product of right_w() and p is the w that p's projection should have: positive between light and plane.
+    /// The dot product of right_w() and p is the correct w of p's projection: positive between light and plane.
     glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
@@ -44,16 +44,17 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
-        across.empty() ? tell.broken(true,
-                                     say("w ≤ 0 for the part of {objects} beyond the light: its sign is forced, so it "
-                                         "casts an anti-shadow",
-                                         "objects"_a = beyond),
-                                     "shadow.sign")
-                       : tell.broken(true,
-                                     say("w ≤ 0 for the part of {objects} beyond the light: its sign is forced, so it "
-                                         "casts an anti-shadow, and triangles that cross w = 0 stretch to infinity",
-                                         "objects"_a = beyond),
-                                     "shadow.clip_at_light");
+        across.empty()
+            ? tell.broken(true,
+                          say("the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
+                              "casts an anti-shadow",
+                              "objects"_a = beyond),
+                          "shadow.sign")
+            : tell.broken(true,
+                          say("the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
+                              "casts an anti-shadow, and triangles that cross w = 0 stretch to infinity",
+                              "objects"_a = beyond),
+                          "shadow.clip_at_light");
     else if (!across.empty())
         tell(true, say("the plane w = 0 through the light cuts {objects}: the shadow extends to infinity, and only "
                        "GL's clipping removes the part beyond (w ≤ 0)",
@@ -116,8 +117,8 @@ void say_offset(Sayer& tell, const Params& params) {
 /// Reports errors of painted shadows that missing light avoids.
 void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
     tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
-                tr("each face of each caster is blended over the others: without the stencil's count, the shadow "
-                   "darkens wherever they overlap"),
+                tr("each face of each caster is blended separately: unless the stencil counts them, the shadow is "
+                   "darker wherever faces overlap"),
                 "shadow.stencil_once");
     const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
     tell.broken(

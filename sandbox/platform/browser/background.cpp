@@ -96,7 +96,7 @@ BackgroundCall::BackgroundCall(std::function<void()> work) : state_(std::make_sh
     if (!std::exchange(is_running, true)) page_begin_work(reinterpret_cast<void*>(run_waiting), end_of_stack());
 }
 
-/// Tasks live as long as the page. Work whose task ends earlier has been waited for, or has not begun.
+/// Tasks live as long as the page. If a task is destroyed earlier, its work has been waited for or has not begun.
 BackgroundCall::~BackgroundCall() {
     if (!state_->has_begun) state_->is_done = true;
 }

@@ -129,7 +129,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argumen
 bool ChildProcess::give(std::string_view text) {
     struct sigaction ignore {};
     struct sigaction before {};
-    ignore.sa_handler = SIG_IGN;  // a child that has ended is a result, and must not end this process
+    ignore.sa_handler = SIG_IGN;  // writing to a child that has ended must not end this process
     ::sigaction(SIGPIPE, &ignore, &before);
     std::size_t written = 0;
     while (state_->input.is_open() && written < text.size()) {

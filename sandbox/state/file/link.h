@@ -33,8 +33,8 @@ struct Link {
 };
 
 /// Reads a link, ignoring blanks at its end. The error is one sentence about an unknown or repeated key, an impossible
-/// value, or a state that has another version, is truncated or damaged, exceeds 16 MiB, or does not end where it
-/// should. Never decompresses more than 16 MiB. Does not check the JSON.
+/// value, or a state that has another version, is truncated or damaged, exceeds 16 MiB, or is followed by other bytes.
+/// Never decompresses more than 16 MiB. Does not check the JSON.
 Result<Link> read_link(std::string_view text);
 
 }  // namespace viewing

@@ -328,7 +328,7 @@ void read_group(Params& params, const Json& object, const Where& where) {
 void refuse_unknown(const Where& where) {
     const std::vector<std::string> known = known_paths();
     const std::string_view word = last_of(where.path);
-    // Covers a typo anywhere in the path, and the right word in the wrong group.
+    // Covers a typo anywhere in the path, and a correct name in the wrong group.
     const auto distance = [&](const std::string& path) {
         return std::min(edit_distance(where.path, path), edit_distance(word, last_of(path)) + 1);
     };

@@ -136,7 +136,7 @@ Json described(const Field& field) {
     return schema;
 }
 
-/// A key that one shape requires or allows, and all others forbid.
+/// A key that only one shape requires or allows.
 Json only_of(ShapeKind shape, const char* key, bool is_needed) {
     const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
     const Json has_key = {{"required", Json::array({key})}};

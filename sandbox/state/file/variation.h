@@ -14,7 +14,7 @@ enum class Ease {
 };
 
 /// "light.position[0]=-3:3:61": a path, two or more values, and the number of pictures. Values are JSON or strings,
-/// spaced evenly. Numbers and lists of numbers are interpolated; all other values hold until the next one.
+/// spaced evenly. Numbers and lists of numbers are interpolated; all other values stay constant until the next one.
 struct Variation {
     std::string path;
     std::vector<std::string> values;  ///< in the form that --set takes

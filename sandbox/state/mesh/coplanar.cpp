@@ -16,7 +16,8 @@ const glm::dvec3 front_shift_model{0.45, 0.0, -0.35};  // in half sides, so that
 constexpr double turned_deg = 6.0;                     // rotation away from the viewpoint, about the vertical
 constexpr Color back_color{0x5a, 0x9e, 0xf0}, front_color{0xe0, 0x81, 0x2f};
 
-/// The direction of a pair's back quad from the viewpoint, and its distance when the nearest pair is at 4.
+/// The direction of a pair's back quad from the viewpoint, and the quad's distance if the nearest pair is at a distance
+/// of 4.
 struct Place {
     double eye_distance, right_deg, up_deg;
 };

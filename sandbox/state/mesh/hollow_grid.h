@@ -1,4 +1,4 @@
-// Internal to state/: a grid that finds the corners of a polygon that may be inside an ear. Read polygon.h first.
+// Internal to state/: a grid for finding those corners of a polygon that may be inside an ear. Read polygon.h first.
 #pragma once
 
 #include <array>

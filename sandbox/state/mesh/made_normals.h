@@ -7,7 +7,7 @@ namespace viewing {
 
 /// Gives each corner without a normal the area-weighted sum of the face normals around its position, over the faces
 /// that smooth edges connect to the corner's own face. An edge is smooth if both faces are in the same smoothing group
-/// ("s 1"), and never with "s off" or between two groups. In a file without any "s" line, an edge is smooth if the
+/// ("s 1"); it is sharp after "s off" or between two groups. In a file without any "s" line, an edge is smooth if the
 /// angle between the faces is at most `crease_deg` (0 … 180). Corners that have a normal keep it. A face without area
 /// contributes nothing; if no face has an area, the normal is (0, 1, 0).
 void make_missing_normals(ObjContent& content, double crease_deg);

@@ -86,7 +86,7 @@ private:
     std::string unfinished_;            ///< the beginning of a line that ends in the next block
     std::string statement_;             ///< the beginning of a statement that continues on the next line
     bool is_plain_ = false;             ///< the current block has neither a comment nor a zero byte
-    bool ends_with_cr_ = false;         ///< the last block did: an LF at the start of the next block belongs to that CR
+    bool ends_with_cr_ = false;         ///< the last block ended in CR: an LF that begins the next block belongs to it
     int smoothing_ = ObjFaces::no_statement;
     ObjContent content_;
     Met strange_, replaced_;  ///< lines not understood, and corners with an unusable normal

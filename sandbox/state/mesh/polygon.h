@@ -50,10 +50,10 @@ private:
 
     std::vector<glm::dvec2> flat_;       ///< the corners in the polygon's plane
     std::vector<Index> before_, after_;  ///< neighbors among the remaining corners
-    std::vector<Index> hollows_;         ///< corners that do not turn left, now or at the last fill
+    std::vector<Index> hollows_;         ///< corners that do not turn left, or did not at the last fill
     std::vector<char> is_hollow_, is_ear_, is_queued_;
     std::vector<Index> blocker_;  ///< the hollow last found in each corner's triangle
-    std::vector<Index> ears_;     ///< those found, in order
+    std::vector<Index> ears_;     ///< ears found so far, in order
     HollowGrid grid_;
     std::size_t hollow_count_ = 0;  ///< entries of hollows_ that are still hollow
     std::uint64_t tests_ = 0, allowed_tests_ = most_tests;

@@ -1,5 +1,5 @@
 // Settings that the window remembers for a user between runs: theme, scale, language, size and place, progress in
-// lessons and recent files; never the state. Only the window reads and writes them: a headless command touches only
+// lessons and recent files; never the state. Only the window reads and writes them: a headless command uses only the
 // files that it is given.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The page of a suite's report: the list, and one entry with its pictures in six ways. Pictures that differ come in a
-// script (pictures/NAME.js), since a page opened from disk may not read the pixels of image files.
+// The page of a suite's report: the list, and one entry with its pictures shown in six ways. Pictures that differ come
+// in a script (pictures/NAME.js), since a page opened from disk may not read the pixels of image files.
 "use strict";
 
 const outcomes = ["different", "failed", "new", "not drawn", "passed"];
@@ -78,7 +78,7 @@ const waiting = new Map();
 
 function load(entry) {
   if (!loaded.has(entry.file)) loaded.set(entry.file, new Promise(done => {
-    if (entry.outcome === "not drawn") return done({});  // the files there are an earlier run's
+    if (entry.outcome === "not drawn") return done({});  // the files there are from an earlier run
     if (!entry.details?.compare || entry.outcome === "passed") {
       const image = new Image();
       image.onload = () => done({actual: image});

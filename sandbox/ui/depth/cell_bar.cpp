@@ -59,7 +59,7 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
         widgets::EndChoice();
     } else {
         widgets::Tooltip("Draw call",
-                         say("The last draw call sent to GL; the frame has {count}.", "count"_a = count).c_str());
+                         say("The last draw call sent to GL, out of {count} in the frame.", "count"_a = count).c_str());
     }
 }
 

@@ -33,7 +33,7 @@ Rect take_controls(CellLayout& layout, Rect room, float width, float height) {
     return room;
 }
 
-/// The size of small type relative to its usual size.
+/// The size of small text relative to its usual size.
 float type_scale() {
     return widgets::HasPlainTitles() ? small_type_for_a_room / usual_small_type : 1.0F;
 }

@@ -21,7 +21,7 @@ ImU32 opaque(const Color& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
 
-/// Maps the block's own depth range to grays: dark is near, light is far. Black and white are reserved for unwritten
+/// Maps the depth range of the block to grays: dark is near, light is far. Black and white are reserved for unwritten
 /// cells.
 class Greys {
 public:
@@ -131,7 +131,7 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     caption(layout.colors, layout.caption_height, tr("Color buffer"), "");
     caption(layout.depths, layout.caption_height, tr("Depth buffer"), picture.texts.note);
 
-    // Each grid highlights the cell under the pointer in the other grid, one frame later.
+    // Each grid highlights the cell that is under the pointer in the other grid, one frame later.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID lit_id = ImGui::GetID("lit");
     const int lit = storage.GetInt(lit_id, -1);
@@ -157,7 +157,7 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     return hovered;
 }
 
-/// Whether the call has fragments to describe. Mirror images and shadows have none.
+/// Whether the fragments of the call can be described. Those of mirror images and shadows cannot.
 bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, int call) {
     const std::size_t pass = calls[static_cast<std::size_t>(call)].pass;
     return pass < plan.passes.size() && !plan.passes[pass].is_mirror_image &&

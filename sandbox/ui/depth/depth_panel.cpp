@@ -25,8 +25,8 @@ void mapping_switches(Params& params) {
     control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
 }
 
-/// Shows how many depth codes the offset units are on this driver, which GL leaves open. Draws nothing if the units
-/// have no effect.
+/// Shows the offset units as a number of depth codes on this driver, since GL does not define the size of a unit. Draws
+/// nothing if the units have no effect.
 void offset_note(const Params& params, const Scene& scene, const StoredDepth& stored) {
     if (widgets::IsListing() && !widgets::IsHighlighted("note:offset_unit")) return;
     const DepthParams& depth = params.depth;
@@ -37,9 +37,9 @@ void offset_note(const Params& params, const Scene& scene, const StoredDepth& st
                                                        : say("on this driver: {codes} codes", "codes"_a = codes);
     if (!named_note("note:offset_unit", note)) return;
     widgets::Tooltip("Offset units",
-                     "How many depth codes these units are on this driver, measured by drawing. GL requires only the "
-                     "smallest difference that is sure to be resolved; drivers use one, two, or four codes. For a "
-                     "float, a step is as wide as at the polygon's greatest depth.",
+                     "How many depth codes these units amount to on this driver, measured by drawing. For one unit, GL "
+                     "requires only the smallest difference that is sure to be resolved; drivers use one, two, or four "
+                     "codes. For a float, the step is the one at the polygon's greatest depth.",
                      "offset = factor · slope + units · r");
 }
 

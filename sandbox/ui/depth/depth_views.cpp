@@ -28,8 +28,8 @@ void tell_missing_depth(const Params& params, const Rect& rect) {
     const char* const why = by_buffer ? tr("No depth to show: the window has no depth buffer.")
                                       : tr("This method turns GL's depth test off and writes no depth.");
     const std::string sentence = widgets::BrokenAtBlanks(why, rect.width() - px(20.0F));
-    widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
-                      sentence.c_str());
+    widgets::PlateText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
+                       sentence.c_str());
 }
 
 /// The titles of the two pictures, for the second picture's header and for the two sides of the divider.
@@ -71,7 +71,7 @@ void depth_choices(Params& params, float right) {
     static constexpr const char* scales[] = {marked("window"), marked("linear")};
     static constexpr const char* scale_explanations[] = {
         marked("Window depth, 0 to 1, as stored."),
-        marked("Eye distance from near to far, spaced as the surfaces are.")};
+        marked("Eye distance from near to far on a linear scale, spaced as in the scene.")};
     static constexpr const char* colors[] = {marked("gray"), marked("bands")};
     static constexpr const char* color_explanations[] = {
         marked("Depth in gray: black is near, white is far."),

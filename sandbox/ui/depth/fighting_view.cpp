@@ -23,23 +23,25 @@ struct ColumnText {
 };
 constexpr std::array<ColumnText, fighting_columns> columns = {{
     {marked("pair"),
-     marked("Two flat surfaces that are nearly coplanar. For each pair, the formulas' prediction is next to the count "
-            "in the picture: pixels where GL and exact visibility show different surfaces."),
+     marked("Two flat surfaces that are nearly coplanar. For each pair, the formulas' prediction is listed next to the "
+            "number of pixels where GL and exact visibility show different surfaces."),
      "column:fighting.pair"},
-    {marked("z"), marked("Eye distance at the center of their overlap."), "column:fighting.z"},
-    {marked("gap"), marked("Distance between the two along the normal."), "column:fighting.gap"},
-    {marked("width Δz"), marked("Δz, the code width there, in eye distance."), "column:fighting.step"},
+    {marked("z"), marked("Eye distance at the center of the surfaces' overlap."), "column:fighting.z"},
+    {marked("gap"), marked("Distance between the two surfaces along their normal."), "column:fighting.gap"},
+    {marked("width Δz"), marked("Δz, the code width at the overlap's center, in eye distance."),
+     "column:fighting.step"},
     {marked("safe gap"),
      marked("The gap along the normal below which depth fighting is predicted: one code width plus the float32 "
             "arithmetic error. Red if the pair's gap is narrower."),
      "column:fighting.safe_gap"},
     {marked("predicted"),
-     marked("The predicted range for the share of wrong pixels in the pair, whatever float32 arithmetic does before "
-            "the store. – means no prediction: with 24 bits and floats, arithmetic is as coarse as the codes."),
+     marked("The predicted range for the pair's share of wrong pixels, whatever errors float32 arithmetic makes before "
+            "the depth is stored. – means no prediction: with 24 bits or a float, the arithmetic is as coarse as the "
+            "codes."),
      "column:fighting.predicted"},
     {marked("jittered"),
-     marked("The mean share of wrong pixels over 12 cameras jittered by a thousandth of the target's distance, and the "
-            "range, since pixels hit codes at random."),
+     marked("The mean and the range of the share of wrong pixels over 12 cameras, each jittered by a thousandth of the "
+            "target's distance. One camera says little, since pixels hit codes at random."),
      "column:fighting.trembling"},
     {marked("counted"),
      marked("The share of the pair's pixels that show the wrong surface. The slide calls the wrong pixels random, but "
@@ -56,7 +58,7 @@ struct PairRow {
     bool is_below_onset = false, fights = false;
 };
 
-/// Writes the common part of both names only once: "back / front quad at 4".
+/// Joins two names, and writes the part that they share only once: "back / front quad at 4".
 std::string pair_name(const std::string& first, const std::string& second) {
     const std::size_t at = first.find(' '), other = second.find(' ');
     if (at != std::string::npos && other != std::string::npos && first.substr(at) == second.substr(other))
@@ -225,7 +227,7 @@ struct LinePart {
 
 /// Draws the parts in one or more lines. Wraps within a part only if it is wider than a line.
 void draw_parts(const std::vector<LinePart>& parts) {
-    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
     const float between = px(14.0F);
     float end = left - between;
@@ -279,7 +281,7 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     if (is_brief) {
         // No lesson step needs the minimum gap.
     } else if (is_covered(onset) || is_covered(step)) {
-        // It would give the covered values away.
+        // The line would give the covered values away.
     } else if (report.gap_is_behind || !report.minimum_gap) {
         draw_parts({{tr("searching for the minimum gap…"), palette().quiet}});
     } else {
@@ -332,7 +334,7 @@ void draw_cures(Session& session, const FightingReport& report) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(fonts.note);
-    draw_parts({{tr("each of these alone: wrong in the pairs and elsewhere"), palette().quiet}});
+    draw_parts({{tr("each of these changes alone: wrong pixels in the pairs and elsewhere"), palette().quiet}});
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, between = px(5.0F);
     float end = right;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});
@@ -357,7 +359,8 @@ void draw_fighting_view(Session& session, const FightingReport* report, const Re
         return;
     }
     if (report->rows.empty() && report->problem.empty() && !report->counts_are_behind) {
-        if (offer("No two flat surfaces in this scene are nearly coplanar: no depth fighting.", "Open coplanar"))
+        if (offer("No two flat surfaces in this scene are nearly coplanar, so there is no depth fighting.",
+                  "Open coplanar"))
             session.params.scene = std::string("coplanar");
         return;
     }

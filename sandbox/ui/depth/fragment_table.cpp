@@ -77,7 +77,7 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
                               "step"_a = step_text(fragment.step));
         if (row.is_seen) {
             row.explanation += "\n";
-            row.explanation += tr("This fragment is the last to write its color: the visible one.");
+            row.explanation += tr("This fragment is the last to write its color, so it is the visible one.");
         }
         cover(row);
         rows.push_back(std::move(row));

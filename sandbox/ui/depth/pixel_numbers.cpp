@@ -20,7 +20,7 @@ int decimals_of(const DepthPrecision& precision) {
     return precision.is_float ? 9 : static_cast<int>(std::ceil(precision.bits * 0.30103)) + 1;
 }
 
-/// Enough decimals for a step to change one of the last two.
+/// Enough decimals that a step changes one of the last two.
 int decimals_for_step(double step) {
     if (!(step > 0.0) || !std::isfinite(step)) return 3;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 3, 6);
@@ -59,7 +59,7 @@ PixelNumber stored_number(const PixelReport& pixel) {
             with_place_for_sign(code_text(pixel.stored, pixel.precision)),
             say("of 2{power} − 1", "power"_a = raised_text(pixel.precision.bits)),
             tr("Stored code"),
-            tr("The integer read back from the depth buffer, not recomputed: the one nearest to"),
+            tr("Read back from the depth buffer, not recomputed: the integer nearest to"),
             "z_{window} " + code_count(pixel.precision)};
 }
 
@@ -83,7 +83,7 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
     const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
     const auto from_depth = [&](const char* explanation) {
         if (!pixel.written || pixel.has_depth) return std::string(explanation);
-        return std::string(tr("Its depth is the clear value.")) + " " + explanation;
+        return std::string(tr("The pixel's depth is the clear value.")) + " " + explanation;
     };
 
     std::vector<PixelNumber> numbers{stored_number(pixel)};
@@ -105,10 +105,11 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
                                           : tr("The width of a code here, in eye z:"),
                        step_formula(params.projection, mapping, precision)});
     if (precision.is_float)
-        numbers.push_back({marked("eye Δz"), known(step_text(pixel.resolvable_step)), "", tr("Eye Δz"),
-                           tr("The smallest resolvable difference here: eye z itself is rounded to float32 before the "
-                              "store, so codes narrower than half a unit in its last place add no precision."),
-                           ""});
+        numbers.push_back(
+            {marked("eye Δz"), known(step_text(pixel.resolvable_step)), "", tr("Eye Δz"),
+             tr("The smallest resolvable difference here: eye z itself is rounded to float32 before the depth is "
+                "stored, so codes narrower than half a unit in the last place of eye z add no precision."),
+             ""});
     numbers.push_back(
         {marked("stencil"), with_place_for_sign(std::to_string(pixel.stencil)), "", tr("Stencil"),
          tr("The value that the passes left in the stencil buffer: marks for the plane, shadows and decals."), ""});

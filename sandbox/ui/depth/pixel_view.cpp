@@ -84,7 +84,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
 
     color_swatch(pixel.color);
     ImGui::SameLine(0.0F, px(7.0F));
-    headline_text(place, fonts.number, palette().text);
+    headline_text(place, fonts.text, palette().text);
     ImGui::SameLine(0.0F, px(10.0F));
     const std::string surface = surface_words(pixel);
     const float wanted = width_of(surface, fonts.text), hex_width = width_of(hex, fonts.small_number);
@@ -153,11 +153,12 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
-/// If the cell view is shown, which provides the draw calls, a click goes to the step that draws the fragment.
+/// If the cell view is visible, it provides the draw calls; a click then goes to the step that draws the fragment.
 void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     if (data.fragments.empty()) return widgets::Note("This pixel's ray hits no surface.");
-    const std::string on_click =
-        data.calls.empty() ? std::string() : tr("Click to stop the frame after the triangle that sends it.");
+    const std::string on_click = data.calls.empty()
+                                     ? std::string()
+                                     : tr("Click to stop the frame after the triangle that produces this fragment.");
     const std::optional<std::size_t> clicked =
         draw_fragment_table(data.fragments, data.pixel->precision, session.scene(), is_large, on_click);
     if (!clicked || data.calls.empty()) return;

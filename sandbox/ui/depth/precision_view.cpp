@@ -57,7 +57,7 @@ public:
     ChartCurves& operator=(const ChartCurves&) = delete;
 
     std::span<const widgets::ChartCurve> all() const { return shown_; }
-    /// The terms that make up the step, except covered ones.
+    /// The terms of the step Δz, except covered ones.
     std::vector<widgets::ChartCurve> terms() const {
         std::vector<widgets::ChartCurve> terms;
         if (!widgets::IsCovered("chart:precision.quantization"))
@@ -109,7 +109,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
         clamp_to_ranges(params);
 }
 
-/// The sentence with its button: after it if both fit in a line, otherwise below.
+/// A sentence of advice and its button, which is on the same line if both fit, otherwise below.
 class AdviceLine {
 public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
@@ -161,8 +161,8 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
     if (!advice || widgets::IsCovered("advice"))
         return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
-    // If they do not both fit, the chart fills the view, and the sentence is below it, reached by scrolling. When
-    // presenting, the sentence is omitted.
+    // If chart and sentence do not both fit, the chart fills the view, and the sentence is below it, reached by
+    // scrolling. When presenting, the sentence is omitted.
     const bool has_room = room - line.height() >= px(120.0F);
     const float height = has_room ? room - line.height() : std::max(room, px(120.0F));
     draw_chart(session, derived, seen, height, cursor_z);

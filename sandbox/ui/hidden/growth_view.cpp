@@ -78,10 +78,11 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     ImGui::BeginDisabled(is_running);
     widgets::Choice("##scene", state.scene, scenes, 0, choice_width);
     ImGui::EndDisabled();
-    if (is_running) widgets::Tooltip("Polygons", "Fixed until the measurement ends.");
+    if (is_running) widgets::Tooltip("Polygons", "Cannot be changed until the measurement ends.");
     widgets::Tooltip("Polygons",
-                     "Small triangles hardly touch one another. Large ones nearly all intersect, so methods that cut "
-                     "polygons have much to cut. With the current scene, the count grows through its own polygons.");
+                     "Small triangles hardly touch one another. Large triangles nearly all intersect, so methods that "
+                     "split polygons have many to split. With the current scene, the measurement uses more and more of "
+                     "the scene's own polygons.");
     const char* label = is_running ? marked("Cancel") : marked("Measure");
     flow.next(widgets::SmallButtonWidth(label));
     if (!widgets::SmallButton(label)) return;
@@ -95,8 +96,8 @@ void quantity_words(GrowthViewState& state, Flow& flow) {
     static constexpr std::array names{marked("time"), marked("operations")};
     static constexpr std::array explanations{
         marked("Time to finish the picture; for a BSP tree, also to build the tree."),
-        marked("The count of a method's most frequent operation (comparisons, pixels tested, intersection tests) and "
-               "of the pixels it paints: the same in every run.")};
+        marked("The number of times that a method performs its most frequent operation (comparisons, pixels tested, "
+               "intersection tests), and the number of pixels it paints. Both are the same in every run.")};
     flow.next(widgets::SmallButtonWidth(names[0]) + widgets::SmallButtonWidth(names[1]) + px(2.0F));
     int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -158,7 +159,8 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     const bool is_own = state.scene == own_scene;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    // A fixed range, so that the curves grow and not the axis. The current scene has none: it may have fewer polygons.
+    // Fix the range, so that the curves grow and the axis stays. Not for the current scene, which may have fewer
+    // polygons.
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
                        .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},
@@ -169,7 +171,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     return {from, {from.x + width, std::min(from.y + height, bottom)}};
 }
 
-/// Sentences on which method is fastest where, and on curves that ended early.
+/// Sentences that say which method is fastest for which scenes, and why curves ended early.
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
@@ -184,7 +186,7 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
     float below = 0.0F;
     for (const std::string& sentence : told) below += note_height(sentence.c_str()) + ImGui::GetStyle().ItemSpacing.y;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // If they do not both fit, the chart fills the view, and the sentences are reached by scrolling.
+    // If chart and sentences do not both fit, the chart fills the view, and the sentences are reached by scrolling.
     const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
     const Rect chart = draw_chart(state, session.scene(), height);
     // Scroll to the top first: the picture is taken from the next frame.
@@ -198,7 +200,7 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
 
 void take_growth_rows(GrowthViewState& state, Session& session) {
     if (!state.log) return;
-    // Take the result first: the log is complete from then on.
+    // Take the result before the rows: once there is a result, the log is complete.
     const std::optional<Result<std::vector<GrowthRow>>> finished = state.measuring.take();
     state.rows[static_cast<std::size_t>(state.scene)] = state.log->entries();
     if (!finished) return;

@@ -63,8 +63,8 @@ struct NumberBox {
     }
 };
 
-/// Returns the box of a polygon's number, at the polygon's center, if that is visible and the number fits into the
-/// polygon.
+/// Returns the box for a polygon's number at the polygon's center. Empty unless the center is visible and the number
+/// fits into the polygon.
 std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& result, const Polygon& polygon,
                                     ImVec2 size) {
     const std::optional<ImVec2> middle = overlay.project(centroid(polygon));
@@ -79,7 +79,7 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     return fits ? std::optional(box) : std::nullopt;
 }
 
-/// Draws each polygon's place in the order. If numbers overlap, only that of the polygon drawn last remains.
+/// Draws each polygon's number in the drawing order. If numbers overlap, only that of the polygon drawn last remains.
 void numbers(Overlay& overlay, const HiddenResult& result) {
     constexpr int most = 3000;
     ImFont* font = widgets::CurrentContext().fonts.small_number;
@@ -94,7 +94,7 @@ void numbers(Overlay& overlay, const HiddenResult& result) {
             std::any_of(taken.begin(), taken.end(), [&](const NumberBox& other) { return box->overlaps(other); }))
             continue;
         taken.push_back(*box);
-        widgets::HaloText(overlay.draw(), box->min, palette().text, text.c_str(), font);
+        widgets::PlateText(overlay.draw(), box->min, palette().text, text.c_str(), font);
     }
 }
 
@@ -213,8 +213,8 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
                          Overlay& overlay) {
     if (hidden.fraction) {
         const std::string text = say("Running the method: {percent}", "percent"_a = progress_text(*hidden.fraction));
-        widgets::HaloText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
-                          palette().text, text.c_str());
+        widgets::PlateText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
+                           palette().text, text.c_str());
     }
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;

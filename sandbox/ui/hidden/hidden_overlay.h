@@ -14,8 +14,8 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
 /// none.
 std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 place);
 
-/// Follows this pixel from now on, or stops following it if it is already followed. If each step is a single ray, goes
-/// to the pixel's ray instead.
+/// Follows this pixel from now on, or stops following it if it is the followed one. If each step traces a single ray,
+/// goes to the step of the pixel's ray instead.
 void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel);
 
 /// Returns the index in `fragments` of the polygon visible at a screen position in the camera's picture; −1: none, or

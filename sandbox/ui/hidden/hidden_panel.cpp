@@ -39,7 +39,7 @@ void options_of(VisibilityMethod method, Params& params) {
     }
 }
 
-/// Stays in the row of the previous control, so that nothing moves when the button appears or disappears.
+/// The button shares a row with the previous control, so that nothing moves when it appears or disappears.
 void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
     const bool was_canceled = hidden.answer && hidden.answer->camera->is_canceled;
     if (!hidden.fraction && !was_canceled) return;
@@ -121,10 +121,10 @@ void culling_counts(const HiddenResult& result, bool steps) {
         const std::string left = grouped_number(total - culled), all = grouped_number(total);
         text += " ";
         text += result.tree ? say("Culling leaves {left} of {all} fragments.", "left"_a = left, "all"_a = all)
-                            : say("Culling leaves {left} of {all}.", "left"_a = left, "all"_a = all);
+                            : say("Culling leaves {left} of {all} polygons.", "left"_a = left, "all"_a = all);
     }
     if (steps) text += std::string(" ") + tr("Shadow and mirror are not drawn while you step through the method.");
-    // The text's number of lines varies; keep everything below in place.
+    // The text has a varying number of lines; keep everything below in place.
     const float top = ImGui::GetCursorPosY();
     widgets::Note(text.c_str());
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 4.0F * ImGui::GetTextLineHeight()));
@@ -180,7 +180,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     if (params.visibility.step != by_bar) state.player.playing = false;
     if (result->newell && result->newell->steps_left_out > 0) {
         const std::string note =
-            say("Only the first {count} of {all} comparisons have steps.",
+            say("You can step through only the first {count} of {all} comparisons.",
                 "count"_a = grouped_number(result->step_count), "all"_a = grouped_number(result->counters.comparisons));
         widgets::Note(note.c_str());
     }

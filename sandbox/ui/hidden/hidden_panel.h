@@ -10,7 +10,7 @@ namespace viewing {
 
 struct HiddenPanelState {
     widgets::StepPlayer player;
-    int left_step = -1;  ///< the step that the player's bar set last
+    int left_step = -1;  ///< the last step set by the step bar
     FailureFinder failure;
     bool restart_method = false;  ///< request: run the canceled work again
     bool cancel_method = false;   ///< request: cancel the current work

@@ -14,7 +14,7 @@ OrderRows::OrderRows(const HiddenResult& result, const TreeIndex& index) : resul
     if (result.newell && result.step > 0 && result.step <= static_cast<int>(result.newell->steps.size()))
         newell_step_ = &result.newell->steps[static_cast<std::size_t>(result.step - 1)];
     if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) {
-        // Each step compares one pixel of a polygon, which is the last one reached.
+        // Each step compares one pixel of a polygon; that polygon is the last one reached.
         current_ = result.compare ? place_of(result, result.compare->polygon) : -1;
         reached_ = current_ + 1;
     } else {

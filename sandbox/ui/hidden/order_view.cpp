@@ -24,7 +24,7 @@ void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const
     const OrderRows rows(result, links.tree);
     PolygonTable table(links, result, "order", rows.detail_title(), rows.count(), size);
     if (!table.is_open()) return;
-    // Scroll only once: to the place that the step reaches, and to a polygon selected elsewhere.
+    // Scroll only once to each new target: the place that the step reaches, or a polygon selected elsewhere.
     if (rows.current() != std::exchange(state.current, rows.current()) && rows.current() >= 0)
         table.scroll_to(rows.current());
     const int selected = links.now.selected_fragment;
@@ -187,8 +187,10 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, con
 
 void draw_pixels_of(const HiddenResult& result) {
     const std::string compare = compare_sentence(result);
-    recorded_note(compare.empty() ? tr("Polygons come in scene order; the depth buffer decides at each pixel.")
-                                  : compare);
+    recorded_note(
+        compare.empty()
+            ? tr("The polygons are drawn in scene order; at each pixel, the depth buffer decides which one is visible.")
+            : compare);
     recorded_note(say("pixels: {tested} tested, {written} written",
                       "tested"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)),
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));

@@ -58,7 +58,7 @@ void draw_depths(const Overlay& overlay, const RasterPlaces& places, const IdIma
             const ImVec2 middle = places.middle({x, y});
             const ImVec2 at(std::round(middle.x - 0.5F * size.x), std::round(middle.y - 0.5F * size.y));
             if (overlay.is_free({at, {at.x + size.x, at.y + size.y}}))
-                widgets::HaloText(overlay.draw(), at, palette().text, text.c_str(), digits_font());
+                widgets::PlateText(overlay.draw(), at, palette().text, text.c_str(), digits_font());
         }
 }
 

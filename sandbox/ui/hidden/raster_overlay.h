@@ -1,5 +1,5 @@
-// The pixels of a method's picture over the camera view: their places on screen, and large pixels with a depth in each.
-// See hidden_overlay.cpp for usage.
+// The pixels of a method's picture over the camera view: their positions on screen, and the depth in each pixel if the
+// pixels are large. See hidden_overlay.cpp for usage.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Maps the pixels of one result to a view, whose size may have changed since the result.
+/// Maps the pixels of one result to a view, whose size may have changed since the result was computed.
 class RasterPlaces {
 public:
     /// `result` must have a picture and outlive this object.

@@ -27,15 +27,17 @@ struct LevelWords {
 LevelWords words_of(const HiddenResult& result) {
     if (result.newell)
         return {marked("polygon"), marked("step"), marked("Runs until the next polygon is drawn."),
-                marked("Goes back to the start of this polygon or the previous one.")};
+                marked("Goes back to the start of this polygon or, if already there, of the previous one.")};
     if (result.tree)
-        return {marked("part"), marked("node"), marked("Goes to the end of this part: first the build, then the walk."),
+        return {marked("part"), marked("node"),
+                marked("Goes to the end of this part (building the tree or walking it)."),
                 marked("Goes back to the start of this part.")};
     if (result.request.visibility.method == VisibilityMethod::ray_cast)
         return {marked("row"), marked("ray"), marked("Goes to the end of this row of rays."),
                 marked("Goes back to the start of this row.")};
-    return {marked("triangle"), marked("fragment"), marked("Runs until this triangle or the next one is drawn."),
-            marked("Goes back to the start of this triangle or the previous one.")};
+    return {marked("triangle"), marked("fragment"),
+            marked("Runs to the end of this triangle or, if already there, of the next one."),
+            marked("Goes back to the start of this triangle or, if already there, of the previous one.")};
 }
 
 /// Draws a button that goes to a step; disabled if there is none. As wide as its symbol.
@@ -56,8 +58,9 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
 
 /// Draws buttons that go to the previous and the next step of the followed pixel.
 void touch_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
-    const char* const why_not = result.request.visibility.pixel ? marked("No more steps touch this pixel.")
-                                                                : marked("Click a pixel of the picture first.");
+    const char* const why_not = result.request.visibility.pixel
+                                    ? marked("No other step in this direction touches this pixel.")
+                                    : marked("Click a pixel of the picture first.");
     step_button("touch before", previous_sign, previous_touch(result, step), step, marked("Back at this pixel"),
                 marked("Goes to the previous step that touches the chosen pixel."), why_not);
     step_button("next touch", next_sign, next_touch(result, step), step, marked("Next at this pixel"),
@@ -97,7 +100,7 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     group_buttons(step, result, "←", "→");
     int group = place.group;
     if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);
-    // Aligned with the group's slider, but without buttons: the bar above already goes by single steps.
+    // Aligned with the group's slider, but without buttons: the bar above already has those for single steps.
     const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(step_gap));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     int within = place.within;
@@ -148,7 +151,7 @@ void draw_raster_row(Params& params) {
                                          .integer = true,
                                          .default_value = static_cast<double>(by_default)};
         if (widgets::Number(label, shown, style, number)) value = static_cast<int>(std::lround(shown));
-        explain(field, title, raster ? "" : tr("The raster matches the view."));
+        explain(field, title, raster ? "" : tr("The raster has the size of the view."));
     };
     count("##columns", size.x, first_raster.x, marked("Columns"));
     ImGui::SameLine(0.0F, px(6.0F));

@@ -37,8 +37,8 @@ std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
     const bool cuts_p = step.split == step.p;
     const bool by_plane = is_plane_of(result, cuts_p ? step.q : step.p, step.cut_plane);
     if (by_plane) return cuts_p ? tr("The plane of B cuts A.") : tr("The plane of A cuts B.");
-    return cuts_p ? tr("A plane through the eye and an edge of B cuts A.")
-                  : tr("A plane through the eye and an edge of A cuts B.");
+    return cuts_p ? tr("A is cut by a plane through the eye and an edge of B.")
+                  : tr("B is cut by a plane through the eye and an edge of A.");
 }
 
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
@@ -50,7 +50,7 @@ std::string action_sentence(const HiddenResult& result, const NewellStep& step) 
         case NewellAction::splits:
             return cut_sentence(result, step);
         case NewellAction::draws:
-            return tr("A can hide no remaining polygon, so A is drawn.");
+            return tr("A can hide none of the remaining polygons, so A is drawn.");
         case NewellAction::forces:
             return tr("A is drawn despite B: they overlap by less than epsilon.");
     }
@@ -157,8 +157,8 @@ std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
 
 std::string ray_sentence(const HiddenResult& result) {
     if (!result.traced)
-        return result.step < 0 ? tr("One ray went through each pixel. To see what a single ray hits, go to a step, or "
-                                    "click a pixel while the raster is small.")
+        return result.step < 0 ? tr("One ray went through each pixel. To see what a single ray hits, go to one of the "
+                                    "steps or, in a small raster, click a pixel.")
                                : tr("No ray has been cast yet.");
     const std::string pixel = pixel_text(result.traced->pixel);
     const auto hits = static_cast<std::int64_t>(result.traced->hits.size());

@@ -87,16 +87,18 @@ std::string tree_sentence(const HiddenResult& result) {
         "splitter"_a = tr(splitter_names[static_cast<std::size_t>(result.request.visibility.splitter)]));
     if (result.step < 0) return whole;
     if (result.built_nodes < nodes)
-        return say("{tree}; {count} built so far", "tree"_a = whole, "count"_a = grouped_number(result.built_nodes));
-    return say("{tree}; {count} visited so far", "tree"_a = whole, "count"_a = grouped_number(result.visited_nodes));
+        return say("{tree}; nodes built so far: {count}", "tree"_a = whole,
+                   "count"_a = grouped_number(result.built_nodes));
+    return say("{tree}; nodes visited so far: {count}", "tree"_a = whole,
+               "count"_a = grouped_number(result.visited_nodes));
 }
 
 std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index) {
     if (!result.tree || !is_index(node, result.tree->nodes.size()) || node >= result.built_nodes) return "";
     const BspNode& told = result.tree->nodes[static_cast<std::size_t>(node)];
     if (!told.sorted)
-        return say_count(told.fragment_count, "node {node}: the budget left {count} polygon unsorted",
-                         "node {node}: the budget left {count} polygons unsorted", "node"_a = node + 1);
+        return say_count(told.fragment_count, "node {node}: budget reached, {count} polygon unsorted",
+                         "node {node}: budget reached, {count} polygons unsorted", "node"_a = node + 1);
     const std::string plane =
         say("node {node}: plane of {polygon}; {front} in front, {behind} behind, {cut} cut", "node"_a = node + 1,
             "polygon"_a = listed_name(result.surface.get(), told.splitter_source),
@@ -109,10 +111,11 @@ std::string node_sentence(const HiddenResult& result, int node, const TreeIndex&
     const bool front_first = (side > 0) == (result.request.visibility.walk == BspOrder::front_to_back);
     if (side == 0) return say("{plane}; the eye lies in the plane: neither side hides the other", "plane"_a = plane);
     if (side > 0)
-        return front_first ? say("{plane}; the eye is in front, so its front side is drawn first", "plane"_a = plane)
-                           : say("{plane}; the eye is in front, so its back side is drawn first", "plane"_a = plane);
-    return front_first ? say("{plane}; the eye is behind, so its front side is drawn first", "plane"_a = plane)
-                       : say("{plane}; the eye is behind, so its back side is drawn first", "plane"_a = plane);
+        return front_first
+                   ? say("{plane}; the eye is in front, so the plane's front side is drawn first", "plane"_a = plane)
+                   : say("{plane}; the eye is in front, so the plane's back side is drawn first", "plane"_a = plane);
+    return front_first ? say("{plane}; the eye is behind, so the plane's front side is drawn first", "plane"_a = plane)
+                       : say("{plane}; the eye is behind, so the plane's back side is drawn first", "plane"_a = plane);
 }
 
 }  // namespace viewing

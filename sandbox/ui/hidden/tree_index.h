@@ -20,15 +20,16 @@ public:
     TreeIndex(TreeIndex&&) = default;
     TreeIndex& operator=(TreeIndex&&) = default;
 
-    /// Updates to a result: its tree, its traversal, and the progress of its step. Ignores a result without a tree.
+    /// Updates the index to a result: its tree, its traversal, and the progress of its step. Ignores a result without a
+    /// tree.
     void follow(const std::shared_ptr<const HiddenResult>& result);
     /// The number of trees followed so far.
     std::uint64_t revision() const { return revision_; }
 
     const std::vector<widgets::TreeNode>& nodes() const { return nodes_; }
     int node_of(int fragment) const;  ///< −1 if there is no such fragment
-    /// Which side of the node's plane the eye is on, even if the traversal has not reached the node yet: 1 in front, −1
-    /// behind, 0 in the plane or unknown.
+    /// The eye's side of the node's plane, even if the traversal has not reached the node yet: 1 in front, −1 behind, 0
+    /// in the plane or unknown.
     int eye_side_of(int node) const;
 
 private:

@@ -37,8 +37,8 @@ int current_node(const HiddenResult& result) {
 /// The longest sentence that is likely for a node. Its height is reserved, so that the tree does not move when the
 /// sentence changes.
 constexpr const char* longest_sentence = marked(
-    "node 1000: plane of small box, polygon 1000; 1000 in front, 1000 behind, 1000 cut; the eye is in front, so its "
-    "back side is drawn first");
+    "node 1000: plane of small box, polygon 1000; 1000 in front, 1000 behind, 1000 cut; the eye is in front, so the "
+    "plane's back side is drawn first");
 
 void draw_diagram(TreeViewState& state, PolygonLinks& links, const HiddenResult& result, float height) {
     widgets::TreeDiagramState& diagram = state.diagram;

@@ -59,7 +59,7 @@ float tile_width(const LessonText& item, const widgets::Context& context) {
     return text_width + 2.0F * padding_x * context.scale;
 }
 
-/// Extra width of a tile: for an arrow at each end, or for a number in front.
+/// Extra width of a tile, for an arrow at each end or a number in front.
 float tile_extra(const Ask& ask, const widgets::Context& context) {
     const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
     return (moves ? 2.0F * 20.0F : letter_room) * context.scale;

@@ -93,7 +93,7 @@ std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk)
 void ExercisePage::draw_student(ExerciseDesk& desk, Guide& guide) {
     Student typed = desk.student();
     bool is_new = text_field(marked("Student number"), typed.number, 110.0F,
-                             marked("Together with the course, sets the numbers in your questions."));
+                             marked("Your student number and course determine the numbers in your questions."));
     ImGui::SameLine(0.0F, px(18.0F));
     is_new |= text_field(marked("Course"), typed.course, 130.0F,
                          marked("The course name exactly as the lecturer writes it."));
@@ -120,7 +120,7 @@ void ExercisePage::draw_whose(ExerciseDesk& desk, Guide& guide) {
     if (offers_practice) widgets::Record("practised");
     if (offers_practice && practiced.with_own_numbers > 0) {
         if (widgets::SmallButton("Import")) {
-            if (guide.is_sheet()) guide.close();  // it still shows the old answers
+            if (guide.is_sheet()) guide.close();  // the open exercise still shows the old answers
             desk.take_over_practice();
         }
         widgets::Tooltip("Import", "Adds these answers, with all their attempts, to your hand-in.");
@@ -151,7 +151,7 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     widgets::Segments("##set", set_, labels, 0);
     wishes.save = widgets::Button("Save answers…", !desk.is_practice() && !desk.hand_in().items.empty(),
                                   desk.is_practice() ? marked("practice is not handed in") : marked("no answers yet"));
-    widgets::Tooltip("Save answers", "Saves the file to hand in.");
+    widgets::Tooltip("Save answers", "Saves the file that you hand in.");
     ImGui::SameLine();
     wishes.open_answers = widgets::Button("Open answers…");
     widgets::Tooltip("Open answers", "Continues from a file saved here or on another computer.");

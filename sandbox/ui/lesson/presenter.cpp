@@ -97,7 +97,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
     if (is_modifier(press.key) || !guide.is_shown()) return false;
     if (shows_overview_) return take_in_overview(press, guide, session);
     if (!is_on_) return false;
-    if (blank_ != Blank::none) {  // any key just brings the picture back
+    if (blank_ != Blank::none) {  // any key only restores the picture
         blank_ = Blank::none;
         return true;
     }

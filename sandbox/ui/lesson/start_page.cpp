@@ -48,7 +48,8 @@ bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     const widgets::Group group("start");
     page_heading(tr("Viewing: a lecture in pictures that answer you"), "title");
     if (button_at_right("Explore freely")) is_open_ = false;
-    widgets::Note("Each lesson asks before it shows the answer. Leave at any point and return to that step.");
+    widgets::Note(
+        "Each lesson asks before it shows the answer. You can leave at any point and return to the same step.");
     if (button_at_right("Exercises")) {
         is_open_ = false;
         return true;
@@ -68,7 +69,7 @@ bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     std::vector<Card> cards;
     for (const LessonFile& file : lessons()) {
         const auto known = progress.find(file.id);
-        // Ignore steps that the lesson no longer has.
+        // Ignore recorded steps that no longer exist in the lesson.
         const auto done = known == progress.end()
                               ? 0
                               : std::count_if(known->second.done.begin(), known->second.done.end(),

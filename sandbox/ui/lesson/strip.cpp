@@ -81,7 +81,7 @@ std::vector<bool> line_breaks(const std::vector<const char*>& labels, float widt
     return breaks;
 }
 
-/// Height of the buttons, including Restore, which may appear later.
+/// Height of the buttons, with space for Restore, which may appear later.
 float buttons_height(const LessonRun& run, float width, const widgets::Context& context) {
     const std::vector<bool> breaks = line_breaks(button_labels(run, true), width, context);
     const auto rows = static_cast<float>(1 + std::count(breaks.begin(), breaks.end(), true));
@@ -104,7 +104,7 @@ std::string place_of(const LessonRun& run) {
 
 constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 
-/// The title, which leaves space for the progress, dot and clock at its right.
+/// The title, wrapped to leave space for the progress, dot and clock at its right.
 Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
     ImFont* const font = context.fonts.note;
     const float beside =
@@ -183,17 +183,19 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         wishes.next = button(!run.is_last(), marked("this is the last exercise"), marked("The next exercise."));
     } else {
         wishes.previous = button(!run.is_first() || is_revealed, marked("this is the first step"),
-                                 marked("Back to the question, then to the previous step."));
-        wishes.next = is_revealed ? button(!run.is_last(), marked("this is the last step"), marked("The next step."))
-                                  : button(true, "", marked("Shows the result and why. Answering first teaches more."));
+                                 marked("Goes back to the question first, then to the previous step."));
+        wishes.next =
+            is_revealed
+                ? button(!run.is_last(), marked("this is the last step"), marked("The next step."))
+                : button(true, "", marked("Shows the result and explains it. You learn more if you answer first."));
     }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&
-        button(true, "", marked("Shows a step toward the answer.")))
+        button(true, "", marked("Shows a hint toward the answer.")))
         run.show_hint();
     if (look.departs) wishes.again = button(true, "", marked("Restores the step's state. Ctrl+Z undoes this."));
-    wishes.overview = button(
-        true, "",
-        is_sheet ? marked("Shows the list and your progress.") : marked("Shows the steps of this lesson as pictures."));
+    wishes.overview = button(true, "",
+                             is_sheet ? marked("Shows the list of exercises and your progress.")
+                                      : marked("Shows the steps of this lesson as pictures."));
     wishes.leave = button(
         true, "", marked("Leaves the lesson and keeps the current state; the Lesson button returns to this step."));
 }
@@ -222,7 +224,7 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
 
 /// Feedback for an answer that matches no known mistake: says where the error is, never how large it is.
 std::string not_yet(const Ask& ask, const Verdict& verdict) {
-    if (verdict.place == 0) return tr("Not yet. Try again, or take a hint.");
+    if (verdict.place == 0) return tr("Not yet. Try again, or ask for a hint.");
     if (ask.kind == AskKind::matrix)
         return say("Not yet: the largest difference is in row {row}.", "row"_a = verdict.place);
     return say("Not yet: the largest difference is in entry {number}.", "number"_a = verdict.place);
@@ -264,13 +266,14 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
             ImGui::SameLine(0.0F, px(button_gap));
             wishes.paste = widgets::Button("Paste", is_open, marked("the answer is already shown"));
             widgets::Tooltip("Paste",
-                             "Pastes the numbers from the clipboard row by row, in any format: NumPy, MATLAB, text.");
+                             "Pastes the numbers from the clipboard row by row; accepts NumPy, MATLAB and plain text.");
         }
         if (!step.ask.shows_as.empty()) {
             ImGui::SameLine(0.0F, px(button_gap));
             wishes.show_matrix = widgets::Button("What my matrix does", run.verdict().has_value() || run.is_revealed(),
                                                  marked("check it first"));
-            widgets::Tooltip("What my matrix does", "Shows the picture it makes beside the correct one.");
+            widgets::Tooltip("What my matrix does",
+                             "Shows the picture that your matrix produces, next to the correct one.");
         }
     }
     draw_feedback(run, look, width);

@@ -1,5 +1,7 @@
 #include "ui/matrices/followed_point.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "text/catalogue.h"
@@ -13,34 +15,36 @@ using widgets::Role;
 
 namespace {
 
-/// Draws one line about the followed point, which lessons know as `target`.
-void followed_line(const char* target, const std::string& text, Role role) {
-    if (widgets::IsCovered(target))
+/// Draws one line about the followed point, which lessons know as `target`: its name, and from `column` on its value.
+void followed_line(const char* target, const char* name, float column, const std::string& value, Role role) {
+    if (widgets::IsCovered(target)) {
         widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
-    else
-        widgets::ValueText(text.c_str(), role);
+    } else {
+        ImGui::BeginGroup();
+        const float left = ImGui::GetCursorPosX();
+        widgets::ValueText(name, role);
+        ImGui::SameLine(left + column);
+        widgets::ValueText(value.c_str(), role);
+        ImGui::EndGroup();
+    }
     widgets::MarkTarget(target);
 }
 
-/// "name = (   1.000,   2.000,   3.000 )", with the columns of all lines aligned. `w`: an optional fourth component.
-void vector_line(const char* target, const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
-    constexpr std::size_t columns = 7;
-    const auto padded = [](double number) {
+/// "= (   1.000,   2.000,   3.000 )", with the columns of all lines aligned. `w`: an optional fourth component.
+std::string vector_text(const glm::dvec3& value, std::size_t columns, const double* w = nullptr) {
+    const auto padded = [columns](double number) {
         const std::string text = number_text(number, 3);
         const std::size_t shown = character_count(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
-    // A word in another script has a different width: pad by pixels, not by characters.
+    const std::string text = "= (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
+    return w ? text + "," + padded(*w) + " )" : text + " )";
+}
+
+/// Width of a text in the font of numbers.
+float number_width(const char* text) {
     const ImFont& font = *widgets::CurrentContext().fonts.number;
-    const auto width_of = [&font](const std::string& text) {
-        return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text.c_str()).x;
-    };
-    const float least = width_of("foot") - 0.5F * width_of(" ");
-    std::string padded_name = name;
-    while (width_of(padded_name) < least) padded_name += ' ';
-    std::string text = padded_name + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
-    text += w ? "," + padded(*w) + " )" : " )";
-    followed_line(target, text, role);
+    return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
 }
 
 }  // namespace
@@ -61,8 +65,8 @@ void draw_followed_point(Session& session, const Derived& derived) {
         top + 6.0F * (widgets::CurrentContext().fonts.number->FontSize + ImGui::GetStyle().ItemSpacing.y);
     if (!derived.followed) {
         widgets::Note(
-            "Click a vertex of an object in the camera view to follow p, its shadow S p and its mirror image R p "
-            "here.");
+            "Click a vertex of an object in the camera view. The vertex p, its shadow S p and its mirror image R p are "
+            "then shown here.");
         ImGui::SetCursorPosY(bottom - ImGui::GetStyle().ItemSpacing.y);
         ImGui::Dummy({0.0F, 0.0F});
         return;
@@ -73,17 +77,28 @@ void draw_followed_point(Session& session, const Derived& derived) {
     }
     if (!has_note) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
-    vector_line("follow:p", "p   ", followed.point_world, Role::point);
-    vector_line("follow:S p", "S p ", glm::dvec3(followed.shadow_homogeneous), Role::none,
-                &followed.shadow_homogeneous.w);
+    const char* const foot = tr("foot");
+    const float column = std::ceil(std::max(number_width("S p"), number_width(foot)) + number_width(" "));
+    const glm::dvec4& shadow = followed.shadow_homogeneous;
+    constexpr std::size_t usual_columns = 7;
+    const std::string widest = vector_text(glm::dvec3(shadow), usual_columns, &shadow.w);
+    const bool fits = column + number_width(widest.c_str()) <= ImGui::GetContentRegionAvail().x;
+    const auto vector = [columns = fits ? usual_columns : usual_columns - 1](const glm::dvec3& value,
+                                                                             const double* w = nullptr) {
+        return vector_text(value, columns, w);
+    };
+    const auto line = [column](const char* target, const char* name, const std::string& value, Role role) {
+        followed_line(target, name, column, value, role);
+    };
+    line("follow:p", "p", vector(followed.point_world), Role::point);
+    line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);
     if (followed.shadow_world)
-        vector_line("follow:shadow", "÷ w ", *followed.shadow_world, Role::light);
+        line("follow:shadow", "÷ w", vector(*followed.shadow_world), Role::light);
     else
-        followed_line("follow:shadow", tr("÷ w  at infinity: w = 0"), Role::trouble);
-    vector_line("follow:mirrored", "R p ", followed.mirrored_world, Role::mirror);
-    vector_line("follow:foot", tr("foot"), followed.foot_world, Role::plane);
-    const std::string distance = "k    = n·p + d = " + number_text(followed.plane_distance, 3);
-    followed_line("follow:distance", distance, Role::plane);
+        line("follow:shadow", "÷ w", tr("at infinity: w = 0"), Role::trouble);
+    line("follow:mirrored", "R p", vector(followed.mirrored_world), Role::mirror);
+    line("follow:foot", foot, vector(followed.foot_world), Role::plane);
+    line("follow:distance", "k", "= n·p + d = " + number_text(followed.plane_distance, 3), Role::plane);
 }
 
 }  // namespace viewing

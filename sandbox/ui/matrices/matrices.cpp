@@ -107,15 +107,15 @@ void show_shadow(const Column& column) {
     const auto& [plane, cast, plane_before, cast_before] = pair;
     const auto [plane_index, light_index] = column.derived.chosen;
     const glm::dmat4& shadow = cast.shadowed_world_from_world;
-    show_overridable({marked("Shadow"), "S", "shadow_from_world",
-                      marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point "
-                             "along the ray from the light, so its determinant is 0. The uploaded matrix is sign(Π·L) "
-                             "· S, with the factor in front: the same map, but with w > 0, which the clipper keeps."),
-                      Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()),
-                      shadow_roles(), shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast),
-                      moved_text(shadow, plane.patch), shadow_facts},
-                     shadow_note(shadow, cast),
-                     column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
+    show_overridable(
+        {marked("Shadow"), "S", "shadow_from_world",
+         marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point along the ray "
+                "from the light, so the determinant of S is 0. The uploaded matrix is sign(Π·L) · S: the same map, but "
+                "the factor in front makes w > 0, so the clipper keeps the shadow."),
+         Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()), shadow_roles(),
+         shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
+         shadow_facts},
+        shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
 }
 
 void show_mirror(const Column& column) {
@@ -144,8 +144,8 @@ void show_mirror(const Column& column) {
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
     return show_matrix({marked("Camera"), "C", "world_from_view",
-                        marked("The camera in the world: its columns are right, up, back and the eye."), Role::camera,
-                        column.derived.world_from_view, column.before.world_from_view,
+                        marked("The pose of the camera in the world. The columns are right, up, back and the eye."),
+                        Role::camera, column.derived.world_from_view, column.before.world_from_view,
                         column.shown(camera_cells(swapped)), camera_roles()},
                        swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons);
 }
@@ -178,7 +178,7 @@ void show_projection(const Column& column) {
         return figures(clip.z / clip.w);
     };
     const std::string becomes =
-        say("P maps view space to clip space; after ÷ w, near becomes {near} and far {far}.",
+        say("P maps view space to clip space; after ÷ w, the near plane is at {near} and the far plane at {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect = number_text(derived.aspect, 3);
     show_matrix({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,

@@ -1,4 +1,4 @@
-// The right column: S, R, V with C, and P as on the slides, the followed point, and the slide's display() with numbers.
+// The right column: S, R, V or C, and P as on the slides, the followed point, and the slide's display() with numbers.
 #pragma once
 
 #include "frame/derive.h"

@@ -108,8 +108,8 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
         note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
         explains =
-            say("Entered by hand: light and plane have no effect here. The largest difference from the correct "
-                "{matrix}, up to scale, is {difference}; {property}.",
+            say("Entered by hand: light and plane have no effect here. Apart from scale, the largest difference from "
+                "the correct {matrix} is {difference}; {property}.",
                 "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3), "property"_a = shown.property);
     }
     ImGui::PushID(shown.name);

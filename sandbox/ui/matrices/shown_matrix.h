@@ -31,7 +31,7 @@ struct ShownMatrix {
     std::span<const widgets::LetterRole> roles;
     glm::dmat4 derived{1.0};                  ///< the value unless entered by hand
     std::string heading = "";                 ///< replaces the letter
-    std::string property = "";                ///< expected of one entered by hand, with its error
+    std::string property = "";                ///< the property expected of a matrix entered by hand, with its error
     std::span<const char* const> facts = {};  ///< facts in the note, by their names in lessons
 };
 
@@ -39,7 +39,7 @@ struct ShownMatrix {
 const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 
-/// Draws S or R with a button that starts editing it by hand, or ends that.
+/// Draws S or R with a button that starts or ends editing by hand.
 void show_overridable(const ShownMatrix& shown, const std::string& fact, std::optional<glm::dmat4>& by_hand);
 
 }  // namespace viewing

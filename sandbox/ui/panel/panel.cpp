@@ -47,8 +47,8 @@ void camera_lamps(const Session& session) {
     widgets::Lamps("degrees of freedom", lamps, Role::camera);
     widgets::MarkTarget("lamps", from, ImGui::GetItemRectMax());
     widgets::Tooltip("Degrees of freedom",
-                     "Ring: available in this mode. Filled: moving now. Fly-through has six, walk-through two: pan "
-                     "about y and walk forward or back.");
+                     "Ring: the degree of freedom is available in this mode. Filled: it is moving now. Fly-through has "
+                     "six; walk-through has two: panning about y and walking forward or back.");
 }
 
 /// Draws buttons for standard views; each also has a key.
@@ -60,11 +60,12 @@ void known_views(Session& session, const Derived& derived) {
         if (ImGui::GetItemRectMax().x + gap + widgets::SmallButtonWidth(label) <= right) ImGui::SameLine(0.0F, gap);
     };
     if (widgets::SmallButton("Home")) session.go_home();
-    widgets::Tooltip("Home", "Returns the camera to its pose when this state was opened. Key: Home");
+    widgets::Tooltip("Home", "Returns the camera to the pose that it had when this state was opened. Key: Home");
     next("Frame all");
     if (widgets::SmallButton("Frame all")) session.frame_all(derived.aspect);
-    widgets::Tooltip("Frame all",
-                     "Moves back or forward until the whole scene is in view; the direction stays. Key: G");
+    widgets::Tooltip(
+        "Frame all",
+        "Moves back or forward until the whole scene is in view; the viewing direction stays the same. Key: G");
     next("Level");
     if (widgets::SmallButton("Level", session.params.camera.roll != 0.0, "The roll is 0.")) session.level();
     widgets::Tooltip("Level", "Removes the roll. Key: L");
@@ -72,9 +73,9 @@ void known_views(Session& session, const Derived& derived) {
     for (int axis = 0; axis < 3; ++axis) {
         next(axes[axis]);
         if (widgets::SmallButton(axes[axis])) session.look_along(axis);
-        widgets::Tooltip(
-            "Look along an axis",
-            "Looks at the target from the positive side of the axis; again: from the negative side. Keys: X, Y, Z");
+        widgets::Tooltip("Look along an axis",
+                         "Looks at the target from the positive side of the axis; pressed again, from the negative "
+                         "side. Keys: X, Y, Z");
     }
 }
 
@@ -91,8 +92,8 @@ void speed_control(Session& session) {
     if (widgets::Slider("speed", speed, style)) session.set_speed(speed);
     ImGui::EndDisabled();
     widgets::Tooltip("Speed",
-                     "World units per second for fly and walk, not for orbit; Shift: a quarter. Ctrl+wheel in the "
-                     "camera view also changes it.");
+                     "Speed in world units per second for fly and walk, not for orbit. Hold Shift for a quarter of "
+                     "this speed. Ctrl+wheel in the camera view also changes it.");
 }
 
 void slips(Params& params) {
@@ -180,7 +181,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     static constexpr const char* lens[] = {"control:projection.aspect", "control:slips.degrees_as_radians"};
     if (details("Aspect and radians", lens)) {
         control(params, "projection.aspect",
-                {.slider = true, .label = marked("aspect, 0: the view's"), .min = 0.0, .max = 4.0});
+                {.slider = true, .label = marked("aspect (0: from view)"), .min = 0.0, .max = 4.0});
         control(params, "slips.degrees_as_radians", {.label = marked("degrees given as radians")});
     }
 
@@ -193,11 +194,11 @@ void projection_section(Session& session, const Derived& derived, const std::vec
                                                 : say("{bits}-bit depth: Δz at z = {z} is {step}",
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
     if (!named_note("note:depth_step", note)) return;
-    widgets::Tooltip(
-        "Depth resolution",
-        "The smallest difference in eye z that depth can distinguish at the camera's target: the code width or, where "
-        "float codes are finer, the float32 precision of eye z itself. Two surfaces closer than this may fight.",
-        depth_step_formula(params));
+    widgets::Tooltip("Depth resolution",
+                     "The smallest difference in eye z that the depth buffer can distinguish at the camera's target: "
+                     "the code width or, where float codes are finer, the float32 precision of eye z itself. Two "
+                     "surfaces with a smaller gap between them may show depth fighting.",
+                     depth_step_formula(params));
 }
 
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,

@@ -1,4 +1,4 @@
-// The left column: every parameter that has an effect, in the lecture's order and words.
+// The left column: every parameter that has an effect, in the lecture's order and terms.
 #pragma once
 
 #include "frame/problems.h"

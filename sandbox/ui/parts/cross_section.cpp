@@ -81,7 +81,7 @@ void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     draw->AddTriangleFilled(tip, {tip.x - along.x + side.x, tip.y - along.y + side.y},
                             {tip.x - along.x - side.x, tip.y - along.y - side.y}, color);
     const float beside = upright_ ? -px(20.0F) : -px(9.0F);
-    widgets::HaloText(draw, {tip.x + px(6.0F), tip.y + beside}, color, "n");
+    widgets::PlateText(draw, {tip.x + px(6.0F), tip.y + beside}, color, "n");
 }
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// A cross-section of the world in a plane perpendicular to another, fitted into a rectangle of the screen with the same
-// scale on both axes.
+// A cross-section of the world, perpendicular to a plane, fitted into a rectangle of the screen with the same scale on
+// both axes.
 #pragma once
 
 #include "ui/parts/layout.h"

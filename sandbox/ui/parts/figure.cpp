@@ -13,6 +13,7 @@ Figure::~Figure() {
     const Rect strip = section_.plane_strip();
     placer.Avoid(strip.min, strip.max);
     for (const Rect& taken : taken_) placer.Avoid(taken.min, taken.max);
+    for (const Segment& line : lines_) placer.AvoidLine(line.from, line.to);
     const float around = px(7.0F);
     for (const ImVec2& mark : marks_)
         placer.Avoid({mark.x - around, mark.y - around}, {mark.x + around, mark.y + around});
@@ -30,7 +31,7 @@ bool Figure::has_room(const Rect& rect) {
 void Figure::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
     const ImVec2 a = section_.place(from), b = section_.place(to);
     draw_->AddLine(a, b, color, px(thickness) * palette().stroke);
-    keep_labels_off(a, b);
+    lines_.push_back({a, b});
 }
 
 void Figure::dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color) {
@@ -43,7 +44,7 @@ void Figure::dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color) {
         draw_->AddLine({a.x + (b.x - a.x) * begin, a.y + (b.y - a.y) * begin},
                        {a.x + (b.x - a.x) * end, a.y + (b.y - a.y) * end}, color, px(1.5F) * palette().stroke);
     }
-    keep_labels_off(a, b);
+    lines_.push_back({a, b});
 }
 
 void Figure::triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, ImU32 color, ImU32 alpha) {
@@ -94,7 +95,7 @@ void Figure::dimension(const glm::dvec3& from, const glm::dvec3& to, const char*
         at.x < normal.max.x && at.x + size.x > normal.min.x && at.y < normal.max.y && at.y + size.y > normal.min.y;
     const bool has_room_left = at.x >= section_.rect().min.x && !meets_normal;
     if (has_room_left) {
-        widgets::HaloText(draw_, at, color, text.c_str());
+        widgets::PlateText(draw_, at, color, text.c_str());
         taken_.push_back({at, {a.x + tick, at.y + size.y}});
     } else {
         labels_.push_back({{middle.x + px(12.0F), middle.y}, text, color, false});  // to the right of the line itself
@@ -129,22 +130,6 @@ Figure::Segment Figure::seen(ImVec2 from, ImVec2 to) const {
 ImVec2 Figure::middle_seen(ImVec2 from, ImVec2 to) const {
     const Segment part = seen(from, to);
     return {(part.from.x + part.to.x) * 0.5F, (part.from.y + part.to.y) * 0.5F};
-}
-
-/// Keeps labels off a line with small boxes along it. In a small figure, labels may touch slanted lines; otherwise they
-/// would not fit anywhere.
-void Figure::keep_labels_off(ImVec2 from, ImVec2 to) {
-    const Segment part = seen(from, to);
-    const ImVec2 way(part.to.x - part.from.x, part.to.y - part.from.y);
-    const bool is_slanted = std::min(std::abs(way.x), std::abs(way.y)) > px(2.0F);
-    if (is_slanted && !has_room()) return;
-    const int steps = std::clamp(static_cast<int>(std::hypot(way.x, way.y) / px(6.0F)), 1, 500);
-    const float half = px(1.0F);
-    for (int step = 0; step <= steps; ++step) {
-        const float share = static_cast<float>(step) / static_cast<float>(steps);
-        const ImVec2 at(part.from.x + way.x * share, part.from.y + way.y * share);
-        taken_.push_back({{at.x - half, at.y - half}, {at.x + half, at.y + half}});
-    }
 }
 
 std::string Figure::measure_text(const char* symbol, double value) const {

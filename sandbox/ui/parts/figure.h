@@ -48,7 +48,6 @@ private:
     /// Returns the part of a line inside the rectangle, or the whole line if it is outside.
     Segment seen(ImVec2 from, ImVec2 to) const;
     ImVec2 middle_seen(ImVec2 from, ImVec2 to) const;
-    void keep_labels_off(ImVec2 from, ImVec2 to);
     std::string measure_text(const char* symbol, double value) const;
     ImFont* number_font() const;
 
@@ -56,6 +55,7 @@ private:
     const CrossSection& section_;
     std::vector<ImVec2> marks_;
     std::vector<Rect> taken_;
+    std::vector<Segment> lines_;
     std::vector<Label> labels_;
 };
 

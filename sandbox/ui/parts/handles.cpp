@@ -12,7 +12,7 @@ namespace {
 
 constexpr double parallel_light_distance = 5.0;  ///< from the patch's center to a parallel light's lamp
 
-/// Whether the light is too far away to be visible, so that only its direction is shown.
+/// Whether the light is too far away to be visible; only its direction is then shown.
 bool is_far_away(const glm::dvec4& light) {
     const double length = glm::length(glm::dvec3(light));
     return length > 0.0 && length >= 1e3 * light.w;
@@ -129,7 +129,7 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
         found[4] = 0.5 * (found[0] + found[2]);
         return found;
     };
-    constexpr double share = 0.14;  // of the observer's distance, for a similar length in any picture
+    constexpr double share = 0.14;  // of the observer's distance, so that the length looks similar in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
     places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
     return places;

@@ -32,7 +32,7 @@ HandlePlaces handle_places(const Derived& derived);
 /// Returns the handles for an observer, including the camera's.
 HandlePlaces observer_handle_places(const Params& params, const Derived& derived);
 
-/// Returns the place at which to draw a light: its position, or a point along its direction if it is parallel.
+/// Returns the position at which to draw a light: its own, or a point along its direction if it is parallel.
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);
 
 /// A handle that is being dragged.
@@ -44,15 +44,16 @@ struct Grip {
     glm::dvec4 equation{0.0};       ///< the plane at that time
 };
 
-/// Returns the nearest handle within reach of a place on screen, or none.
+/// Returns the nearest handle within reach of a screen position, or none.
 Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 place);
 
 /// Grabs a handle.
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
-/// Moves the handle with the pointer: light and camera parallel to the picture (`along_y`: only vertically), the plane
-/// along its normal, the normal's tip around the patch's center, the camera's direction around its eye, near and far
-/// along that direction. Preserves the length and sign of the plane's normal, the camera's roll, and near < far.
+/// Moves the handle with the pointer: the light and the camera parallel to the picture (`along_y`: only vertically),
+/// the plane along its normal, the normal's tip around the patch's center, the camera's direction around its eye, and
+/// near and far along that direction. Preserves the length and sign of the plane's normal, near < far, and the camera's
+/// roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
 /// Draws the handles with their labels, and the lamps of the other lights, which have no handle. A lamp outside the

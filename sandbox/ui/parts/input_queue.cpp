@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// Until a text field accepts input after a click or Tab.
+/// The number of frames until a text field accepts input after a click or Tab.
 constexpr int frames_to_take_effect = 3;
 
 /// Whether the key may change how later events are handled.

@@ -90,7 +90,7 @@ private:
     /// The kinds of events that the current frame already contains.
     struct Taken {
         bool pointer = false, wheel = false, keyboard = false, alone = false;
-        bool pressed = false, acted = false;  ///< pressed: not a modifier; acted: does more than print
+        bool pressed = false, acted = false;  ///< pressed: a key but no modifier; acted: a key that does more than type
         std::vector<std::size_t> codes;
     };
 

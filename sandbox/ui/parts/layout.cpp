@@ -11,7 +11,7 @@ Rect rounded(float left, float top, float right, float bottom) {
             {std::round(std::max(left, right)), std::round(std::max(top, bottom))}};
 }
 
-/// Gives the bottom of the camera's picture to the caption.
+/// Cuts the caption off the bottom of the camera's picture.
 void cut_caption(Layout& layout, float height, float gap) {
     if (height <= 0.0F) return;
     layout.caption = layout.camera;
@@ -37,7 +37,7 @@ float height_of_controls(const Telling& telling, float scale) {
     return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
 }
 
-/// Cuts the listed columns off the area of the maximized view; returns the rest.
+/// Cuts a column for the listed parts off the area of the maximized view; returns the rest.
 Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole, float scale) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;
@@ -160,8 +160,8 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float share = arrangement.presents ? 0.52F : 0.45F;
     const float lower = std::min(px(arrangement.lower_height), (bottom - top) * share - layout.header_height);
     const float split_y = bottom - lower;
-    // When presenting with few controls, the panel ends level with the camera's picture, so that tables below it get
-    // the width they need.
+    // When presenting with few controls, the panel ends at the lower edge of the camera's picture, so that tables in
+    // the views below get the width they need.
     const float controls = height_of_controls(arrangement.telling, scale);
     layout.lower_are_wide = arrangement.presents && panel && !matrices && arrangement.telling.control_rows > 0 &&
                             controls <= split_y - layout.header_height - top;

@@ -1,5 +1,5 @@
-// The bit of each parameter, so that a matrix entry can point at the controls it comes from, and vice versa. Also the
-// lecture's symbols for the entries of S, R, V, C, and P.
+// The bit of each parameter, so that a matrix entry can highlight the controls that it depends on, and vice versa. Also
+// the lecture's symbols for the entries of S, R, V, C, and P.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
 /// Symbols and links of each entry, row by row.
 MatrixCells shadow_cells();
-/// `printed_by_rows`: for the transpose, which GL gets from the slide's code. `plus_2ab`: with that mistake.
+/// `printed_by_rows`: for the transpose, which GL gets from the slide's code. `plus_2ab`: with the mistake +2ab.
 MatrixCells mirror_cells(bool printed_by_rows = false, bool plus_2ab = false);
 /// `swapped_order`: with the mistake C = R T.
 MatrixCells view_cells(bool swapped_order);

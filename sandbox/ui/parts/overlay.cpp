@@ -23,6 +23,7 @@ Overlay::Overlay(ImDrawList* draw, const Rect& rect, const glm::dmat4& clip_from
 Overlay::~Overlay() {
     widgets::LabelPlacer placer(draw_, rect_.min, rect_.max);
     for (const Rect& taken : taken_) placer.Avoid(taken.min, taken.max);
+    for (const Segment& line : lines_) placer.AvoidLine(line.from, line.to);
     const float around = 12.0F * scale_;  // radius of the largest mark, the light's ring
     for (const Label& label : labels_)
         placer.Avoid({label.place.x - around, label.place.y - around},
@@ -70,12 +71,18 @@ std::optional<Overlay::Segment> Overlay::segment(const glm::dvec3& from, const g
     return is_seen ? std::optional(Segment{place_of(a), place_of(b)}) : std::nullopt;
 }
 
+std::optional<Overlay::Segment> Overlay::drawn(const glm::dvec3& from, const glm::dvec3& to) {
+    const auto found = segment(from, to);
+    if (found) lines_.push_back(*found);
+    return found;
+}
+
 void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
-    if (const auto found = segment(from, to)) draw_->AddLine(found->from, found->to, color, thickness * stroke_);
+    if (const auto found = drawn(from, to)) draw_->AddLine(found->from, found->to, color, thickness * stroke_);
 }
 
 void Overlay::dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
-    const auto found = segment(from, to);
+    const auto found = drawn(from, to);
     if (!found) return;
     const ImVec2 way(found->to.x - found->from.x, found->to.y - found->from.y);
     const float length = std::hypot(way.x, way.y), dash = 6.0F * scale_;
@@ -120,7 +127,7 @@ void Overlay::square(const glm::dvec3& point, ImU32 color, float half_size) {
 }
 
 void Overlay::arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
-    const auto found = segment(from, to);
+    const auto found = drawn(from, to);
     if (!found) return;
     draw_->AddLine(found->from, found->to, color, thickness * stroke_);
     const ImVec2 way(found->to.x - found->from.x, found->to.y - found->from.y);

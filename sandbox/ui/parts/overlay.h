@@ -57,6 +57,8 @@ private:
         ImVec2 from, to;
     };
     std::optional<Segment> segment(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// The same for a line that is drawn: keeps labels off it.
+    std::optional<Segment> drawn(const glm::dvec3& from, const glm::dvec3& to);
     ImVec2 place_of(const glm::dvec4& clip) const;
 
     ImDrawList* draw_;
@@ -65,6 +67,7 @@ private:
     float scale_, stroke_;
     std::vector<Label> labels_;
     std::vector<Rect> taken_;
+    std::vector<Segment> lines_;
 };
 
 }  // namespace viewing

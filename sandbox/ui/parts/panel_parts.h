@@ -24,8 +24,8 @@ inline std::string troubles(const std::vector<Problem>& problems, std::initializ
 
 constexpr float second_column = 142.0F;  ///< design pixels
 
-/// Places the cursor for a second control `width` pixels wide: in the same row at a fixed column, or below if the first
-/// control reaches into that column or the second one does not fit.
+/// Places the cursor for a second control `width` pixels wide: at a fixed column of the same row, or in the next row if
+/// the first control reaches into that column or the second one does not fit.
 inline void beside(float design_x, float width) {
     if (widgets::IsListing()) return;  // each control has its own row
     const float left = ImGui::GetWindowPos().x + px(design_x);
@@ -61,8 +61,8 @@ inline bool named_note(const char* target, const std::string& text) {
     return !is_covered;
 }
 
-/// Draws a section of the panel that lessons know by `name`: opened if one of `targets` is sought in it, or a plate if
-/// it is covered. `draw` draws the section with its header.
+/// Draws a section of the panel that lessons know by `name`. Opens it if one of `targets` is sought in it; draws a
+/// plate instead if it is covered. `draw` draws the section with its header.
 template <typename Draw>
 void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {
     if (widgets::IsListing()) return draw();

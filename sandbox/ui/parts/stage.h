@@ -17,7 +17,7 @@ struct Stage {
     };
 
     bool has_lesson = false;
-    bool asks = false;  ///< not answered yet: also hide red sentences, advice, and formulas in tooltips
+    bool asks = false;  ///< the question is not answered yet: also hide red sentences, advice, and formulas in tooltips
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;
 };

@@ -10,14 +10,14 @@ namespace viewing {
 /// The two views below the camera view.
 enum class Slot { left, right };
 
-/// Returns the topic of a slot, never `automatic`, which means the observer on the left, and the topic of the
-/// hidden-surface method on the right.
+/// Returns the topic of a slot. Resolves `automatic`: on the left to the observer, on the right to the topic of the
+/// hidden-surface method.
 Topic topic_of(const Params& params, Slot slot);
 
 /// Chooses another topic for a slot. If the other slot already shows it, the two swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
-/// The slot to show where only one fits: the one whose topic was chosen.
+/// The slot to show if only one fits: the one whose topic was chosen.
 Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.

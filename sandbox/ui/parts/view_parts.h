@@ -17,8 +17,8 @@ void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 /// places the cursor.
 void view_header(const Rect& rect, const char* title);
 
-/// Draws words in a row, all quiet except the chosen one, or a list if the row would extend past `right`. The
-/// explanation with the same index is a word's tooltip.
+/// Draws a choice as words in a row, all quiet except the chosen one; as a list if the row would extend past `right`.
+/// The explanation with the same index is a word's tooltip.
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right);
 

@@ -60,7 +60,7 @@ bool offer(const char* english, const char* button) {
     if (!button) return false;
     const float button_width = ImGui::CalcTextSize(tr(button)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorScreenPos({centered(button_width), top + size.y + px(8.0F)});
-    // The view has no other content, so presentations need the button, too.
+    // The view has no other content, so show the button even when presenting.
     auto offered = std::exchange(widgets::CurrentContext().targets.offered, std::nullopt);
     const bool pressed = widgets::Button(button);
     widgets::CurrentContext().targets.offered = std::move(offered);

@@ -19,7 +19,7 @@ glm::dvec3 along_plane(const glm::dvec3& normal) {
     return glm::normalize(axis - normal * glm::dot(axis, normal));
 }
 
-/// Places of light, point and shadow in the figure, and the figure's axes.
+/// Positions of light, point and shadow in the figure, and the figure's axes.
 struct ShadowPlaces {
     glm::dvec3 up, across;
     glm::dvec3 towards_light;  ///< unit vector from p; zero without a ray
@@ -55,7 +55,7 @@ std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const Shad
     return {p, found.point_foot_world, p + places.towards_light * to_source, s};
 }
 
-/// Draws l above its foot, and the two triangles at l whose heights have the ratio t.
+/// Draws l above its foot, and the two similar triangles at l, whose heights have the ratio t.
 void draw_light_side(Figure& figure, const ShadowDerivation& found, const ShadowPlaces& places, const glm::dvec3& s) {
     const ImU32 light = palette().light;
     const glm::dvec3 &l = found.light_world, &foot = found.light_foot_world, &p = found.point_world;

@@ -1,5 +1,5 @@
-// A derivation as a list of lines, in the order of a blackboard. Text only: derivation_views.h shows the lines, all at
-// once or step by step.
+// A derivation as a list of lines, in the order in which they are written on a blackboard. Text only:
+// derivation_views.h shows the lines, all at once or step by step.
 #pragma once
 
 #include <string>

@@ -86,8 +86,8 @@ void light_slider(Params& params) {
     widgets::Slider("##l_w", light.w, style, std::clamp(room - behind - (in_a_row ? before : 0.0F), least, px(260.0F)));
     widgets::Tooltip(
         "Parallel or point light",
-        "The light's fourth coordinate. 1: a point light at ℓ. 0: a parallel light from the direction (x, y, z). In "
-        "between, the light is at (x, y, z) divided by it: the smaller the value, the farther away.");
+        "The light's fourth coordinate, w. 1: a point light at ℓ. 0: a parallel light from the direction (x, y, z). In "
+        "between, the light is at (x, y, z) ÷ w: the smaller w is, the farther away the light.");
     ImGui::SameLine(0.0F, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("point"));
@@ -123,7 +123,7 @@ void write_shown(const DerivationLine& line) {
     }
 }
 
-/// Whether this line, or another part that shows the same numbers, is covered.
+/// Whether this line is covered, or another part that shows the same numbers.
 bool is_covered(const std::string& target) {
     struct Same {
         std::string_view line;
@@ -192,8 +192,8 @@ void mirror_form(const MirrorDerivation& found) {
                     {.cells = cells, .roles = mirror_roles(), .target = "matrix:R"}, width);
     widgets::MarkTarget("text:mirror_derivation.matrix", from, ImGui::GetItemRectMax());
     widgets::Note(
-        "The slide divides n·q + d by |n| once. That makes k a distance, but the n after it must also have length 1: "
-        "for a plane as typed, divide by |n|².");
+        "The slide divides n·q + d by |n| once. That makes k a distance, but the n that k multiplies must also have "
+        "length 1. For a plane as typed, divide by |n|² instead.");
     if (found.plane == MirrorPlane::general)
         widgets::Note("The plane's buttons yz, xz and xy give the three cases on the slide.");
 }
@@ -216,7 +216,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     const bool is_short = steps.is_short() && step < 0;
     light_slider(params);
     tell_ray(found.ray);
-    if (derived.chosen_shadow().by_hand) widgets::Note("S was entered by hand; here it is as derived.");
+    if (derived.chosen_shadow().by_hand) widgets::Note("S was entered by hand; this view shows S as derived.");
     equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
               "= " + derivation_vector(found.light_world)});
     equation({"p", "= " + derivation_vector(found.point_world)});
@@ -239,8 +239,8 @@ void draw_mirror_derivation(Session& session, const Derived& derived, const Rect
     if (is_part_covered("text:mirror_derivation", ImGui::GetContentRegionAvail().y)) return;
     const std::vector<DerivationLine> lines = mirror_lines(found);
     const bool is_stepped = step_bar(session.params, lines, player);
-    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R was entered by hand; here it is as derived.");
-    if (derived.chosen_plane().mirror_has_slip) widgets::Note("R contains a mistake; here it is as derived.");
+    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R was entered by hand; this view shows R as derived.");
+    if (derived.chosen_plane().mirror_has_slip) widgets::Note("R contains a mistake; this view shows R as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     tell_point(derived, "q");

@@ -179,26 +179,27 @@ void shadow_function(const Derived& derived) {
                             shadow_cells(),
                             shadow_roles()};
     title(function);
-    widgets::Note("Filled column by column. The plane has a unit normal.");
-    if (cast.by_hand) widgets::Trouble("S was entered by hand; it is not what this code fills in.");
+    widgets::Note("The code fills the array column by column. The plane has a unit normal.");
+    if (cast.by_hand) widgets::Trouble("S was entered by hand; it does not come from this code.");
     draw_lines(function, cast.plane_dot_light);
 }
 
-/// The switch that fills R as on the slide, and one sentence on how GL reads the array.
+/// Draws the switch that fills R as on the slide, and a sentence that says how GL reads the array.
 void order_switch(Params& params, double d) {
     if (widgets::Offers("control:reflection.printed_by_rows"))
         control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});
     if (!params.reflection.printed_by_rows)
         widgets::Note(
-            "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is corrected.");
+            "OpenGL reads an array column by column. ReflectionMatrix on the slide fills it row by row; the code here "
+            "is corrected.");
     else if (d == 0.0 && !widgets::IsCovered("sentences"))
         widgets::Note(
-            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: correct only here, where d = 0, since the "
-            "rest of R is symmetric.");
+            "The slide fills the array row by row, but OpenGL reads it column by column and gets Rᵀ. That is correct "
+            "only because d = 0 here: the rest of R is symmetric.");
     else if (!widgets::IsCovered("sentences"))
         widgets::Trouble(
-            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: with d ≠ 0, the translation (−2ad, −2bd, "
-            "−2cd) lands in the bottom row, and w is no longer 1.");
+            "The slide fills the array row by row, but OpenGL reads it column by column and gets Rᵀ. With d ≠ 0, the "
+            "translation (−2ad, −2bd, −2cd) lands in the bottom row, and w is no longer 1.");
 }
 
 void mirror_function(const Params& params, const Derived& derived) {
@@ -218,7 +219,7 @@ void mirror_function(const Params& params, const Derived& derived) {
     if (slips.normal_not_unit) widgets::Trouble("Mistake: plane[] is used as typed, not divided by |n|.");
     if (slips.plus_2ab) widgets::Trouble("Mistake: row 2, column 1 has lost its minus sign.");
     if (derived.chosen_plane().mirror_by_hand)
-        widgets::Trouble("R was entered by hand; it is not what this code fills in.");
+        widgets::Trouble("R was entered by hand; it does not come from this code.");
     draw_lines(function, std::nullopt);
 }
 

@@ -18,11 +18,13 @@ const char* explanation_of(MirrorWay way) {
     switch (way) {
         case MirrorWay::clip_distance:
             return tr(
-                "gl_ClipDistance clips the mirrored scene at the mirror: each vertex has a distance, and each triangle "
-                "is clipped where the distance is 0. The other pictures are compared with this one.");
+                "gl_ClipDistance clips the mirrored scene at the mirror: each vertex writes its signed distance from "
+                "the mirror, and each triangle is clipped where that distance is 0. The other pictures are compared "
+                "with this one.");
         case MirrorWay::none:
             return tr(
-                "Nothing is clipped: objects that lie behind the mirror or cross it appear in front of the image.");
+                "Nothing is clipped: objects that lie behind the mirror or cross it appear in front of the mirror "
+                "image.");
         case MirrorWay::oblique:
             return tr(
                 "The mirror itself is the near plane: nothing else is needed, but depth is measured from that plane, "
@@ -31,7 +33,8 @@ const char* explanation_of(MirrorWay way) {
             break;
     }
     return tr(
-        "The camera is mirrored instead of the scene, and its picture is flipped left to right: the same picture.");
+        "The camera is mirrored instead of the scene, and its picture is flipped left to right. The result is the "
+        "same.");
 }
 
 /// Always three decimals: depths are from 0 to 1.
@@ -60,8 +63,8 @@ bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
     return mirrored_in(params, way).reflection == reflection;
 }
 
-/// Draws the name above and the numbers below, as many as leave enough of the picture visible; the tooltip has them
-/// all.
+/// Draws the name above and the numbers below, but only as many as leave enough of the picture visible; the tooltip has
+/// them all.
 void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<const std::string> numbers) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     float room = 0.6F * place.height();
@@ -70,12 +73,12 @@ void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<c
         return width + px(2.0F * picture_margin) <= place.width() && font->FontSize <= room;
     };
     const auto write = [&](const char* text, ImFont* font, float top) {
-        widgets::HaloText(draw, {place.min.x + px(picture_margin), top}, palette().text, text, font);
+        widgets::PlateText(draw, {place.min.x + px(picture_margin), top}, palette().text, text, font);
         room -= font->FontSize;
     };
     ImFont* const head = fits(name, fonts.text) ? fonts.text : fonts.note;
     if (fits(name, head)) write(name, head, place.min.y + px(0.5F * picture_margin));
-    ImFont* const small = place.height() < px(200.0F) ? fonts.small_number : fonts.number;
+    ImFont* const small = place.height() < px(200.0F) ? fonts.note : fonts.text;
     const auto fitting = static_cast<float>(
         std::min<std::size_t>(numbers.size(), static_cast<std::size_t>(std::max(room, 0.0F) / small->FontSize)));
     float top = place.max.y - px(0.5F * picture_margin) - fitting * small->FontSize;
@@ -97,7 +100,7 @@ void way_picture(Session& session, const Rect& place, MirrorWay way, const Mirro
     const DepthParams& depth = session.params.depth;
     if (way == MirrorWay::oblique && depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex)
         told += std::string(" ") +
-                tr("Here each vertex writes its own logarithmic z, so nothing of that near plane remains.");
+                tr("Here each vertex writes its own logarithmic z, so the mirror no longer acts as the near plane.");
     std::vector<std::string> numbers;
     if (shown.ways) {
         const MirrorWayReport& report = shown.ways->reports[index];
@@ -113,7 +116,7 @@ void way_picture(Session& session, const Rect& place, MirrorWay way, const Mirro
 void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown) {
     if (!session.params.reflection.enabled) {
         ImGui::SetCursorScreenPos(rect.min);
-        widgets::Note("Reflection is off: there is no image to compare.");
+        widgets::Note("Reflection is off: there is no mirror image to compare.");
         return;
     }
     // In a 2 × 2 grid, each with the camera picture's aspect ratio.

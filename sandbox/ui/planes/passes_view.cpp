@@ -49,8 +49,8 @@ Places places_in(const Rect& rect, double aspect) {
 }
 
 /// Draws the step bar: passes as steps, counted from 1; a frame without a stop is at its last step. Returns true when
-/// the step changed. In a narrow view, the bar is lower, so that its buttons are narrower, too. If even that does not
-/// fit, clicks on passes still work.
+/// the step changed. In a narrow view, the bar has less height, which also makes its buttons narrower. If even that bar
+/// does not fit, clicks on passes still work.
 bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -169,8 +169,8 @@ void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect,
     for (std::size_t buffer = 0; buffer < pictures.size(); ++buffer) {
         const Rect& place = places.pictures[buffer];
         picture_item(buffer_names[buffer], place, pictures[buffer]);
-        widgets::HaloText(ImGui::GetWindowDrawList(), {place.min.x + px(6.0F), place.min.y + px(3.0F)}, palette().text,
-                          tr(buffer_names[buffer]));
+        widgets::PlateText(ImGui::GetWindowDrawList(), {place.min.x + px(6.0F), place.min.y + px(3.0F)}, palette().text,
+                           tr(buffer_names[buffer]));
     }
     ImGui::SetCursorScreenPos(rect.min);
     const ImVec2 room(std::max(places.list.width(), 1.0F), std::max(places.list.height(), 1.0F));

@@ -30,7 +30,7 @@ std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, I
     return found;
 }
 
-/// Returns the vertex, of the frontmost triangle at a screen position, that is nearest on screen.
+/// Returns the vertex nearest on screen to a screen position, among those of the frontmost triangle there.
 std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
     const std::optional<ObjectHit> under = object_at(overlay, scene, place);
     if (!under) return std::nullopt;
@@ -70,7 +70,7 @@ double world_per_px(const Lens& lens, double distance, float height_px) {
 
 /// The wheel moves the camera, zooms in orbit mode, or scales an orthographic picture; with Ctrl it changes the speed.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
-    constexpr double seconds_a_line = 0.15;  // of flight
+    constexpr double seconds_a_line = 0.15;  // of flight per line of the wheel
     Params& params = session.params;
     const bool has_speed = params.camera.navigation != Navigation::orbit;
     if (has_speed && input.is_down(Key::ctrl)) {

@@ -23,15 +23,15 @@ constexpr const char* shows[] = {marked("color"),    marked("depth"),      marke
 /// Draws the choice of what the picture shows, and choices that depend on it.
 void view_choices(Params& params, const Rect& rect) {
     static constexpr const char* show_explanations[] = {
-        marked("The picture as it is meant to be seen."),
+        marked("The picture itself, in its usual colors."),
         marked("The depth buffer: black is near, white is far, tinted pixels were never written."),
-        marked("The stencil buffer: which patch was marked, how many mirrors deep, and which light's shadow was "
-               "counted on it."),
+        marked("The stencil buffer: which patch was marked, through how many mirrors it is seen, and which lights' "
+               "shadows were counted on it."),
         marked("The visible side of each polygon: front faces and back faces in two colors."),
         marked("How often each pixel was drawn."),
         marked("Red marks pixels where the two compared methods see different polygons."),
-        marked("Gaps between flat surfaces, divided by the smallest gap that depth surely resolves: below 1, they may "
-               "fight."),
+        marked("The gap between flat surfaces, divided by the smallest gap that the depth buffer is sure to resolve. "
+               "Below 1, depth fighting is possible."),
         marked("The w that S gives each point of the objects: positive between the light and the plane, and also "
                "behind the plane.")};
     int index = static_cast<int>(params.view.shows);
@@ -60,14 +60,14 @@ void show_legend(Overlay& overlay, std::span<const LegendEntry> entries) {
     overlay.keep_labels_off(draw_legend(overlay.draw(), overlay.rect(), entries));
 }
 
-/// Low four bits: the patch's value, plus one per mirror. High four bits: one for each missing light.
+/// The low four bits hold the patch's value, plus one per mirror; each of the high four bits, one missing light.
 void stencil_legend(Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
     std::string values = "+16";
     for (std::size_t light = 1; light < lights; ++light) values += ", " + std::to_string(16 << light);
-    const std::string missing = lights > 1 ? say("{values}: a light is missing", "values"_a = values)
-                                           : say("{values}: the light is missing", "values"_a = values);
+    const std::string missing = lights > 1 ? say("{values}: a light is blocked", "values"_a = values)
+                                           : say("{values}: the light is blocked", "values"_a = values);
     const LegendEntry entries[] = {{stencil_colors[0], marked("0: nothing marked")},
                                    {stencil_colors[1], patches.c_str()},
                                    {stencil_colors[2], missing.c_str()},

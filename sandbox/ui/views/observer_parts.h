@@ -30,7 +30,7 @@ void draw_patches(Overlay& overlay, const Derived& derived);
 /// Draws a camera's view volume with its eye: a frustum, or a box if orthographic.
 void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view);
 
-/// Draws the frustum again where V actually puts the eye, if that differs from the camera's position.
+/// Draws the frustum a second time at the position where V puts the eye, if that differs from the camera's position.
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
 /// Draws eye′ = R eye, and the frustum that sees the same image in the mirror.

@@ -49,7 +49,8 @@ struct LowerChoice {
 /// State of the views; persists between frames.
 struct ViewState {
     bool handles = true;
-    /// While a lesson's step asks: the fields and groups that handles may change unless Ctrl is held. nullopt: all.
+    /// The fields and groups that handles may change, unless Ctrl is held, while a lesson's question is open. nullopt:
+    /// all.
     std::optional<std::vector<std::string>> movable;
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
@@ -58,7 +59,7 @@ struct ViewState {
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
     std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, origin top left
     std::optional<glm::ivec2> method_pixel;   ///< under the pointer, in a hidden-surface method's picture
-    std::optional<glm::ivec2> told_pixel;     ///< the last hovered_pixel, while the pointer is elsewhere
+    std::optional<glm::ivec2> told_pixel;     ///< the last hovered_pixel, kept while the pointer is elsewhere
     ViewName hovered = ViewName::none;
     std::optional<LowerChoice> lower;
     HiddenState hidden;

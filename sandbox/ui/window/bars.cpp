@@ -147,8 +147,8 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
-    // Wide enough from the first frame for the slider with its label; apart from that, the menu sizes itself to its
-    // content.
+    // Make the menu wide enough for the slider with its label from the first frame; apart from that, it sizes itself to
+    // its content.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
     if (!begin_menu(marked("Look"), "look menu", marked("Theme, language, scale and folded panels"), least)) return;
     Params& params = session.params;
@@ -198,8 +198,8 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
 
 namespace {
 
-/// The column that the bar's button shows next, if only one fits. In a short window, the cycle includes the views
-/// alone.
+/// The column that the bar's button shows next, if only one fits. In a short window, one stop of the cycle shows only
+/// the views.
 const char* next_column(const Arrangement& arrangement, const Layout& layout) {
     if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
     if (layout.is_short && arrangement.prefers_matrices) return marked("Views");
@@ -267,7 +267,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     }
     draw_presets(session, share * preset_width, has_steps, picture);
 
-    // Align the buttons to the right.
+    // Right-align the buttons.
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
                              layout.top_bar.width() - buttons + ImGui::GetStyle().ItemSpacing.x - px(10.0F)));
     if (!layout.matrices_fit) {
@@ -300,7 +300,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(4.0F)});
     begin_area("status", layout.status_bar, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoInputs);
     ImGui::PopStyleVar();
-    ImGui::PushFont(widgets.fonts.small_number);
+    ImGui::PushFont(widgets.fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
     const std::string recording = recording_sign();
     const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
@@ -312,7 +312,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::TextUnformatted(status.frame_time.c_str());
     ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
-    // As many texts as fit, most important first; the hint keeps its place.
+    // Show as many texts as fit, the most important first; the hint keeps its position.
     const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
     const auto append = [&](const std::string& text) {

@@ -120,8 +120,8 @@ void append_step(Session& session, const std::filesystem::path& file) {
         if (!lesson) return Error{lesson.error()};
         return write_file(file, *lesson);
     };
-    session.write(work,
-                  say("the state was added to {file} as the last step: fill in its texts", "file"_a = file.string()));
+    session.write(work, say("the state was added to {file} as the last step: now fill in the text of that step",
+                            "file"_a = file.string()));
 }
 
 }  // namespace
@@ -245,9 +245,10 @@ void draw_permission(Session& session) {
     }
     dialog_title(marked("Read a file outside the state's folder?"));
     ImGui::BeginChild("question", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
-    widgets::Note(say("{state} names a file that is neither in its own folder nor in the sandbox's:",
-                      "state"_a = printable(asked->named_by))
-                      .c_str());
+    widgets::Note(
+        say("{state} refers to a file that is neither in the folder of that state nor in the sandbox's folder:",
+            "state"_a = printable(asked->named_by))
+            .c_str());
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(printable(asked->file.string()).c_str());
     ImGui::PopTextWrapPos();

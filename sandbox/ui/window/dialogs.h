@@ -60,7 +60,7 @@ private:
     bool opens() const { return purpose_ == Purpose::open || purpose_ == Purpose::open_answers; }
     std::string error_;
     bool waits_ = false;                ///< for the outcome of opening or saving
-    std::filesystem::path to_replace_;  ///< exists; the user was warned, so Save replaces it now
+    std::filesystem::path to_replace_;  ///< an existing file; the user was warned, so the next Save replaces it
 };
 
 /// Asks for permission while a state waits to read a file outside its folder.

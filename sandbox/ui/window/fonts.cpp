@@ -40,12 +40,15 @@ constexpr Face regular{"Inter-Regular.otf", "NanumBarunGothic.ttf"},
     semibold{"Inter-SemiBold.otf", "NanumBarunGothicBold.ttf"},
     mono{"JetBrainsMono-Regular.ttf", "NanumBarunGothic.ttf"};
 
-ImFont* font(const Face& face, float size_px, const ImWchar* korean) {
+constexpr float usual_korean = 0.95F;  ///< size of Korean relative to Latin
+constexpr float small_korean = 1.08F;  ///< syllables of three parts need it
+
+ImFont* font(const Face& face, float size_px, const ImWchar* korean, float korean_size = usual_korean) {
     size_px = std::round(size_px);
     ImFont* const font = add(face.latin, size_px, text_ranges, false);
     font->FallbackChar = box;
     add("DejaVuSans.ttf", std::round(size_px * 0.95F), sign_ranges, true);
-    if (korean) add(face.korean, std::round(size_px * 0.95F), korean, true, 1);
+    if (korean) add(face.korean, std::round(size_px * korean_size), korean, true, 1);
     return font;
 }
 
@@ -63,9 +66,9 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, float small_type) {
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);
-    fonts.note = font(regular, small_type * scale, syllables);
+    fonts.note = font(regular, small_type * scale, syllables, small_korean);
     fonts.number = font(mono, 16.0F * scale, syllables);
-    fonts.small_number = font(mono, small_type * scale, syllables);
+    fonts.small_number = font(mono, small_type * scale, syllables, small_korean);
     fonts.caption = font(regular, 19.0F * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;

@@ -28,7 +28,7 @@ void draw_keys() {
         {marked("click"), marked("follow the nearest vertex; on the background: stop following")},
         {"Home  G", marked("starting view · whole scene")},
         {"L", marked("level: no roll")},
-        {"X  Y  Z", marked("look along an axis; again: from the other side")},
+        {"X  Y  Z", marked("look along an axis; press again: other side")},
         {"", ""},
         {marked("drag a number"), marked("change it; Shift ×10, Alt ÷100")},
         {marked("double-click it"), marked("type; right-click resets")},
@@ -76,7 +76,7 @@ std::size_t draw_table(const std::vector<ManualBlock>& blocks, std::size_t first
     return end;
 }
 
-/// Draws a line of code in type small enough for 100 characters; a longer one wraps.
+/// Draws a line of code in text small enough for 100 characters; a longer line wraps.
 void draw_code(const std::string& line) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::TextUnformatted(line.empty() ? " " : line.c_str());

@@ -136,7 +136,7 @@ void Workbench::draw_lesson_button(Session& session) {
             start_page.open();
     }
     widgets::Tooltip("Lesson", waits
-                                   ? marked("Returns to the step you left, in its original state.")
+                                   ? marked("Returns to the step that you left and restores its original state.")
                                    : marked("The lessons of the lecture: each step asks before it shows the answer."));
 }
 
@@ -157,7 +157,7 @@ void Workbench::follow_exercises(Session& session) {
         }
         wanted_exercise_.clear();
     }
-    // While an exercise's own state is loading, the current state is not yet an answer.
+    // While an exercise's initial state is loading, the current state does not count as an answer.
     if (guide.is_shown() && guide.is_sheet() && !replay.is_playing() && !session.is_loading()) {
         const bool is_at_rest = !ImGui::IsAnyItemActive() && !session.is_moving() && !guide.is_revealing();
         exercises.follow(*guide.run(), session.params, is_at_rest, ImGui::GetTime());
@@ -178,12 +178,11 @@ void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
         file_dialog_.show(purpose, "", [this](const std::filesystem::path& file) { exercises.open_hand_in(file); });
         return;
     }
-    const std::string number = exercises.student().number;
-    const std::string name = "answers" + (number.empty() ? "" : "-" + number) + ".json";
-    file_dialog_.show(purpose, name, [this, &session](const std::filesystem::path& file) {
-        session.write([file, text = hand_in_as_text(exercises.hand_in())] { return write_file(file, text); },
-                      say("answers saved to {file}", "file"_a = file.string()));
-    });
+    file_dialog_.show(
+        purpose, hand_in_file_name(exercises.student()), [this, &session](const std::filesystem::path& file) {
+            session.write([file, text = hand_in_as_text(exercises.hand_in())] { return write_file(file, text); },
+                          say("answers saved to {file}", "file"_a = file.string()));
+        });
 }
 
 bool Workbench::paste_answer(Session& session) {

@@ -43,12 +43,13 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         choose_topic(params, slot, static_cast<Topic>(topic));
         want(slot);
     }
-    widgets::Tooltip("What this view shows",
-                     "Choose the camera seen from outside by the observer, or the light's view; the world moving while "
-                     "the camera stays; the depth buffer and its analysis: histogram, precision, codes, one pixel, a "
-                     "block of pixels, depth fighting; the lecture's display(); shadow and mirror as the lecture "
-                     "derives and codes them, and four ways to mirror; the frame as GL calls, pass by pass; or, for "
-                     "the hidden-surface methods, the tree, the drawing order and the cost growth.");
+    widgets::Tooltip(
+        "What this view shows",
+        "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
+        "camera stays; the depth buffer and its analysis (histogram, precision, codes, one pixel, a block of pixels, "
+        "depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, and four "
+        "ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the tree, the "
+        "drawing order and the growth of the cost.");
     ImGui::SameLine(0.0F, px(12.0F));
     if (!offers_other) return;  // the list also has that topic
     if (widgets::SmallButton(other)) want(other_than(slot));
@@ -71,7 +72,7 @@ void tree_legend(float right) {
             "How the tree is read",
             (std::string(tr(legends[0])) + "\n" +
              tr("The tree does not depend on the eye, although the slide's \"according to the viewer direction\" may "
-                "suggest it: it is built once, and only its traversal depends on the eye."))
+                "suggest that it does. The tree is built once, and only its traversal depends on the eye."))
                 .c_str());
     }
 }

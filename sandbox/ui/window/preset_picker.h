@@ -12,7 +12,7 @@ namespace viewing {
 
 class PresetPicker {
 public:
-    /// Opens the list in the next frame, like a click on the closed list.
+    /// Opens the list in the next frame, as a click on the closed list does.
     void open() { requested_ = true; }
     bool is_open() const { return is_open_; }
     const std::string& search() const { return search_; }

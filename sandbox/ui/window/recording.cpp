@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ui/window/fonts.h"
-#include "widgets/halo.h"
 
 namespace viewing {
 namespace {
@@ -205,77 +204,6 @@ private:
     std::vector<ImDrawIdx> triangles_;
 };
 
-// ---- halos ---------------------------------------------------------------------------------------------------------
-
-/// Offset from a text to its copy; empty if the two texts differ.
-std::optional<glm::vec2> shift_between(const Line& text, const Line& copy) {
-    if (text.characters != copy.characters || text.face != copy.face) return std::nullopt;
-    return glm::vec2(copy.lefts_px.front() - text.lefts_px.front(), copy.baseline_px - text.baseline_px);
-}
-
-/// Width of the rim that copies form around a text. Each copy must be on its own side (widgets::halo_sides) and as far
-/// away as the first, apart from Dear ImGui's rounding to whole pixels. So equal numbers in a column are not a rim.
-std::optional<float> rim_px(std::span<const Line* const> copies, const Line& text) {
-    constexpr float most_px = 16.0F, rounding_px = 1.01F;
-    float rim = 0.0F, sum = 0.0F;
-    for (std::size_t i = 0; i < copies.size(); ++i) {
-        const std::optional<glm::vec2> shift = shift_between(text, *copies[i]);
-        if (!shift || copies[i]->ink != copies[0]->ink) return std::nullopt;
-        const ImVec2 side = widgets::halo_sides[i];
-        if (i == 0) rim = shift->x;
-        const bool is_rim = rim > 0.5F && rim <= most_px;
-        const auto lies = [&](float along, float sign) {
-            return sign == 0.0F ? std::abs(along) < 0.01F
-                                : along * sign > 0.5F && std::abs(along * sign - rim) < rounding_px;
-        };
-        if (!is_rim || !lies(shift->x, side.x) || !lies(shift->y, side.y)) return std::nullopt;
-        sum += std::max(std::abs(shift->x), std::abs(shift->y));
-    }
-    return sum / static_cast<float>(copies.size());
-}
-
-/// Rim widths for the lines of the text whose copies begin at the first mark; empty if there is no such text. A text in
-/// several typefaces has several lines.
-std::vector<float> rims_of_text(std::span<const Mark> marks) {
-    constexpr std::size_t most_lines = 12, copies = std::size(widgets::halo_sides);
-    for (std::size_t lines = 1; lines <= most_lines && (copies + 1) * lines <= marks.size(); ++lines) {
-        std::vector<float> rims;
-        for (std::size_t line = 0; line < lines; ++line) {
-            std::vector<const Line*> all;
-            for (std::size_t i = 0; i <= copies; ++i)
-                if (const Line* const copy = std::get_if<Line>(&marks[i * lines + line].what)) all.push_back(copy);
-            if (all.size() <= copies) break;
-            const std::optional<float> rim = rim_px(std::span(all).first(copies), *all.back());
-            if (!rim) break;
-            rims.push_back(*rim);
-        }
-        if (rims.size() == lines) return rims;
-    }
-    return {};
-}
-
-/// Replaces a text and the copies around it by one text with a rim.
-std::vector<Mark> with_rims(std::vector<Mark> marks) {
-    std::vector<Mark> kept;
-    constexpr std::size_t copies = std::size(widgets::halo_sides);
-    for (std::size_t at = 0; at < marks.size();) {
-        const std::vector<float> rims = rims_of_text(std::span(marks).subspan(at));
-        if (rims.empty()) {
-            kept.push_back(std::move(marks[at++]));
-            continue;
-        }
-        for (std::size_t i = 0; i < rims.size(); ++i) {
-            Mark text = std::move(marks[at + copies * rims.size() + i]);
-            Line& line = std::get<Line>(text.what);
-            line.halo = std::get<Line>(marks[at + i].what).ink;
-            line.halo_px = rims[i];
-            kept.push_back(std::move(text));
-        }
-        at += (copies + 1) * rims.size();
-    }
-    return kept;
-}
-
 // ---- recorder ------------------------------------------------------------------------------------------------------
 
 class Recorder {
@@ -286,10 +214,7 @@ public:
             for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) take(*data.CmdLists[i], command);
     }
 
-    Drawing drawing() {
-        drawing_.marks = with_rims(std::move(drawing_.marks));
-        return std::move(drawing_);
-    }
+    Drawing drawing() { return std::move(drawing_); }
 
 private:
     void take(const ImDrawList& list, const ImDrawCmd& command) {

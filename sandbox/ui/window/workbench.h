@@ -28,7 +28,7 @@ namespace viewing {
 struct StatusLine {
     std::string renderer;           ///< "OpenGL 3.3 · llvmpipe"
     std::string frame_time;         ///< "–" in pictures that must be reproducible
-    std::vector<std::string> told;  ///< on the pixel under the pointer, or on coarse drawing; most important first
+    std::vector<std::string> told;  ///< about the pixel under the pointer, or coarse drawing; most important first
 };
 
 /// Requests that only the surrounding program can fulfill.
@@ -90,8 +90,8 @@ public:
 
 private:
     void set_stage();
-    /// Commits typed text before a key or file moves the focus away, by delaying that input for one frame. Also commits
-    /// it when the window loses focus.
+    /// Commits typed text before a key or a dropped file moves the focus away: holds that input back for one frame.
+    /// Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
     /// When presenting, returns the only switches to offer: `kinds`, and controls that the step names. Otherwise
     /// nullopt: all.

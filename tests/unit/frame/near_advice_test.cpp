@@ -117,7 +117,7 @@ TEST(NearAdvice, QuantifiesTheGain) {
     EXPECT_EQ(found->sentence.rfind("Nothing is nearer than 4: with near = 3.6, the safe gap at z = 80 would be ", 0),
               0U);
     // The step is proportional to 1/n − 1/f: 99.99 against 0.2678.
-    const std::size_t end = found->sentence.find(" times finer.");
+    const std::size_t end = found->sentence.find(" times smaller.");
     ASSERT_NE(end, std::string::npos) << found->sentence;
     EXPECT_NEAR(std::stod(found->sentence.substr(found->sentence.rfind(' ', end - 1))), 373.4, 0.05 * 373.4);
 }

@@ -58,12 +58,12 @@ const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
         // shadow: artifacts 22 to 33
         {"shadow",
-         "the shadow darkens wherever",
+         "the shadow is darker wherever",
          box_scene,
          {"shadow.stencil_once=false"},
          {"shadow.stencil_once=false", "shadow.opacity=1"}},
         {"shadow",
-         "the shadow darkens wherever",
+         "the shadow is darker wherever",
          box_scene,
          {"shadow.stencil_once=false"},
          {"shadow.stencil_once=false", "shadow.style=missing_light"}},
@@ -238,7 +238,7 @@ const std::vector<Case>& cases() {
          {"reflection.mirrored=camera", "reflection.same_projection=false"},
          {"reflection.same_projection=false"}},
         {"reflection",
-         "filled by rows",
+         "filled row by row",
          box_scene,
          {"reflection.printed_by_rows=true", "plane.equation=[0,1,0,0.5]"},
          {"reflection.printed_by_rows=true"}},
@@ -327,8 +327,8 @@ TEST(Problems, ReportWhetherAnObliqueNearPlaneIsFinerOrCoarser) {
     for (const char* preset : {"opening", "wall-mirror", "mirror-ways", "mirror-oblique-depth"}) {
         const std::vector<Problem> problems = told(preset);
         const bool is_coarser = std::string(preset) == "mirror-oblique-depth";
-        EXPECT_EQ(says(problems, "reflection", "makes depth coarser"), is_coarser) << preset;
-        EXPECT_EQ(says(problems, "reflection", "makes depth finer"), !is_coarser) << preset;
+        EXPECT_EQ(says(problems, "reflection", " times coarser"), is_coarser) << preset;
+        EXPECT_EQ(says(problems, "reflection", " times finer"), !is_coarser) << preset;
     }
 }
 

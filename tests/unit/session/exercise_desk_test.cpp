@@ -566,6 +566,16 @@ TEST_F(ExerciseDeskTest, NothingIsWrittenWithoutAFolder) {
     EXPECT_TRUE(files().empty());
 }
 
+TEST(HandInName, IsNumberAndName) {
+    EXPECT_EQ(hand_in_file_name({"viewing-2026", "32201234", "홍길동"}), "32201234_홍길동.json");
+    EXPECT_EQ(hand_in_file_name({"viewing-2026", "32201234", ""}), "32201234.json");
+    EXPECT_EQ(hand_in_file_name({"", "", "Anna Lee"}), "Anna-Lee.json");
+    EXPECT_EQ(hand_in_file_name({"viewing-2026", "", ""}), "answers.json");
+    EXPECT_EQ(hand_in_file_name({"", "../a:b*c", "d?\"<>|e"}), "-.-a-b-c_d-----e.json");
+    const std::string longest = hand_in_file_name({"", std::string(400, '7'), "홍길동"});
+    EXPECT_LE(longest.size(), 125U);
+}
+
 TEST_F(ExerciseDeskTest, OpenedHandInBecomesItsStudentsSheet) {
     {
         const auto desk = desk_of(ben);

@@ -6,6 +6,17 @@
 namespace viewing {
 namespace {
 
+TEST(Words, AFormulaIsOneUnbrokenStart) {
+    EXPECT_EQ(unbroken_start("k = n·q + d입니다. 그리고"), "k = n·q + d입니다.");
+    EXPECT_EQ(unbroken_start("t = (n·ℓ + d)/(n·ℓ − n·p) moves"), "t = (n·ℓ + d)/(n·ℓ − n·p)");
+    EXPECT_EQ(unbroken_start("the plane n·p + d = 0"), "the");
+    EXPECT_EQ(unbroken_start("L / Pᵀ"), "L / Pᵀ");
+    EXPECT_EQ(unbroken_start("word"), "word");
+    EXPECT_EQ(unbroken_start("= at the start"), "= at");
+    EXPECT_EQ(unbroken_start("at the end ="), "at");
+    EXPECT_EQ(unbroken_start(""), "");
+}
+
 TEST(Words, CountCharactersNotBytes) {
     EXPECT_EQ(character_count(""), 0U);
     EXPECT_EQ(character_count("near"), 4U);

@@ -1,6 +1,6 @@
-// Keeps the program's files of settings and answers in localStorage from one visit to the next. While that is refused
-// or full, a bar says so, and the answers can be saved as a file. Other tabs write the same files: the program merges
-// whatever one of them has written or this one has overwritten. Loaded after net.js.
+// Keeps the program's files of settings and answers in localStorage from one visit to the next. While storage is
+// refused or full, a bar says so, and the answers can be saved as a file. Other tabs write the same files: the program
+// merges the text of another tab with its own, even if this tab has overwritten that text. Loaded after net.js.
 'use strict';
 
 const kept = (() => {
@@ -25,7 +25,7 @@ const kept = (() => {
   const unmerged = [];  // [path, text] written by other tabs
   let is_open = false;
 
-  /// The program reads another tab's text and adds its own; if that is more, it writes.
+  /// The program reads another tab's text and adds its own; if that adds anything, it writes the result.
   const take = (path, text) => {
     if (text === seen.get(path)) return;
     put(path, text);
@@ -107,17 +107,16 @@ const kept = (() => {
     }
   };
 
-  /// Merges what another tab has written before overwriting it: a tab that ends between the two writes has lost
-  /// nothing.
+  /// Merges another tab's text before overwriting it, so that nothing is lost even if this tab ends in between.
   const flush = () => {
     for (const [path, own] of [...net.unkept]) {
       const other = read(path);
       if (other !== null && other !== own && other !== seen.get(path)) {
-        if (net.hasEnded()) continue;  // nothing can merge: offered as a file instead
+        if (net.hasEnded()) continue;  // merging needs the program: the answers are offered as a file instead
         net.unkept.delete(path);
         try {
           take(path, other);
-        } finally {  // not merged if the program stops, or if the student of these answers has left this tab
+        } finally {  // if not merged, keep our own text: the program has stopped, or another student uses this tab
           if (!net.unkept.has(path)) net.unkept.set(path, own);
         }
       }
@@ -141,7 +140,7 @@ const kept = (() => {
     navigator.storage?.persist?.().catch(() => {});  // otherwise a browser may drop it when its disk is full
   };
 
-  /// Keeps a file that the program has written. Returns false if it is not one of these.
+  /// Keeps a file of settings or answers that the program has written. Returns false for any other file.
   const keep = (path, bytes) => {
     if (!path.startsWith(net.settings)) return false;
     if (net.hasEnded()) return true;
@@ -173,7 +172,7 @@ const kept = (() => {
     merge();
   };
 
-  /// The page may not come back: writes what is not kept yet, without the lock.
+  /// The page may not come back: writes all text that is not kept yet, without waiting for the lock.
   const leave = () => {
     merge();
     flush();

@@ -1,6 +1,6 @@
-// The sandbox embedded in a host page: what its address shows, and the messages that it answers (README, "In a page of
-// your own"). Every message is checked before it has any effect; the answer is what it requested or one sentence.
-// Loaded after page.js.
+// The sandbox embedded in a host page: the parts that its address requests, and the messages that it answers (README,
+// "In a page of your own"). Every message is checked before it has any effect; the answer is the requested data, or one
+// sentence that reports the error. Loaded after page.js.
 'use strict';
 
 const messages = (() => {
@@ -129,7 +129,7 @@ const messages = (() => {
     const list = (names) => JSON.stringify(names.split(',').filter((name) => name));
     const setting = (name, value) => `view.layout.${name}=${name === 'big' ? JSON.stringify(value) : list(value)}`;
     if (rest.length) page.open('#' + rest.join('&'));
-    const arrange = () => {  // once what was opened is there
+    const arrange = () => {  // waits until the opened state is on screen
       if (net.hasEnded()) return;
       if (!Module._page_rests()) return setTimeout(arrange, 20);
       for (const [name, value] of Object.entries({...usual, ...chosen})) {
@@ -145,7 +145,7 @@ const messages = (() => {
     arrange();
   };
 
-  /// Tells the host page that it may ask from now on: what the address names is on screen.
+  /// Tells the host page that it may send requests from now on: the state named in the address is on screen.
   const greet = () => {
     if (net.hasEnded()) return;
     if (is_arranging || !Module._page_rests()) return setTimeout(greet, 20);

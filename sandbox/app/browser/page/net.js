@@ -1,6 +1,6 @@
-// The safety net, loaded first and independent of everything else: an error of the page becomes a sentence with Load
-// again, and the answers that the browser keeps can be saved. Also the only entry for messages from the host page,
-// which are answered even after the program has ended. Read page.js next.
+// The safety net, loaded first and independent of everything else: an error in the page becomes a sentence with the
+// button Load again, and buttons that save the answers kept by the browser. Also the only entry for messages from the
+// host page, which are answered even after the program has ended. Read page.js next.
 'use strict';
 
 const net = (() => {
@@ -45,7 +45,7 @@ const net = (() => {
       const {language} = JSON.parse(localStorage.getItem(kept + settings + 'window.json')) ?? {};
       if (language) return language === 'ko';
     } catch {
-      // Nothing is remembered, or it cannot be read: use the browser's language.
+      // The language is not stored, or cannot be read: use the browser's.
     }
     return navigator.language.startsWith('ko');
   };
@@ -62,7 +62,7 @@ const net = (() => {
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   };
 
-  /// Returns the answers of everyone who has answered in this browser: [{path, text, student}].
+  /// Returns the answers of everyone who has answered in this browser: [{path, text, student, name}].
   const answers = () => {
     const found = new Map();
     try {
@@ -73,16 +73,22 @@ const net = (() => {
     }
     for (const [path, text] of unkept) if (path.startsWith(answers_folder)) found.set(path, text);
     return [...found].filter(([path]) => path.endsWith('.json')).map(([path, text]) => {
-      let student = '';
+      let student = '', name = '';
       try {
-        student = String(JSON.parse(text).student ?? '');
+        const sheet = JSON.parse(text);
+        student = String(sheet.student ?? '');
+        name = String(sheet.name ?? '');
       } catch {
         // Damaged: saved unchanged.
       }
-      return {path, text, student};
+      return {path, text, student, name};
     });
   };
-  const saveAnswers = ({text, student}) => handOver(text, `answers${student && '-' + student}.json`.replace(/[/\\]/g, '_'));
+  /// Names the file like hand_in_file_name() in exercise_desk.h.
+  const saveAnswers = ({text, student, name}) => {
+    const file = [student, name].filter(Boolean).join('_').replace(/[\0- "*/:<>?\\|\x7f]|^\./g, '-');
+    handOver(text, `${file || 'answers'}.json`);
+  };
 
   // ---- The notice over the page
 
@@ -112,7 +118,7 @@ const net = (() => {
     if (window.parent !== window) window.parent.postMessage({from: 'viewing-sandbox', ...what}, '*');
   };
 
-  /// Stops all calls into the program: from now on they could only damage what is kept.
+  /// Stops all calls into the program: from now on they could only damage the stored answers.
   const end = (sentence) => {
     if (ended) return;
     ended = sentence;

@@ -90,7 +90,7 @@ const page = (() => {
 
   // ---- The program's state outside the picture
 
-  let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false;
+  let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false, known = location.hash;
 
   const follow = () => {
     const shape = UTF8ToString(Module._page_cursor());
@@ -99,9 +99,9 @@ const page = (() => {
     const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the host page
     if (may_focus && wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
     const now = ask('page_opened');
-    if (now !== said && !is_embedded) {  // otherwise it is still loading, and the address names it already
+    if (now !== said && !is_embedded) {  // if equal: still loading, and the address already names the new state
       said = now;
-      const is_state = now === '' && opened.startsWith('#1');  // only its own link names it
+      const is_state = now === '' && opened.startsWith('#1');  // only its own link can name it
       if (now !== opened && !is_state) enter(now);
     }
     const now_ms = performance.now();
@@ -111,19 +111,25 @@ const page = (() => {
     rest_timer = setTimeout(rest, 500);
   };
 
-  /// A lesson's next step replaces the one before, so that Back leaves the lesson.
+  /// In the browser's history, a lesson's next step replaces the previous one, so that Back leaves the lesson.
   const enter = (now) => {
     const is_same_lesson = now.startsWith('#lesson=') && opened.split('&')[0] === now.split('&')[0];
     opened = now;
-    const address = now || location.pathname + location.search;
-    if (location.hash !== now) history[is_same_lesson ? 'replaceState' : 'pushState'](null, '', address);
+    if (location.hash !== now) write(is_same_lesson ? 'replaceState' : 'pushState', now);
+  };
+
+  /// An address that was just typed arrives as an event later: until then it is not overwritten.
+  const write = (how, fragment) => {
+    if (location.hash !== known) return;
+    history[how](null, '', fragment || location.pathname + location.search);
+    known = location.hash;
   };
 
   const show = (id, words) => {
     if ($(id).textContent !== words) $(id).textContent = words;
   };
 
-  /// Nothing has been drawn for a while: updates screen readers and the address.
+  /// Called when nothing has been drawn for a while: updates the text for screen readers and the address.
   const rest = () => {
     rest_timer = 0;
     if (net.hasEnded()) return;
@@ -137,7 +143,7 @@ const page = (() => {
   const keepState = () => {
     if (opened.startsWith('#lesson=')) return;
     const address = Module._page_departs() ? ask('page_link') : opened;
-    if (address !== location.hash) history.replaceState(null, '', address || location.pathname + location.search);
+    if (address !== location.hash) write('replaceState', address);
   };
 
   // ---- Pointer: mouse, pen and one finger act as the mouse; two fingers orbit by their center and zoom by their
@@ -418,8 +424,8 @@ const page = (() => {
     done?.catch(() => {});
   };
 
-  /// Dear ImGui queries these before each frame, and each answer waits for the driver. Nothing that draws here leaves
-  /// other values, and all drawing sets anew what ImGui restores.
+  /// Dear ImGui queries these values before each frame, and each query waits for the driver. Fixed answers suffice: no
+  /// drawing code here leaves other values behind, and all of it sets again whatever ImGui restores.
   const prepareGl = (gl) => {
     const settled = new Map([
       [gl.BLEND_SRC_RGB, gl.ONE], [gl.BLEND_DST_RGB, gl.ZERO], [gl.BLEND_SRC_ALPHA, gl.ONE], [gl.BLEND_DST_ALPHA, gl.ZERO],
@@ -467,14 +473,15 @@ const page = (() => {
   // ---- The address: "#preset=NAME", "#lesson=ID&step=N", "#1…" (a state); "#embed&…" in a host page
 
   const openLink = () => {
-    if (location.hash === opened) return;
+    known = location.hash;
+    if (known === opened) return;
     const parts = location.hash.slice(1).split('&');
     if (parts.includes('embed')) {
       is_embedded = true;
       return messages.embed(parts.filter((part) => part !== 'embed'));
     }
-    opened = location.hash;
-    open(location.hash || '#preset=opening');
+    opened = known;
+    open(known || '#preset=opening');
   };
   const open = (link) => takes(link) && call('page_open_link', link);
 
