@@ -177,6 +177,7 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
     derive_camera(derived, params, viewport);
     derive_planes(derived, params);
     derived.followed = derive_followed(derived, params, scene);
+    derived.has_decals = has_decals(scene);
     if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);
     if (params.view.shows == Shows::fighting) derived.heat = heat_map(params, derived, scene);
     return derived;

@@ -85,6 +85,7 @@ struct Derived {
     const glm::dvec4& chosen_light() const { return lights_world[chosen.light]; }
 
     std::optional<FollowedPoint> followed;
+    bool has_decals = false;
     std::vector<int> object_marks;  ///< decal_marks() if decals use the stencil; else empty
     std::optional<HeatMap> heat;    ///< if the picture shows depth fighting
     Facts facts;

@@ -113,12 +113,39 @@ void blend_calls(Calls& calls, const Pass& pass, const Pass& before) {
                                          : "glBlendFunc(GL_ONE, GL_ONE)");
 }
 
-void offset_and_clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
+std::string remark(const char* words) {
+    return std::string("  // ") + tr(words);
+}
+
+/// GL ignores its polygon offset where the fragment shader writes the depth, as for the logarithm: there the shader
+/// adds the offset.
+bool adds_offset_in_shader(const FramePlan& frame) {
+    return frame.depth_mapping == DepthMapping::logarithmic && !frame.logarithm_per_vertex;
+}
+
+std::string offset_call(const FramePlan& frame, const DepthOffset& offset) {
+    const std::string values = number(offset.factor) + ", " + number(offset.units) + ")";
+    return adds_offset_in_shader(frame) ? "glUniform2f(depth_offset, " + values +
+                                              remark(marked("added to gl_FragDepth, which glPolygonOffset "
+                                                            "does not change"))
+                                        : "glPolygonOffset(" + values;
+}
+
+void offset_calls(Calls& calls, const Pass& pass, const Pass& before, const FramePlan& frame) {
     const DepthOffset offset = pass.offset.value_or(DepthOffset{}),
                       offset_before = before.offset.value_or(DepthOffset{});
-    calls.enable("GL_POLYGON_OFFSET_FILL", offset != DepthOffset{}, offset_before != DepthOffset{});
-    if (offset != DepthOffset{} && offset != offset_before)
-        calls.add("glPolygonOffset(" + number(offset.factor) + ", " + number(offset.units) + ")");
+    if (!adds_offset_in_shader(frame))
+        calls.enable("GL_POLYGON_OFFSET_FILL", offset != DepthOffset{}, offset_before != DepthOffset{});
+    if (offset != DepthOffset{} && offset != offset_before) calls.add(offset_call(frame, offset));
+    const bool draws_decals =
+        frame.has_decals && pass.subject == Subject::objects && pass.chosen != Chosen::bases && !pass.offset;
+    if (!draws_decals || frame.decal_offset == DepthOffset{}) return;
+    if (!adds_offset_in_shader(frame))
+        calls.add("glEnable(GL_POLYGON_OFFSET_FILL)" + remark(marked("for decals only")));
+    calls.add(offset_call(frame, frame.decal_offset) + remark(marked("for decals only")));
+}
+
+void clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
     for (std::size_t plane = 0; plane < std::max(pass.clip_planes.size(), before.clip_planes.size()); ++plane) {
         const bool on = plane < pass.clip_planes.size(), was_on = plane < before.clip_planes.size();
         calls.enable(("GL_CLIP_DISTANCE" + std::to_string(plane)).c_str(), on, was_on);
@@ -152,14 +179,16 @@ void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
 
 /// Restores the state that the previous frame left enabled, above all the masks, which glClear obeys. The first frame
 /// needs none of this.
-void take_back(Calls& calls, const std::vector<Pass>& passes) {
+void take_back(Calls& calls, const FramePlan& frame) {
+    const std::vector<Pass>& passes = frame.passes;
     if (passes.empty()) return;
     const Pass first = first_gl_state(), &last = passes.back();
     depth_calls(calls, first, last);
     cull_calls(calls, first, last);
     stencil_calls(calls, first, last);
     blend_calls(calls, first, last);
-    offset_and_clip_calls(calls, first, last);
+    offset_calls(calls, first, last, frame);
+    clip_calls(calls, first, last);
     const auto told_depth =
         std::find_if(passes.rbegin(), passes.rend(), [](const Pass& pass) { return pass.depth.test; });
     if (told_depth != passes.rend() && !told_depth->depth.write) calls.add("glDepthMask(GL_TRUE)");
@@ -180,7 +209,7 @@ Pass first_gl_state() {
 
 std::vector<std::string> clear_calls(const FramePlan& frame) {
     Calls calls;
-    take_back(calls, frame.passes);
+    take_back(calls, frame);
     if (!frame.mask_on_while_clearing) calls.add("glDepthMask(GL_FALSE)");
     calls.add("glClearDepth(" + number(frame.clear_depth_value) + ")");
     calls.add(frame.clear_depth ? "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"
@@ -189,13 +218,14 @@ std::vector<std::string> clear_calls(const FramePlan& frame) {
     return calls.list;
 }
 
-std::vector<std::string> gl_calls(const Pass& pass, const Pass& before) {
+std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before) {
     Calls calls;
     depth_calls(calls, pass, before);
     cull_calls(calls, pass, before);
     stencil_calls(calls, pass, before);
     blend_calls(calls, pass, before);
-    offset_and_clip_calls(calls, pass, before);
+    offset_calls(calls, pass, before, frame);
+    clip_calls(calls, pass, before);
     if (!pass.matrices.empty() && pass.matrices != before.matrices)
         calls.add("glUniformMatrix4fv(clip_from_world, " + pass.matrices + ")");
     color_calls(calls, pass, before);

@@ -99,6 +99,18 @@ bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dv
 
 }  // namespace
 
+bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived) {
+    constexpr std::size_t tried = 64;
+    const glm::dmat4 clip_from_model =
+        clip_from_view(params.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
+    const std::size_t count = object.mesh->positions.size(), step = std::max<std::size_t>(1, count / tried);
+    for (std::size_t i = 0; i < count; i += step) {
+        const glm::dvec4 clip = clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0);
+        if (clip.w > 0.0 && glm::all(glm::lessThan(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)))) return true;
+    }
+    return false;
+}
+
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit) {
     if (is_clear_of(scene, form, limit)) return "";
     return names_of(scene, [&](const SceneObject& object) { return is_at_most(object, form, limit); });

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/plane.h"
+#include "frame/derive.h"
 #include "state/scene.h"
 
 namespace viewing {
@@ -17,6 +17,9 @@ std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double l
 
 /// Returns the names of such objects that also have a vertex above `limit`.
 std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit);
+
+/// Returns whether one of 64 sampled vertices of an object is in the picture, between near and far.
+bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived);
 
 /// Return whether a vertex that `plane_from_world` maps to the patch's plane with w > 0 lands outside the patch, or
 /// inside it. Only vertices on the positive side of `side` count.

@@ -108,6 +108,7 @@ struct FramePlan {
     int samples = 0;
     std::vector<PlanePatch> patches;  ///< one per plane
     HiddenPictures hidden;
+    bool has_decals = false;
     DepthOffset decal_offset;       ///< for objects marked as decals
     std::vector<int> object_marks;  ///< per object: the stencil mark of itself or of its base; empty: none
     DrawLimit limit;
@@ -180,9 +181,9 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// Returns the GL calls that lead from one pass to another, with their current values, in the lecture's words;
-/// unchanged state needs no call. first_gl_state() precedes the first pass.
-std::vector<std::string> gl_calls(const Pass& pass, const Pass& before);
+/// Returns the GL calls that lead from one pass of a frame to another, with their current values, in the lecture's
+/// words; unchanged state needs no call. first_gl_state() precedes the first pass.
+std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
 /// Returns the calls that begin a frame after another one of the same plan; the first ones reset what its last pass

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
+#include "frame/matrix_facts.h"
 #include "frame/say.h"
 
 namespace viewing {
@@ -35,6 +37,14 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, std::s
                                "light"_a = light, "planes"_a = where));
     }
     if (turned_away.empty()) return;
+    const glm::dvec4& at = derived.lights_world[index];
+    const std::string negated =
+        "[" + plain_number(0.0 - at.x) + "," + plain_number(0.0 - at.y) + "," + plain_number(0.0 - at.z) + ",0]";
+    tell.broken(lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size(),
+                say("(x, y, z) of a parallel light points toward the light: if {direction} is the way that the light "
+                    "travels, its negative is the light",
+                    "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
+                "light.position=" + negated);
     const std::string behind = planes_name(turned_away, planes.size());
     tell(lights == 1, say("{light} and the eye are on opposite sides of {planes}: this side of the patch is unlit and "
                           "receives no shadow",
@@ -76,7 +86,8 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> edge_on;
     for (std::size_t plane = 0; plane < planes.size(); ++plane)
-        if (planes[plane].eye_side == 0.0) edge_on.push_back(plane);
+        if (params.reflection.enabled && planes[plane].mirrors && planes[plane].eye_side == 0.0)
+            edge_on.push_back(plane);
     if (!edge_on.empty()) {
         const std::string where = planes_name(edge_on, planes.size());
         const bool is_parallel = derived.eye_world.w == 0.0;
@@ -97,6 +108,25 @@ double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
                               : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
     const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
     return cast.sign * (cast.shadowed_world_from_world * between).w;
+}
+
+/// Relative: entries may be typed with five digits.
+constexpr double by_hand_tolerance = 1e-4;
+
+double largest_component(const glm::dvec4& v) {
+    const glm::dvec4 size = glm::abs(v);
+    return std::max({size.x, size.y, size.z, size.w});
+}
+
+/// Returns whether R leaves three points of the plane where they are, and thereby all of them.
+bool keeps_plane(const DerivedPlane& plane) {
+    const PlanePatch& patch = plane.patch;
+    const glm::dvec3 points[] = {patch.center, patch.center + patch.extent * patch.u,
+                                 patch.center + patch.extent * patch.v};
+    return std::all_of(std::begin(points), std::end(points), [&](const glm::dvec3& point) {
+        const glm::dvec4 image = plane.mirrored_world_from_world * glm::dvec4(point, 1.0);
+        return glm::length(glm::dvec3(image) / image.w - point) <= by_hand_tolerance * patch.extent;
+    });
 }
 
 /// Returns "S" for the first plane and light, otherwise "S of plane 2, light 1".
@@ -121,16 +151,36 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             const std::string matrix = shadow_name(plane, light);
             tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
                                   "matrix"_a = matrix));
+            // Row vectors: Πᵀ S = 0 means that every image lies in the plane.
+            const glm::dmat4& s = cast.shadowed_world_from_world;
+            const double size = largest_entry(s);
+            const bool lands = largest_component(of.unit_plane * s) <= by_hand_tolerance * size;
+            const bool transposed_lands =
+                largest_component(of.unit_plane * glm::transpose(s)) <= by_hand_tolerance * size;
+            tell_shadow.broken(params.shadow.enabled && !lands && transposed_lands,
+                               say("{matrix} entered by hand does not land in the plane (Π·S p ≠ 0), but its transpose "
+                                   "does: OpenGL reads columns",
+                                   "matrix"_a = matrix));
+            tell_shadow.broken(
+                params.shadow.enabled && !lands && !transposed_lands,
+                say("{matrix} entered by hand does not land in the plane: Π·S p ≠ 0", "matrix"_a = matrix));
             tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
                                say("{matrix} entered by hand gives points between light and plane a negative w: "
                                    "clipping removes the shadow; −S is the same projection with a positive w",
                                    "matrix"_a = matrix));
         }
     }
-    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane)
+    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
+        const DerivedPlane& of = derived.planes[plane];
+        if (!of.mirror_by_hand) continue;
         tell_mirror(
-            derived.planes[plane].mirror_by_hand,
-            say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
+            true, say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
+        tell_mirror.broken(
+            params.reflection.enabled && of.mirrors && !keeps_plane(of),
+            say("{matrix} entered by hand moves the points of the plane itself, so the image does not fit "
+                "its mirror",
+                "matrix"_a = mirror_name(plane)));
+    }
 }
 
 /// Reports the effects of mistakes on P and its picture.
@@ -160,12 +210,15 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
                 "projection.aspect");
 }
 
-void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
+void find_slips(std::vector<Problem>& problems, const Params& params, const Scene& scene) {
     Sayer tell(problems, "camera");
-    tell(slips.walk_slows,
+    const SlipParams& slips = params.slips;
+    const auto shows = [&](const char* path) { return why_without_effect(params, &scene, path).empty(); };
+    tell(slips.walk_slows && shows("slips.walk_slows"),
          tr("mistake: walking follows the view direction, so it is slower when the camera looks up or down"));
-    tell(slips.creeping_roll, tr("mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
-    tell(slips.pole_flip, tr("mistake: orbiting over the pole flips the picture"));
+    tell(slips.creeping_roll && shows("slips.creeping_roll"),
+         tr("mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
+    tell(slips.pole_flip && shows("slips.pole_flip"), tr("mistake: orbiting over the pole flips the picture"));
     tell(slips.swapped_order, tr("mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
     tell(slips.camera_as_view, tr("mistake: C is uploaded where V belongs, so V C is not I"));
 }
@@ -176,13 +229,14 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
                                    const FramePlan& frame) {
     std::vector<Problem> problems;
     find_view_problems(problems, params, derived, scene);
-    find_slips(problems, params.slips);
+    find_slips(problems, params, scene);
     find_projection_problems(problems, params, derived);
     find_light_problems(problems, params, derived);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
     find_overrides(problems, params, derived);
+    find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)
         problems.push_back({tr("the followed vertex does not exist in this scene"), "follow"});

@@ -26,6 +26,10 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
+/// Adds the problem of culled fronts.
+void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const Scene& scene);
+
 /// Add the problems of the depth buffer, of shadows and of mirrors: for every switch that breaks a picture, the reason.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frame/depth/near_advice.h"
+#include "frame/object_reach.h"
 #include "frame/say.h"
 
 namespace viewing {
@@ -12,19 +13,6 @@ namespace {
 /// The sentence is shown only over the picture: in the panel, it would come and go and thereby move the control being
 /// dragged.
 constexpr std::string_view group = "view";
-
-/// Returns whether a sample of an object's vertices shows that it is in the picture, between near and far.
-bool is_soon_found(const SceneObject& object, const Params& params, const Derived& derived) {
-    constexpr std::size_t tried = 64;
-    const glm::dmat4 clip_from_model =
-        clip_from_view(params.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
-    const std::size_t count = object.mesh->positions.size(), step = std::max<std::size_t>(1, count / tried);
-    for (std::size_t i = 0; i < count; i += step) {
-        const glm::dvec4 clip = clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0);
-        if (clip.w > 0.0 && glm::all(glm::lessThan(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)))) return true;
-    }
-    return false;
-}
 
 /// Returns the corners of the objects' bounds, in view space.
 std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& derived) {
@@ -64,7 +52,7 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
 
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene) {
-    const auto is_there = [&](const SceneObject& object) { return is_soon_found(object, params, derived); };
+    const auto is_there = [&](const SceneObject& object) { return is_in_view(object, params, derived); };
     if (scene.objects.empty() || std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) return;
     Params unlimited = params;
     unlimited.projection.far = 1e12;

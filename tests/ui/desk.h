@@ -238,8 +238,8 @@ private:
             std::string_view details, item;
         };
         static constexpr Inside all[] = {{"camera/Common mistakes", "camera/C sent as V"},
-                                         {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
-                                         {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
+                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
+                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
                                          {"Depth buffer", "buffer/depth format"},
                                          {"shadow/Shadow: style and offset", "shadow/style/Blend"},
                                          {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},

@@ -31,7 +31,7 @@ constexpr Control controls[] = {
     {"camera/flip at the pole (orbit)", "slips.pole_flip", Navigation::orbit},
     {"camera/R·T instead of T·R", "slips.swapped_order"},
     {"camera/C sent as V", "slips.camera_as_view"},
-    {"projection/aspect, 0: the view's", "projection.aspect"},
+    {"projection/aspect (0: from view)", "projection.aspect"},
     {"projection/degrees given as radians", "slips.degrees_as_radians"},
     {"projection/type/Perspective", "projection.type"},
     {"projection/type/Orthographic", "projection.type"},

@@ -3,6 +3,7 @@
 
 #include "frame/depth/decals.h"
 #include "frame/depth/depth_switches.h"
+#include "frame/depth/fighting.h"
 #include "frame/depth/near_advice.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
@@ -81,6 +82,57 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
                 "depth.format");
 }
 
+/// The depths that are not distinguished at an eye distance, as a share of the picture's height there.
+double unresolved_share(const Params& params, const Derived& derived, double z) {
+    const Lens lens = params.lens();
+    const double height =
+        lens.orthographic ? lens.height : 2.0 * z * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
+    return fighting_onset(depth_coding(params, derived), z).gap() / height;
+}
+
+/// Returns the setting that makes depth fine enough at the things in view: a larger near, or a smaller far if there is
+/// no perspective; "" if neither does.
+std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z,
+                        double visible_share) {
+    Params finer = params;
+    std::string setting;
+    if (params.lens().orthographic) {
+        finer.projection.far = 2.0 * rounded_down(z);
+        setting = "projection.far=" + plain_number(finer.projection.far);
+    } else if (const std::optional<double> near = largest_near(seen)) {
+        finer.projection.near = *near;
+        setting = "projection.near=" + plain_number(*near);
+    }
+    return unresolved_share(finer, derived, z) < visible_share ? setting : "";
+}
+
+/// Reports that depth is too coarse for the objects in view, except for nearly coplanar surfaces, which have a view of
+/// their own.
+void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    constexpr double visible_share = 1.0 / 200.0;  // a few pixels
+    if (!params.depth.tests() || has_bent_depth(params.depth) || scene.objects.empty()) return;
+    const Lens lens = params.lens();
+    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
+    const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
+    const double reach = 0.5 * glm::length(scene.bounds_world.max - scene.bounds_world.min);
+    const double farthest = std::clamp(glm::dot(distance, glm::dvec4(center, 1.0)) + reach, lens.near, lens.far);
+    if (unresolved_share(params, derived, farthest) < visible_share || !near_coplanar_pairs(scene).empty()) return;
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    const SeenThing* worst = nullptr;
+    for (const SeenThing& thing : seen)
+        if (!thing.is_plane && (!worst || thing.farthest > worst->farthest)) worst = &thing;
+    if (!worst) return;
+    const double share = unresolved_share(params, derived, worst->farthest);
+    if (share < visible_share) return;
+    const double gap = fighting_onset(depth_coding(params, derived), worst->farthest).gap();
+    tell.broken(true,
+                say("at {object} (z = {z}), depths that differ by less than {gap} are not distinguished, {percent} of "
+                    "the picture's height there: where surfaces meet, the wrong one may win",
+                    "object"_a = object_text(worst->name), "z"_a = figures(worst->farthest, 3),
+                    "gap"_a = figures(gap, 2), "percent"_a = percent(share)),
+                finer_depth(params, derived, seen, worst->farthest, visible_share));
+}
+
 /// Returns whether a polygon offset moves anything, decals or shadows.
 bool has_offset(const Params& params, const Scene& scene) {
     const DepthParams& depth = params.depth;
@@ -97,6 +149,10 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                 tr("the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
                    "so the wrong surface can win"),
                 "depth.logarithm_per_vertex");
+    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, scene),
+         tr("the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
+            "the "
+            "offset"));
     if (depth.mapping != DepthMapping::reversed) return;
     tell.broken(!derived.clip_zero_to_one,
                 depth.reversed_zero_to_one
@@ -164,6 +220,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     say_tests(tell, params.depth);
     say_clears(tell, params.depth);
     say_cleared_code(tell, params, derived, scene);
+    say_coarse_depth(tell, params, derived, scene);
     say_driver(tell, params.depth, derived.stored_depth.precision);
     say_mappings(tell, params, derived, scene);
     say_decals(tell, params, derived, scene);

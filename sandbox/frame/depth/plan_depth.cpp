@@ -21,6 +21,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.logarithm_per_vertex = depth.logarithm_per_vertex;
     frame.lens = params.lens();
     frame.clip_zero_to_one = derived.clip_zero_to_one;
+    frame.has_decals = derived.has_decals;
     frame.decal_offset = {offset_sign(depth) * depth.offset.factor, offset_sign(depth) * depth.offset.units};
     frame.object_marks = derived.object_marks;
     frame.depth_scale = params.view.depth_scale;

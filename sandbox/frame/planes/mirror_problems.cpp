@@ -211,7 +211,12 @@ int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_w
 /// Reports mirrors that show each other.
 void say_bounces(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                  int depth) {
-    if (mirrors.size() < 2 || !params.reflection.stencil) return;
+    if (mirrors.size() < 2) return;
+    if (!params.reflection.stencil)
+        return tell.broken(params.reflection.bounces > 1,
+                           say("without the stencil, only the first of {bounces} bounces is drawn",
+                               "bounces"_a = params.reflection.bounces),
+                           "reflection.stencil");
     bool is_endless = false;
     for (std::size_t one = 0; one < mirrors.size(); ++one)
         for (std::size_t other = one + 1; other < mirrors.size(); ++other)

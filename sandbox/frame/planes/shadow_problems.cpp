@@ -6,6 +6,7 @@
 
 #include "frame/object_reach.h"
 #include "frame/say.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -67,12 +68,20 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
 
 /// Reports casters that are not between light and plane, and the effects of the switches on them.
 void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
-    const bool vanishes = shadow.sign == ShadowSign::none &&
-                          std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.side() < 0.0; });
+    std::vector<std::string> vanishing;
+    for (const Thrown& one : thrown)
+        if (shadow.sign == ShadowSign::none && one.side() < 0.0)
+            vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
+    const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
     tell.broken(
-        vanishes,
+        vanishes && all_vanish,
         tr("S is uploaded unchanged, and Π·L < 0: every caster gets a negative w, so clipping removes every shadow"),
         "shadow.sign");
+    tell.broken(vanishes && !all_vanish,
+                say("S is uploaded unchanged, and Π·L < 0 for {shadows}: every caster gets a negative w, so clipping "
+                    "removes that shadow",
+                    "shadows"_a = joined(vanishing)),
+                "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
@@ -83,7 +92,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                     "shadow.clip_casters");
         break;
     }
-    if (vanishes) return;
+    if (all_vanish && vanishes) return;
     for (const Thrown& one : thrown)
         if (say_beyond(tell, shadow, one, scene)) return;
 }

@@ -21,9 +21,8 @@ void followed_line(const char* target, const char* name, float column, const std
         widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
     } else {
         ImGui::BeginGroup();
-        const float left = ImGui::GetCursorPosX();
         widgets::ValueText(name, role);
-        ImGui::SameLine(left + column);
+        ImGui::SameLine(column);
         widgets::ValueText(value.c_str(), role);
         ImGui::EndGroup();
     }
@@ -78,17 +77,20 @@ void draw_followed_point(Session& session, const Derived& derived) {
     if (!has_note) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
     const char* const foot = tr("foot");
-    const float column = std::ceil(std::max(number_width("S p"), number_width(foot)) + number_width(" "));
     const glm::dvec4& shadow = followed.shadow_homogeneous;
-    constexpr std::size_t usual_columns = 7;
-    const std::string widest = vector_text(glm::dvec3(shadow), usual_columns, &shadow.w);
-    const bool fits = column + number_width(widest.c_str()) <= ImGui::GetContentRegionAvail().x;
-    const auto vector = [columns = fits ? usual_columns : usual_columns - 1](const glm::dvec3& value,
-                                                                             const double* w = nullptr) {
-        return vector_text(value, columns, w);
+    const auto column_of = [](const char* longest) { return std::ceil(number_width(longest) + number_width(" ")); };
+    const auto fits = [&](float column, std::size_t digits) {
+        const std::string widest = vector_text(glm::dvec3(shadow), digits, &shadow.w);
+        return column + number_width(widest.c_str()) <= ImGui::GetContentRegionAvail().x;
     };
-    const auto line = [column](const char* target, const char* name, const std::string& value, Role role) {
-        followed_line(target, name, column, value, role);
+    // A long translation of "foot" has a column of its own if the widest line has no room beside it.
+    const float wide = std::max(column_of("S p"), column_of(foot));
+    const float column = fits(wide, 6) ? wide : column_of("S p");
+    const auto vector = [digits = fits(column, 7) ? 7U : 6U](const glm::dvec3& value, const double* w = nullptr) {
+        return vector_text(value, digits, w);
+    };
+    const auto line = [&](const char* target, const char* name, const std::string& value, Role role) {
+        followed_line(target, name, std::max(column, column_of(name)), value, role);
     };
     line("follow:p", "p", vector(followed.point_world), Role::point);
     line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);

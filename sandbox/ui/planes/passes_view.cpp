@@ -127,7 +127,7 @@ void entry(Session& session, const FramePlan& plan, int number) {
     widgets::Note(pass.reason.c_str());
     const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
     const glm::dmat4 uploaded = pass.clip_from_world * pass.world_from_scene;
-    call_lines(gl_calls(pass, before), &uploaded);
+    call_lines(gl_calls(plan, pass, before), &uploaded);
     if (!is_drawn) ImGui::PopStyleVar();
     ImGui::Dummy({0.0F, px(4.0F)});
     ImGui::PopID();

@@ -300,7 +300,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(4.0F)});
     begin_area("status", layout.status_bar, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoInputs);
     ImGui::PopStyleVar();
-    ImGui::PushFont(widgets.fonts.note);
+    ImGui::PushFont(widgets.fonts.small_number);
     ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
     const std::string recording = recording_sign();
     const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
@@ -312,6 +312,8 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::TextUnformatted(status.frame_time.c_str());
     ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
+    ImGui::PopFont();
+    ImGui::PushFont(widgets.fonts.note);
     // Show as many texts as fit, the most important first; the hint keeps its position.
     const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);

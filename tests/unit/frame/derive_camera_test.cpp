@@ -247,7 +247,7 @@ TEST(DeriveEverything, IsFiniteForAnySetting) {
         for (const FramePlan& frame : {plan(params, derived), plan_observer(params, derived, observer)}) {
             for (const Pass& pass : frame.passes) {
                 EXPECT_TRUE(is_finite(pass.clip_from_world * pass.world_from_scene)) << pass.name;
-                EXPECT_FALSE(gl_calls(pass, first_gl_state()).empty());
+                EXPECT_FALSE(gl_calls(frame, pass, first_gl_state()).empty());
             }
         }
     }

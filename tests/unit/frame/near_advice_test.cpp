@@ -152,7 +152,7 @@ TEST(NearAdvice, ReportsCutObjects) {
     EXPECT_TRUE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
     EXPECT_EQ(found->sentence.substr(0, 52), "near = 5 cuts into box, whose nearest point is at 4:");
-    EXPECT_NE(found->sentence.find("1.4 times coarser."), std::string::npos) << found->sentence;
+    EXPECT_NE(found->sentence.find("1.4 times larger."), std::string::npos) << found->sentence;
 
     const std::optional<NearAdvice> inside = advice(looking_from(0.5), scene_of({box_at(-1.0)}));
     EXPECT_FALSE(inside) << "inside a box all faces are one unit away";

@@ -582,7 +582,7 @@ TEST(PlanCalls, ListTheChangesOfEachPass) {
     const FramePlan frame =
         plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
     const auto calls_of = [&](std::size_t number) {
-        return gl_calls(frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1));
+        return gl_calls(frame, frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1));
     };
     EXPECT_EQ(clear_calls(frame),
               (Calls{"glDisable(GL_DEPTH_TEST)", "glDisable(GL_CULL_FACE)", "glStencilMask(0xFF)", "glClearDepth(1.0)",
@@ -630,7 +630,7 @@ TEST(PlanCalls, SetTheColors) {
     std::vector<std::string> all;
     for (std::size_t number = 0; number < frame.passes.size(); ++number)
         for (const std::string& call :
-             gl_calls(frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1]))
+             gl_calls(frame, frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1]))
             all.push_back(call);
     const auto has = [&all](const char* call) { return std::ranges::find(all, call) != all.end(); };
     EXPECT_TRUE(has("glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)")) << "R mirrors the light";
@@ -671,7 +671,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
                 before = first_gl_state();
             }
             const Pass& pass = passes[number];
-            for (const std::string& call : gl_calls(pass, before)) obey(call);
+            for (const std::string& call : gl_calls(frame, pass, before)) obey(call);
             const auto is_on = [&](const char* capability) {
                 return state[std::string(capability) + ")"] == "glEnable";
             };

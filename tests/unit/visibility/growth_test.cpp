@@ -262,7 +262,7 @@ TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
     EXPECT_TRUE(contains(build[1].problem, "budget of 200 fragments")) << build[1].problem;
     EXPECT_GT(build[1].operations, 0);
     EXPECT_EQ(build[2].problem,
-              "With 70 polygons or more, building the BSP tree was not tried: 60 polygons exceeded its budget.");
+              "With 70 polygons or more, building the BSP tree was not tried: 60 polygons already exceeded its budget.");
     EXPECT_EQ(build[2].operations, 0);
     EXPECT_EQ(build[2].time_ms, 0.0);
 
@@ -270,7 +270,7 @@ TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
     ASSERT_EQ(walk.size(), 2U);
     EXPECT_EQ(walk[0].problem, "");
     EXPECT_EQ(walk[1].polygons, 60);
-    EXPECT_EQ(walk[1].problem, "From 60 polygons on, walking the BSP tree was not tried: the tree was not finished.");
+    EXPECT_EQ(walk[1].problem, "With 60 polygons or more, walking the BSP tree was not tried: the tree was not finished.");
 
     for (const GrowthMethod method : {GrowthMethod::painter, GrowthMethod::z_buffer, GrowthMethod::ray_casting}) {
         const std::vector<GrowthRow> untouched = rows_of(rows, method);
@@ -415,8 +415,8 @@ TEST(GrowthReport, SummaryNamesTheWinners) {
     EXPECT_EQ(growth_summary({}), "");
     const std::vector<GrowthRow> one{worked(GrowthMethod::z_buffer, 1000, 2000)};
     EXPECT_EQ(growth_summary(one),
-              "Fewest operations of the methods that are always right, painting included: the software z-buffer with "
-              "1,000 polygons.");
+              "Methods with the fewest operations, painting included, among those that are always correct: the "
+              "software z-buffer with 1,000 polygons.");
     const std::vector<GrowthRow> rows{
         worked(GrowthMethod::painter, 10, 100),           worked(GrowthMethod::bsp_walk, 10, 1000),
         worked(GrowthMethod::z_buffer, 10, 2000),         worked(GrowthMethod::bsp_walk, 30, 1900),
@@ -426,10 +426,11 @@ TEST(GrowthReport, SummaryNamesTheWinners) {
         worked(GrowthMethod::ray_casting, 10'000, 18'000)};
     EXPECT_EQ(
         growth_summary(rows),
-        "Fewest operations of the methods that are always right, painting included: walking the BSP tree up to 30 "
-        "polygons, the software z-buffer from 300 to 1,000 polygons, ray casting from 10,000 on. The tree is built "
-        "once, in advance, for every eye position. At the end of the curves, ten times the polygons multiply the "
-        "operations by a factor of 5 for walking the BSP tree, by 4 for the software z-buffer, by 2 for ray casting.");
+        "Methods with the fewest operations, painting included, among those that are always correct: walking the BSP "
+        "tree up to 30 polygons, the software z-buffer from 300 to 1,000 polygons, ray casting from 10,000 on. One "
+        "tree, built in advance, serves every eye position. At the end of the curves, ten times as many polygons "
+        "multiply the number of operations by a factor of 5 for walking the BSP tree, by 4 for the software z-buffer, "
+        "by 2 for ray casting.");
 }
 
 TEST(GrowthReport, TimesAreThoseOfTheLargestCommonCount) {

@@ -1,0 +1,45 @@
+// Reports that culling removes the sides that face the eye. Part of problems.h.
+#include "frame/object_reach.h"
+#include "frame/say.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// Whether the scale of an object mirrors it, which turns the winding of its polygons around.
+bool is_mirrored(const SceneObject& object) {
+    return glm::determinant(glm::dmat3(object.world_from_model)) < 0.0;
+}
+
+}  // namespace
+
+void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const Scene& scene) {
+    const CullParams& cull = params.cull;
+    if (!cull.enabled) return;
+    Sayer tell(problems, "visibility");
+    if (cull.face == CullFace::front_and_back)
+        return tell.broken(
+            true, tr("GL_FRONT_AND_BACK: both sides of every polygon are culled, so no polygon is drawn"), "cull.face");
+    const bool removes_fronts = (cull.face == CullFace::front) != (cull.front_face == FrontFace::cw);
+    std::vector<std::string> usual, mirrored;
+    for (const SceneObject& object : scene.objects)
+        if (is_in_view(object, params, derived))
+            (is_mirrored(object) ? mirrored : usual).push_back(object_text(object.description.name));
+    const bool removes_usual = removes_fronts && !usual.empty();
+    tell.broken(removes_usual && cull.front_face == FrontFace::ccw,
+                tr("GL_FRONT culls the sides that face the eye: the picture shows the inside of the far sides"),
+                "cull.face");
+    tell.broken(
+        removes_usual && cull.front_face == FrontFace::cw,
+        tr("GL_CW declares clockwise polygons front-facing, but fronts are counterclockwise here: GL_BACK culls "
+           "the sides that face the eye"),
+        "cull.front_face");
+    tell.broken(!removes_fronts && !mirrored.empty(),
+                say("the scale of {objects} is negative, which turns the winding around: the fronts are clockwise and "
+                    "are culled as backs",
+                    "objects"_a = joined(mirrored)),
+                "cull.enabled");
+}
+
+}  // namespace viewing
