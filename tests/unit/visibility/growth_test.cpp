@@ -261,8 +261,9 @@ TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
     EXPECT_EQ(build[0].problem, "");
     EXPECT_TRUE(contains(build[1].problem, "budget of 200 fragments")) << build[1].problem;
     EXPECT_GT(build[1].operations, 0);
-    EXPECT_EQ(build[2].problem,
-              "With 70 polygons or more, building the BSP tree was not tried: 60 polygons already exceeded its budget.");
+    EXPECT_EQ(
+        build[2].problem,
+        "With 70 polygons or more, building the BSP tree was not tried: 60 polygons already exceeded its budget.");
     EXPECT_EQ(build[2].operations, 0);
     EXPECT_EQ(build[2].time_ms, 0.0);
 
@@ -270,7 +271,8 @@ TEST(Growth, FragmentBudgetEndsACurveWithASentence) {
     ASSERT_EQ(walk.size(), 2U);
     EXPECT_EQ(walk[0].problem, "");
     EXPECT_EQ(walk[1].polygons, 60);
-    EXPECT_EQ(walk[1].problem, "With 60 polygons or more, walking the BSP tree was not tried: the tree was not finished.");
+    EXPECT_EQ(walk[1].problem,
+              "With 60 polygons or more, walking the BSP tree was not tried: the tree was not finished.");
 
     for (const GrowthMethod method : {GrowthMethod::painter, GrowthMethod::z_buffer, GrowthMethod::ray_casting}) {
         const std::vector<GrowthRow> untouched = rows_of(rows, method);
