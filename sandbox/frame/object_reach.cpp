@@ -3,6 +3,7 @@
 #include "text/catalogue.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -76,25 +77,74 @@ std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const Pla
     return ways;
 }
 
-bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side, const PlanePatch& patch,
-           bool inside) {
-    const auto is_there = [&](const glm::dvec4& point) {
-        const glm::dvec4 sent = plane_from_world * point;
-        return sent.w > 0.0 && glm::dot(side, point) >= -standing && patch.holds(glm::dvec3(sent) / sent.w) == inside;
+bool is_in_frustum(const glm::dvec4& clip) {
+    return clip.w > 0.0 && glm::all(glm::lessThanEqual(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)));
+}
+
+/// The same without near and far.
+bool is_in_picture(const glm::dvec4& clip) {
+    return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+}
+
+/// Returns whether a point of the plane is in the patch, and not cut off by near or far.
+bool holds(const Landing& landing, const glm::dvec4& sent) {
+    if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
+    const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
+    return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
+}
+
+/// Returns whether an edge of a triangle, between a vertex that lands inside the patch and one that does not, crosses
+/// the patch's edge in the picture. Assumes so for large meshes.
+bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) {
+    const Mesh& mesh = *object.mesh;
+    constexpr std::size_t most_triangles = 20'000;
+    if (mesh.triangle_count() > most_triangles) return true;
+    const auto is_inside = [&](const glm::dvec4& sent) { return holds(landing, sent); };
+    const auto point = [&](std::uint32_t vertex) {
+        return object.world_from_model * glm::dvec4(mesh.positions[vertex], 1.0);
     };
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-        const BoxForm w(glm::transpose(plane_from_world)[3], object.world_from_model);
-        const BoxForm before(side, object.world_from_model);
-        const std::vector<BoxForm> ways = ways_to_edges(plane_from_world, patch, object.world_from_model);
-        const auto may_hold = [&](const Bounds& box) {
-            if (w.greatest(box) <= 0.0 || before.greatest(box) < -standing) return false;
-            if (inside)
-                return std::none_of(ways.begin(), ways.end(),
-                                    [&](const BoxForm& way) { return way.greatest(box) < 0.0; });
-            return !std::all_of(ways.begin(), ways.end(), [&](const BoxForm& way) { return way.least(box) >= 0.0; });
-        };
-        return any_vertex(object, may_hold, is_there);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        glm::dvec4 in = point(mesh.indices[i]), out = point(mesh.indices[next]);
+        const auto sent = [&](const glm::dvec4& at) { return landing.plane_from_world * at; };
+        if (is_inside(sent(out))) std::swap(in, out);
+        if (!is_inside(sent(in)) || is_inside(sent(out))) continue;
+        constexpr int halvings = 30;
+        for (int step = 0; step < halvings; ++step) {
+            const glm::dvec4 middle = 0.5 * (in + out);
+            (is_inside(sent(middle)) ? in : out) = middle;
+        }
+        const glm::dvec4 edge = sent(in);
+        if (glm::dot(landing.side, in) >= -standing && is_in_picture(landing.clip_from_world * (edge / edge.w)))
+            return true;
+    }
+    return false;
+}
+
+/// Returns whether a vertex of an object lands inside the patch, or elsewhere: beside it, or nowhere (w ≤ 0).
+bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
+    const auto is_there = [&](const glm::dvec4& point) {
+        if (glm::dot(landing.side, point) < -standing) return false;
+        const glm::dvec4 sent = landing.plane_from_world * point;
+        if (holds(landing, sent) != inside) return false;
+        return !in_picture || (sent.w > 0.0 && is_in_picture(landing.clip_from_world * (sent / sent.w)));
+    };
+    const BoxForm w(glm::transpose(landing.plane_from_world)[3], object.world_from_model);
+    const BoxForm before(landing.side, object.world_from_model);
+    const std::vector<BoxForm> ways = ways_to_edges(landing.plane_from_world, landing.patch, object.world_from_model);
+    const std::array<glm::dvec3, 4> corners = landing.patch.corners();
+    const bool is_cut = !std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+        return holds(landing, glm::dvec4(glm::mix(landing.patch.center, corner, 0.999), 1.0));
     });
+    const auto may_hold = [&](const Bounds& box) {
+        if (before.greatest(box) < -standing) return false;
+        if ((inside || in_picture) && w.greatest(box) <= 0.0) return false;
+        if (inside)
+            return std::none_of(ways.begin(), ways.end(), [&](const BoxForm& way) { return way.greatest(box) < 0.0; });
+        return is_cut || w.least(box) <= 0.0 ||
+               !std::all_of(ways.begin(), ways.end(), [&](const BoxForm& way) { return way.least(box) >= 0.0; });
+    };
+    return any_vertex(object, may_hold, is_there);
 }
 
 }  // namespace
@@ -105,9 +155,20 @@ bool is_in_view(const SceneObject& object, const Params& params, const Derived& 
         clip_from_view(params.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
     const std::size_t count = object.mesh->positions.size(), step = std::max<std::size_t>(1, count / tried);
     for (std::size_t i = 0; i < count; i += step) {
-        const glm::dvec4 clip = clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0);
-        if (clip.w > 0.0 && glm::all(glm::lessThan(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)))) return true;
+        if (is_in_frustum(clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0))) return true;
     }
+    return false;
+}
+
+bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world) {
+    constexpr int most = 24;
+    for (int row = -most; row <= most; ++row)
+        for (int column = -most; column <= most; ++column) {
+            const glm::dvec3 at =
+                patch.center +
+                patch.extent / most * (static_cast<double>(column) * patch.u + static_cast<double>(row) * patch.v);
+            if (is_in_frustum(clip_from_world * glm::dvec4(at, 1.0))) return true;
+        }
     return false;
 }
 
@@ -123,14 +184,18 @@ std::string objects_across(const Scene& scene, const glm::dvec4& form, double li
     });
 }
 
-bool lands_beyond(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,
-                  const PlanePatch& patch) {
-    return lands(scene, plane_from_world, side, patch, false);
+bool lands_beyond(const Scene& scene, const Landing& landing) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+        if (lands(object, landing, false, true)) return true;
+        // Its vertices beyond the patch's edge are outside the picture, but one of its triangles crosses the edge.
+        return lands(object, landing, true, false) && lands(object, landing, false, false) &&
+               crosses_edge_in_picture(object, landing);
+    });
 }
 
-bool lands_inside(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,
-                  const PlanePatch& patch) {
-    return lands(scene, plane_from_world, side, patch, true);
+bool lands_inside(const Scene& scene, const Landing& landing) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return lands(object, landing, true, true); });
 }
 
 }  // namespace viewing

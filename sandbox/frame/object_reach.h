@@ -21,11 +21,19 @@ std::string objects_across(const Scene& scene, const glm::dvec4& form, double li
 /// Returns whether one of 64 sampled vertices of an object is in the picture, between near and far.
 bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived);
 
-/// Return whether a vertex that `plane_from_world` maps to the patch's plane with w > 0 lands outside the patch, or
-/// inside it. Only vertices on the positive side of `side` count.
-bool lands_beyond(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,
-                  const PlanePatch& patch);
-bool lands_inside(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side,
-                  const PlanePatch& patch);
+/// Returns whether a grid of points on a patch shows that part of it is in the picture.
+bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world);
+
+/// A map of the scene's vertices to the plane of a patch.
+struct Landing {
+    const glm::dmat4& plane_from_world;  ///< only vertices with w > 0 afterward count
+    const glm::dmat4& clip_from_world;   ///< of the picture: only images inside it count
+    glm::dvec4 side;                     ///< only vertices on the positive side of this plane count
+    const PlanePatch& patch;
+};
+
+/// Return whether part of an object's image is in the picture and outside the patch, or inside it. Looks at vertices.
+bool lands_beyond(const Scene& scene, const Landing& landing);
+bool lands_inside(const Scene& scene, const Landing& landing);
 
 }  // namespace viewing

@@ -214,13 +214,16 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
 
 void add_world(std::vector<Pass>& passes, Level level) {
     const bool gl_alone = is_drawn_by_gl_alone(level.params.visibility.method);
-    const bool objects_first = level.is_real() && gl_alone && level.params.reflection.after_objects;
+    const ReflectionParams& reflection = level.params.reflection;
+    const auto planes_drawn = drawn_planes(level.params, level.derived);
+    const bool mirrors = reflection.enabled && std::any_of(planes_drawn.begin(), planes_drawn.end(),
+                                                           [](const DerivedPlane& plane) { return plane.mirrors; });
+    const bool objects_first = level.is_real() && gl_alone && mirrors && reflection.after_objects;
     if (objects_first) {
         passes.push_back(objects_pass(level));
         level.is_fresh = false;
     }
-    const std::size_t planes = drawn_planes(level.params, level.derived).size();
-    for (std::size_t plane = 0; plane < planes; ++plane) {
+    for (std::size_t plane = 0; plane < planes_drawn.size(); ++plane) {
         if (level.mirror == plane || is_hidden(level, plane)) continue;
         add_plane(passes, level, plane);
         level.is_fresh = false;

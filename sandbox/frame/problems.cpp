@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/depth/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/matrix_facts.h"
@@ -12,7 +13,7 @@ namespace viewing {
 namespace {
 
 /// Reports a badly placed light: in a plane, or behind it. Planes with the same problem share a sentence.
-void say_light(Sayer& tell, const Params& params, const Derived& derived, std::size_t index) {
+void say_light(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene, std::size_t index) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> holding, turned_away;
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
@@ -40,7 +41,12 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, std::s
     const glm::dvec4& at = derived.lights_world[index];
     const std::string negated =
         "[" + plain_number(0.0 - at.x) + "," + plain_number(0.0 - at.y) + "," + plain_number(0.0 - at.z) + ",0]";
-    tell.broken(lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size(),
+    // Typed correctly, a light is on the objects' side of the planes.
+    const glm::dvec4 center(0.5 * (scene.bounds_world.min + scene.bounds_world.max), 1.0);
+    const bool is_beyond = std::all_of(turned_away.begin(), turned_away.end(), [&](std::size_t plane) {
+        return planes[plane].shadows[index].plane_dot_light * glm::dot(planes[plane].unit_plane, center) < 0.0;
+    });
+    tell.broken(lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size() && is_beyond,
                 say("(x, y, z) of a parallel light points toward the light: if {direction} is the way that the light "
                     "travels, its negative is the light",
                     "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
@@ -73,10 +79,11 @@ void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     tell(!passes_for_parallel, sentence);
 }
 
-void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                         const Scene& scene) {
     Sayer tell(problems, "light");
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light) {
-        say_light(tell, params, derived, light);
+        say_light(tell, params, derived, scene, light);
         say_weight(tell, derived, light);
     }
 }
@@ -231,12 +238,17 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_view_problems(problems, params, derived, scene);
     find_slips(problems, params, scene);
     find_projection_problems(problems, params, derived);
-    find_light_problems(problems, params, derived);
+    find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
     find_overrides(problems, params, derived);
-    find_cull_problems(problems, params, derived, scene);
+    // While the depth test rejects every fragment, nothing else can be seen.
+    if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
+        !params.reflection.after_objects)
+        std::erase_if(problems, [](const Problem& problem) { return problem.breaks_picture; });
+    else
+        find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)
         problems.push_back({tr("the followed vertex does not exist in this scene"), "follow"});

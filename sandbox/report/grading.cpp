@@ -1,6 +1,7 @@
 #include "report/grading.h"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <set>
 
@@ -30,11 +31,16 @@ std::string key_of(const Attempt& attempt) {
     return key;
 }
 
-/// Returns the seconds since midnight for a time such as "2026-11-21T10:03:12"; nothing if it has another form.
+/// Returns the seconds since 1970 for a time such as "2026-11-21T10:03:12"; nothing if it has another form.
 std::optional<double> clock_s(const std::string& at) {
     if (at.size() < 19 || at[10] != 'T') return std::nullopt;
     const auto two = [&](std::size_t begin) { return (at[begin] - '0') * 10 + (at[begin + 1] - '0'); };
-    return two(11) * 3600.0 + two(14) * 60.0 + two(17);
+    const std::chrono::year_month_day date{std::chrono::year(two(0) * 100 + two(2)),
+                                           std::chrono::month(static_cast<unsigned>(two(5))),
+                                           std::chrono::day(static_cast<unsigned>(two(8)))};
+    if (!date.ok()) return std::nullopt;
+    const std::chrono::seconds midnight = std::chrono::sys_days(date).time_since_epoch();
+    return static_cast<double>(midnight.count()) + two(11) * 3600.0 + two(14) * 60.0 + two(17);
 }
 
 /// Whether all answers are correct on the first try and were entered faster than anyone can read the questions.

@@ -14,9 +14,9 @@ BEYOND = 8, 0.01  # levels, share: another driver's antialiasing
 
 OPEN = """
 const [fragment, done] = arguments;
-const opened = () => UTF8ToString(Module._page_opened());
-// A preset is opened under its name; a state in the page's own form, so two seconds have to do.
-const look = (turns) => opened() === fragment || turns > 100 ? done() : setTimeout(look, 20, turns + 1);
+// A preset is opened under its name, and a state is the page's own link.
+const is_open = () => [Module._page_opened(), Module._page_link()].some((text) => UTF8ToString(text) === fragment);
+const look = (turns) => is_open() || turns > 500 ? done() : setTimeout(look, 20, turns + 1);
 location.hash = fragment;
 look(0);
 """

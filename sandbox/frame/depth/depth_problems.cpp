@@ -1,5 +1,7 @@
 // Reports what each switch of the depth buffer does to the picture. Part of problems.h.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "frame/depth/decals.h"
 #include "frame/depth/depth_switches.h"
@@ -12,43 +14,91 @@
 namespace viewing {
 namespace {
 
-void say_tests(Sayer& tell, const DepthParams& depth) {
+bool shows_anything(const Params& params, const Derived& derived, const Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return is_in_view(object, params, derived); }) ||
+           std::any_of(derived.planes.begin(), derived.planes.end(),
+                       [&](const DerivedPlane& plane) { return is_in_view(plane.patch, derived.clip_from_world); });
+}
+
+/// The extent of a flat object in the picture and in depth.
+struct FlatExtent {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    glm::dvec2 min{nearest}, max{-nearest};
+
+    bool overlaps(const FlatExtent& other) const {
+        return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+    }
+};
+
+/// Whether the scene needs no depth test: a few flat objects, each drawn before those in front of it.
+bool is_painted_right(const Derived& derived, const Scene& scene) {
+    constexpr std::size_t few = 64;
+    if (scene.objects.size() > few) return false;
+    std::vector<FlatExtent> drawn;
+    for (const SceneObject& object : scene.objects) {
+        if (object.mesh->triangle_count() > 2) return false;
+        FlatExtent extent;
+        for (const glm::vec3& position : object.mesh->positions) {
+            const glm::dvec4 view = derived.view_from_world * object.world_from_model * glm::dvec4(position, 1.0);
+            const glm::dvec4 clip = derived.clip_from_view * view;
+            if (!(clip.w > 0.0)) return false;
+            const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+            extent.nearest = std::min(extent.nearest, -view.z);
+            extent.farthest = std::max(extent.farthest, -view.z);
+            extent.min = glm::min(extent.min, ndc);
+            extent.max = glm::max(extent.max, ndc);
+        }
+        for (const FlatExtent& before : drawn)
+            if (extent.overlaps(before) && extent.farthest > before.nearest) return false;
+        drawn.push_back(extent);
+    }
+    return true;
+}
+
+void say_tests(Sayer& tell, const DepthParams& depth, bool is_painted_right) {
+    // With two reasons at a time, to fix one of them changes nothing.
+    const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
     if (!depth.buffer) {
         tell.broken(true,
                     tr("the window has no depth buffer (GLUT_DEPTH is missing): whatever the settings, the depth test "
                        "always passes and the last fragment drawn wins"),
-                    "depth.buffer");
+                    alone("depth.buffer"));
         return;
     }
     if (!depth.test) {
         tell.broken(true,
                     tr("depth test off: the last fragment drawn wins, and no depth is written either, so the depth "
                        "buffer keeps its cleared value"),
-                    "depth.test");
+                    alone("depth.test"));
         return;
     }
-    tell.broken(depth.func == CompareFunc::always,
+    tell.broken(depth.func == CompareFunc::always && !is_painted_right,
                 tr("GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still written"),
-                "depth.func");
-    tell.broken(depth.func == CompareFunc::notequal,
-                tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"), "depth.func");
-    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), "depth.func");
+                alone("depth.func"));
+    tell.broken(depth.func == CompareFunc::notequal && !is_painted_right,
+                tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
+                alone("depth.func"));
+    // Cleared to the nearest depth, the buffer rejects everything with GL_LESS, too.
     const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
+    const char* const as_usual = clears_to_near ? "" : "depth.func";
+    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
-    tell.broken(wants_farther && !clears_to_near,
+    tell.broken(wants_farther && rejects_all(depth),
                 tr("only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
                 "depth.func");
     tell.broken(depth.func == CompareFunc::equal, tr("GL_EQUAL: only fragments at exactly the stored depth pass"),
-                "depth.func");
-    tell.broken(!depth.write,
+                as_usual);
+    tell.broken(!depth.write && !rejects_all(depth),
                 tr("depth mask off: surfaces are tested but write no depth, so they hide nothing that is drawn later"),
-                "depth.write");
+                alone("depth.write"));
 }
 
 void say_clears(Sayer& tell, const DepthParams& depth) {
-    if (!wants_nearer(depth)) return;
+    const bool compares = wants_nearer(depth) || (depth.tests() && depth.func == CompareFunc::notequal);
+    if (!compares || rejects_all(depth) || !depth.write) return;
     tell.broken(!depth.clear, tr("depth is not cleared: depths from the previous frame keep hiding new fragments"),
-                "depth.clear");
+                depth.write_while_clearing ? "depth.clear" : "");
     tell.broken(depth.clear && !depth.write_while_clearing,
                 tr("glClear obeys the depth mask: with the mask off it clears no depth, so depths from the previous "
                    "frame keep hiding new fragments"),
@@ -82,18 +132,19 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
                 "depth.format");
 }
 
-/// The depths that are not distinguished at an eye distance, as a share of the picture's height there.
-double unresolved_share(const Params& params, const Derived& derived, double z) {
+constexpr double visible_share = 1.0 / 200.0;  // of the picture's height: a few pixels
+
+/// Returns the depths that are not distinguished at an eye distance, as a share of the picture's height there.
+double unresolved_share(const Params& params, const Derived& derived, double distance) {
     const Lens lens = params.lens();
     const double height =
-        lens.orthographic ? lens.height : 2.0 * z * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
-    return fighting_onset(depth_coding(params, derived), z).gap() / height;
+        lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
+    return fighting_onset(depth_coding(params, derived), distance).gap() / height;
 }
 
 /// Returns the setting that makes depth fine enough at the things in view: a larger near, or a smaller far if there is
 /// no perspective; "" if neither does.
-std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z,
-                        double visible_share) {
+std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
     Params finer = params;
     std::string setting;
     if (params.lens().orthographic) {
@@ -109,8 +160,9 @@ std::string finer_depth(const Params& params, const Derived& derived, const std:
 /// Reports that depth is too coarse for the objects in view, except for nearly coplanar surfaces, which have a view of
 /// their own.
 void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
-    constexpr double visible_share = 1.0 / 200.0;  // a few pixels
-    if (!params.depth.tests() || has_bent_depth(params.depth) || scene.objects.empty()) return;
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
+    if (has_bent_depth(depth) || scene.objects.empty()) return;
     const Lens lens = params.lens();
     const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
     const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
@@ -130,7 +182,7 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
                     "the picture's height there: where surfaces meet, the wrong one may win",
                     "object"_a = object_text(worst->name), "z"_a = figures(worst->farthest, 3),
                     "gap"_a = figures(gap, 2), "percent"_a = percent(share)),
-                finer_depth(params, derived, seen, worst->farthest, visible_share));
+                finer_depth(params, derived, seen, worst->farthest));
 }
 
 /// Returns whether a polygon offset moves anything, decals or shadows.
@@ -216,8 +268,8 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
                          const Scene& scene) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
-    if (params.visibility.method != VisibilityMethod::depth_buffer) return;
-    say_tests(tell, params.depth);
+    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(params, derived, scene)) return;
+    say_tests(tell, params.depth, is_painted_right(derived, scene));
     say_clears(tell, params.depth);
     say_cleared_code(tell, params, derived, scene);
     say_coarse_depth(tell, params, derived, scene);

@@ -17,6 +17,31 @@ inline bool has_bent_depth(const DepthParams& depth) {
     return depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
 }
 
+/// Returns whether no fragment passes the depth test, or only those at the far plane.
+inline bool rejects_all(const DepthParams& depth) {
+    if (!depth.tests()) return false;
+    const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
+    switch (depth.func) {
+        case CompareFunc::never:
+        case CompareFunc::equal:
+            return true;
+        case CompareFunc::greater:
+        case CompareFunc::gequal:
+            return !clears_to_near;
+        case CompareFunc::less:
+        case CompareFunc::lequal:
+            return clears_to_near;
+        default:
+            return false;
+    }
+}
+
+/// Returns how many switches let the last fragment drawn win, each of them alone.
+inline int count_of_last_wins(const DepthParams& depth) {
+    const bool passes = depth.func == CompareFunc::always || depth.func == CompareFunc::notequal;
+    return (depth.buffer ? 0 : 1) + (depth.test ? 0 : 1) + (depth.write ? 0 : 1) + (passes ? 1 : 0);
+}
+
 /// Returns whether nearer surfaces win, as they should.
 inline bool wants_nearer(const DepthParams& depth) {
     return depth.tests() && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);

@@ -17,16 +17,27 @@ namespace {
 struct Mirror {
     const DerivedPlane& plane;
     double eye_side;
+    bool is_in_view;
 
     glm::dvec4 towards_eye() const { return (eye_side < 0.0 ? -1.0 : 1.0) * plane.unit_plane; }
+    bool is_seen_from_behind() const { return is_in_view && eye_side < 0.0; }
+    /// The objects on its positive side are mirrored.
+    glm::dvec4 kept_side(const ReflectionParams& reflection) const {
+        if (reflection.clip == MirrorClip::none) return {0.0, 0.0, 0.0, 1.0};
+        return reflection.side_of_eye ? towards_eye() : plane.unit_plane;
+    }
     double distance_from_origin() const { return std::abs(plane.unit_plane.w); }
 };
 
+/// Returns all mirrors if any of them is in the picture: the others may be seen in it.
 std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
     std::vector<Mirror> mirrors;
     for (const DerivedPlane& plane : drawn_planes(params, derived))
-        if (const double side = plane.eye_side; plane.mirrors && side != 0.0) mirrors.push_back({plane, side});
-    return mirrors;
+        if (const double side = plane.eye_side; plane.mirrors && side != 0.0)
+            mirrors.push_back({plane, side, is_in_view(plane.patch, derived.clip_from_world)});
+    const bool sees_any =
+        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_in_view; });
+    return sees_any ? mirrors : std::vector<Mirror>{};
 }
 
 /// Returns S with the eye as its light: projects points to the plane as the eye sees them, with w > 0 in front of the
@@ -44,10 +55,17 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
     if (!tests) return;
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
     if (!depth) return;
-    tell.broken(depth->greatest > alike,
-                say("the mirror is the image's near plane, which makes depth up to {factor} times coarser, at z = {z}",
-                    "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance)),
-                "reflection.clip");
+    const std::string coarser =
+        say("the mirror is the image's near plane, which makes depth up to {factor} times coarser, at z = {z}",
+            "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance));
+    const Lens lens = params.lens();
+    const double z = depth->coarsest_distance,
+                 step = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
+    const double height = lens.orthographic ? lens.height : 2.0 * z / clip_from_view(lens, 1.0)[1][1];
+    constexpr double visible_share = 1.0 / 200.0;  // of the picture's height: a few pixels
+    const bool is_visible = depth->greatest * step > visible_share * std::abs(height);
+    tell.broken(depth->greatest > alike && is_visible, coarser, "reflection.clip");
+    tell(depth->greatest > alike && !is_visible, coarser);
     const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
     tell(depth->greatest <= alike && 1.0 / depth->least > alike,
          least == most ? say("the mirror is the image's near plane, which makes depth about {factor} times finer",
@@ -64,8 +82,15 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
             params.depth.mapping == DepthMapping::logarithmic,
         tr("the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
         "reflection.clip");
-    tell.broken(!reflection.side_of_eye && std::any_of(mirrors.begin(), mirrors.end(),
-                                                       [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
+    const bool is_wrong_side =
+        !reflection.side_of_eye &&
+        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_seen_from_behind(); });
+    tell.broken(
+        is_wrong_side && reflection.clip == MirrorClip::oblique,
+        tr("the mirror is seen from behind, but the oblique near plane keeps the side that the normal points to: "
+           "nothing of the image is left for this eye"),
+        "reflection.side_of_eye");
+    tell.broken(is_wrong_side && reflection.clip != MirrorClip::oblique,
                 tr("the mirror is seen from behind, but the side that the normal points to is mirrored: the eye sees "
                    "the image of the objects behind the mirror"),
                 "reflection.side_of_eye");
@@ -88,27 +113,56 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
     }
 }
 
+/// Whether the mask of a mirror hides its image, which is beyond the mirror unless the wrong side is mirrored.
+/// A mirror after another plane begins with a cleared depth buffer inside its mask.
+bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    const auto before =
+        std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
+    if (std::any_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side != 0.0; }))
+        return false;
+    if (objects_at_most(scene, -mirror.towards_eye(), 0.0).empty()) return false;
+    const ReflectionParams& reflection = params.reflection;
+    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
+    return tests && reflection.mask_writes_depth && reflection.stencil && !reflection.after_objects &&
+           (reflection.side_of_eye || !mirror.is_seen_from_behind());
+}
+
 /// Reports errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
 void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(scene, seen_on_plane(mirror, derived) * mirror.plane.mirrored_world_from_world,
-                            mirror.towards_eye(), mirror.plane.patch);
+        return lands_beyond(scene, {seen_on_plane(mirror, derived) * mirror.plane.mirrored_world_from_world,
+                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
     };
     const auto is_covered = [&](const Mirror& mirror) {
-        return lands_inside(scene, seen_on_plane(mirror, derived), mirror.towards_eye(), mirror.plane.patch);
+        return lands_inside(
+            scene, {seen_on_plane(mirror, derived), derived.clip_from_world, mirror.towards_eye(), mirror.plane.patch});
     };
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    tell.broken(!reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
+    const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
+    tell.broken(!reflection.stencil && (is_distorted || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
                 tr("R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
                    "beyond the mirror's edge"),
                 "reflection.stencil");
+    const auto in_front = std::find_if(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return !reflection.stencil && reflection.clip == MirrorClip::none &&
+               !objects_at_most(scene, mirror.towards_eye(), -standing).empty();
+    });
+    if (in_front != mirrors.end())
+        tell.broken(true,
+                    say("without the stencil, the mirror does not cover the image of {objects}, which lies in front of "
+                        "it",
+                        "objects"_a = objects_at_most(scene, in_front->towards_eye(), -standing)),
+                    "reflection.stencil");
     tell.broken(
-        reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
+        std::any_of(mirrors.begin(), mirrors.end(),
+                    [&](const Mirror& mirror) { return mask_hides(params, derived, mirror, scene); }),
         tr("the mask writes the mirror's own depth: the image lies beyond it, fails the depth test and is hidden"),
         "reflection.mask_writes_depth");
-    tell.broken(reflection.after_objects && is_drawn_by_gl_alone(params.visibility.method) &&
+    tell.broken(!reflection.stencil && drawn_planes(params, derived).size() > 1,
+                tr("without the stencil, the mirror image shows no other plane and no other mirror"),
+                "reflection.stencil");
+    tell.broken(reflection.after_objects && reflection.stencil && is_drawn_by_gl_alone(params.visibility.method) &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 tr("the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
@@ -138,7 +192,8 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
 }
 
 /// Reports the effects of R, its winding and its camera on the scene.
-void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
+void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
     tell.broken(!reflection.flip_winding && (culls || params.view.shows == Shows::facing),
@@ -147,7 +202,10 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                       : tr("R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
                            "front faces count as back-facing"),
                 "reflection.flip_winding");
-    tell.broken(!reflection.reflect_light,
+    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return mask_hides(params, derived, mirror, scene);
+    });
+    tell.broken(!reflection.reflect_light && !is_hidden,
                 tr("the light is not mirrored with the scene: the image is lit from the light's position, not from "
                    "that of the light's image"),
                 "reflection.reflect_light");
@@ -273,11 +331,11 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     const std::vector<Mirror> mirrors = drawn_mirrors(params, derived);
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
+    say_masks(tell, params, derived, mirrors, scene);
     if (params.reflection.clip == MirrorClip::oblique) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, mirrors, scene);
-    say_masks(tell, params, derived, mirrors, scene);
     say_slips(tell, params, derived, mirrors);
-    say_images(tell, params, derived, mirrors);
+    say_images(tell, params, derived, mirrors, scene);
     say_bounces(tell, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);
 }

@@ -67,10 +67,14 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
 }
 
 /// Reports casters that are not between light and plane, and the effects of the switches on them.
-void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
+/// Returns whether any shadow is left.
+bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Derived& derived,
+                 const Scene& scene) {
     std::vector<std::string> vanishing;
     for (const Thrown& one : thrown)
-        if (shadow.sign == ShadowSign::none && one.side() < 0.0)
+        if (shadow.sign == ShadowSign::none && one.side() < 0.0 &&
+            lands_inside(scene, {one.side() * one.cast.shadowed_world_from_world, derived.clip_from_world,
+                                 one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
     tell.broken(
@@ -92,9 +96,10 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                     "shadow.clip_casters");
         break;
     }
-    if (all_vanish && vanishes) return;
+    if (all_vanish && vanishes) return false;
     for (const Thrown& one : thrown)
-        if (say_beyond(tell, shadow, one, scene)) return;
+        if (say_beyond(tell, shadow, one, scene)) break;
+    return true;
 }
 
 /// Reports the offset that keeps a blended shadow from fighting with its plane.
@@ -147,12 +152,12 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     if (thrown.empty() || !shows_effects(params)) return;
     const ShadowParams& shadow = params.shadow;
     Sayer tell(problems, "shadow");
-    say_casters(tell, shadow, thrown, scene);
+    if (!say_casters(tell, shadow, thrown, derived, scene)) return;
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
             !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                return lands_beyond(scene, one.cast.sign * one.cast.shadowed_world_from_world, one.towards_light(),
-                                    one.plane.patch);
+                return lands_beyond(scene, {one.cast.sign * one.cast.shadowed_world_from_world, derived.clip_from_world,
+                                            one.towards_light(), one.plane.patch});
             });
         tell.broken(beyond_edge,
                     tr("S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
