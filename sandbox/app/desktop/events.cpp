@@ -1,7 +1,10 @@
 #include "app/desktop/events.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +12,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 namespace viewing {
 namespace {
@@ -96,6 +100,20 @@ KeyKind kind_of(int glfw_key) {
     return KeyKind::leaves;
 }
 
+/// Whether words are composed from several keys, as in Korean: set by every session that has an input method.
+bool has_input_method() {
+    static const bool has_one = [] {
+        const char* const modifiers = std::getenv("XMODIFIERS");
+        return modifiers && std::string_view(modifiers).starts_with("@im=") &&
+               std::string_view(modifiers) != "@im=none";
+    }();
+    return has_one;
+}
+
+bool ends_entry(int glfw_key) {
+    return glfw_key == GLFW_KEY_ENTER || glfw_key == GLFW_KEY_KP_ENTER || glfw_key == GLFW_KEY_TAB;
+}
+
 /// Set when background work ends.
 std::atomic<bool> work_has_ended{false};
 
@@ -120,7 +138,7 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
     glfwSetWindowFocusCallback(window,
                                [](GLFWwindow* one, int focused) { push(one, FocusChanged{focused == GLFW_TRUE}); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* one, double x, double y) {
-        push(one, PointerMoved{glm::vec2(static_cast<float>(x), static_cast<float>(y))});
+        of(one).queue_now(PointerMoved{glm::vec2(static_cast<float>(x), static_cast<float>(y))});
     });
     glfwSetCursorEnterCallback(window, on_enter);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* one, int button, int action, int) {
@@ -129,7 +147,10 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
     glfwSetScrollCallback(window, [](GLFWwindow* one, double x, double y) {
         push(one, WheelTurned{{static_cast<float>(x), static_cast<float>(y)}});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* one, unsigned code_point) { push(one, CharacterTyped{code_point}); });
+    glfwSetCharCallback(window, [](GLFWwindow* one, unsigned code_point) {
+        if (const bool is_composed = code_point > 0x7F; !is_composed) of(one).release_held();
+        of(one).queue_now(CharacterTyped{code_point});
+    });
 }
 
 void Events::hear_keys_of(GLFWwindow* window) {
@@ -143,6 +164,13 @@ void Events::hear_keys_of(GLFWwindow* window) {
 void Events::take(double wait_s) {
     heard_since_s_ = polled_s_;
     glfwPollEvents();
+    if (!held_.empty()) {
+        const double left_s = held_until_s_ - glfwGetTime();
+        if (left_s <= 0.0)
+            release_held();
+        else
+            wait_s = wait_s < 0.0 ? left_s : std::min(wait_s, left_s);
+    }
     any |= work_has_ended.exchange(false);
     if (!any && wait_s != 0.0) {
         heard_since_s_.reset();  // events from here on are delivered immediately
@@ -160,10 +188,25 @@ Events& Events::of(GLFWwindow* window) {
 }
 
 void Events::push(GLFWwindow* window, InputEvent event) {
-    Events& events = of(window);
-    events.any = true;
+    of(window).release_held();
+    of(window).queue_now(std::move(event));
+}
+
+void Events::queue_now(InputEvent event) {
+    any = true;
     const double now_s = glfwGetTime();
-    events.queue.push(std::move(event), {events.heard_since_s_.value_or(now_s), now_s});
+    queue.push(std::move(event), {heard_since_s_.value_or(now_s), now_s});
+}
+
+/// GLFW reports Enter before the input method commits the syllable that Enter ends, which would then be lost.
+void Events::hold(InputEvent event) {
+    constexpr double commit_s = 0.08;
+    if (held_.empty()) held_until_s_ = glfwGetTime() + commit_s;
+    held_.push_back(std::move(event));
+}
+
+void Events::release_held() {
+    for (InputEvent& event : std::exchange(held_, {})) queue_now(std::move(event));
 }
 
 void Events::on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int modifiers) {
@@ -174,12 +217,18 @@ void Events::on_key(GLFWwindow* window, int glfw_key, int scancode, int action, 
         if (printed[0] == '+') printed_key = GLFW_KEY_KP_ADD;
         if (printed[0] == '-') printed_key = GLFW_KEY_KP_SUBTRACT;
     }
-    push(window, KeyChanged{.code = static_cast<std::size_t>(glfw_key),
-                            .kind = kind_of(glfw_key),
-                            .key = key_of(printed_key),
-                            .down = action == GLFW_PRESS,
-                            .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
-                            .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
+    KeyChanged changed{.code = static_cast<std::size_t>(glfw_key),
+                       .kind = kind_of(glfw_key),
+                       .key = key_of(printed_key),
+                       .down = action == GLFW_PRESS,
+                       .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
+                       .shift = (modifiers & GLFW_MOD_SHIFT) != 0};
+    Events& events = of(window);
+    const bool is_held = !events.held_.empty() || (changed.down && ImGui::GetIO().WantTextInput);
+    if (ends_entry(glfw_key) && has_input_method() && is_held)
+        events.hold(changed);
+    else
+        push(window, changed);
 }
 
 /// Ignores that the pointer leaves the window during a drag, which continues outside.

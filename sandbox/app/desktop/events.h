@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ui/parts/input_queue.h"
 
@@ -40,6 +41,12 @@ private:
     static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int modifiers);
     static void on_enter(GLFWwindow* window, int entered);
 
+    void queue_now(InputEvent event);
+    void hold(InputEvent event);
+    void release_held();
+
+    std::vector<InputEvent> held_;  ///< keys that end an entry, until an input method has had time to finish its word
+    double held_until_s_ = 0.0;
     double polled_s_ = 0.0;
     std::optional<double> heard_since_s_;  ///< earliest possible time of the events being delivered; empty: now
 };
