@@ -148,8 +148,14 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
         push(one, WheelTurned{{static_cast<float>(x), static_cast<float>(y)}});
     });
     glfwSetCharCallback(window, [](GLFWwindow* one, unsigned code_point) {
-        if (const bool is_composed = code_point > 0x7F; !is_composed) of(one).release_held();
-        of(one).queue_now(CharacterTyped{code_point});
+        Events& events = of(one);
+        events.queue_now(CharacterTyped{code_point});
+        // A key that commits a syllable begins the next one.
+        events.composes_ = code_point > 0x7F && events.held_.empty();
+        if (events.held_.empty()) return;
+        constexpr double more_s = 0.25;  // more of the word may arrive
+        events.held_until_s_ = glfwGetTime() + more_s;
+        events.has_committed_ = true;
     });
 }
 
@@ -200,12 +206,16 @@ void Events::queue_now(InputEvent event) {
 
 /// GLFW reports Enter before the input method commits the syllable that Enter ends, which would then be lost.
 void Events::hold(InputEvent event) {
-    constexpr double commit_s = 0.08;
-    if (held_.empty()) held_until_s_ = glfwGetTime() + commit_s;
+    constexpr double patience_s = 2.0;
+    if (held_.empty()) {
+        held_until_s_ = glfwGetTime() + patience_s;
+        has_committed_ = false;
+    }
     held_.push_back(std::move(event));
 }
 
 void Events::release_held() {
+    if (!held_.empty()) composes_ = false;
     for (InputEvent& event : std::exchange(held_, {})) queue_now(std::move(event));
 }
 
@@ -224,8 +234,10 @@ void Events::on_key(GLFWwindow* window, int glfw_key, int scancode, int action, 
                        .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
                        .shift = (modifiers & GLFW_MOD_SHIFT) != 0};
     Events& events = of(window);
-    const bool is_held = !events.held_.empty() || (changed.down && ImGui::GetIO().WantTextInput);
-    if (ends_entry(glfw_key) && has_input_method() && is_held)
+    const bool is_entry = ImGui::GetIO().WantTextInput && has_input_method();
+    if (changed.down && changed.kind == KeyKind::prints) events.composes_ = is_entry && !changed.ctrl;
+    const bool waits = !events.held_.empty() && !events.has_committed_;
+    if (waits || (changed.down && is_entry && events.composes_ && ends_entry(glfw_key)))
         events.hold(changed);
     else
         push(window, changed);

@@ -45,7 +45,9 @@ private:
     void hold(InputEvent event);
     void release_held();
 
-    std::vector<InputEvent> held_;  ///< keys that end an entry, until an input method has had time to finish its word
+    bool composes_ = false;         ///< the input method has keys of which it has not yet made a character
+    std::vector<InputEvent> held_;  ///< a key that ends an entry and those after it, until the last character is there
+    bool has_committed_ = false;    ///< a character has arrived since then
     double held_until_s_ = 0.0;
     double polled_s_ = 0.0;
     std::optional<double> heard_since_s_;  ///< earliest possible time of the events being delivered; empty: now
