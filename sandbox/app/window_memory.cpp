@@ -10,13 +10,18 @@ namespace viewing {
 
 WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(std::move(file)) {
     is_first_time_ = is_fresh || !is_there(file_);
+    Result<Remembered> read = read_remembered(file_);
     if (is_fresh) {
+        if (read) remembered_ = {.lessons = read->lessons, .recent = read->recent, .student = read->student};
+        known_ = remembered_;
         std::error_code failed;
         if (!file_.empty()) std::filesystem::remove(file_, failed);
         if (failed) trouble_ = file_.string() + ": " + failed.message();
+        if (failed || remembered_ == Remembered{}) return;
+        if (const Status written = write_remembered(file_, remembered_); !written) trouble_ = written.error();
         return;
     }
-    if (Result<Remembered> read = read_remembered(file_))
+    if (read)
         known_ = remembered_ = *read;
     else
         trouble_ = say("{error}; the window starts with its defaults", "error"_a = read.error());

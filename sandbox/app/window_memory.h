@@ -13,7 +13,8 @@ namespace viewing {
 
 class WindowMemory {
 public:
-    /// Reads the file of the last run; `is_fresh`: ignores its content. If the file cannot be read, trouble() says why
+    /// Reads the file of the last run; `is_fresh`: forgets looks and place, but neither progress
+    /// nor recent files nor the student. If the file cannot be read, trouble() says why
     /// and nothing is remembered.
     WindowMemory(std::filesystem::path file, bool is_fresh);
 

@@ -30,8 +30,9 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
     bool is_fresh = false;
     options.group("Window");
     options.flag("--fresh", is_fresh,
-                 "Forgets the last theme, scale, window size and position, which are remembered in "
-                 "$XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config if that is not set)");
+                 "Forgets the last theme, scale, language, window size and position, which are remembered in "
+                 "$XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config if that is not set); keeps lesson progress, "
+                 "recent files and the student");
     std::optional<std::string> exercise;
     bool replays = false;
     options.group("Exercise");

@@ -47,8 +47,8 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
         return planes[plane].shadows[index].plane_dot_light * glm::dot(planes[plane].unit_plane, center) < 0.0;
     });
     tell.broken(lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size() && is_beyond,
-                say("(x, y, z) of a parallel light points toward the light: if {direction} is the way that the light "
-                    "travels, its negative is the light",
+                say("(x, y, z) of a parallel light points toward the light: if {direction} is the direction in which "
+                    "the light travels, enter its negative",
                     "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
                 "light.position=" + negated);
     const std::string behind = planes_name(turned_away, planes.size());
@@ -172,8 +172,8 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
                 params.shadow.enabled && !lands && !transposed_lands,
                 say("{matrix} entered by hand does not land in the plane: Π·S p ≠ 0", "matrix"_a = matrix));
             tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
-                               say("{matrix} entered by hand gives points between light and plane a negative w: "
-                                   "clipping removes the shadow; −S is the same projection with a positive w",
+                               say("{matrix} entered by hand gives a negative w to points between the light and the "
+                                   "plane: clipping removes the shadow; −S is the same projection with a positive w",
                                    "matrix"_a = matrix));
         }
     }

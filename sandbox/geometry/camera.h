@@ -1,5 +1,5 @@
 // The camera's pose as angles and as matrices. Angles are in degrees, as in the state file.
-// Source: lecture, Camera Movement; with pitch and roll V = (T Ry Rx Rz)⁻¹.
+// Source: lecture, Camera Movement; with pitch and roll, V = (T Ry Rx Rz)⁻¹.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -151,7 +151,8 @@ const Field all_fields[] = {
      .min = 1,
      .max = 179,
      .step = 0.5,
-     .help = "The full vertical angle of view of the perspective. GLM takes it in radians: glm::radians(fovy).",
+     .help =
+         "The full vertical field of view of the perspective projection. GLM takes it in radians: glm::radians(fovy).",
      .formula = "P₂₂ = 1 / tan(fovy / 2)",
      .gl_call = "glm::perspective"},
     {.path = "projection.height",
@@ -847,7 +848,8 @@ const Field all_fields[] = {
     {.path = "view.lower_right",
      .place = IN(view.lower_right),
      .label = "lower right",
-     .help = "The content of the lower view on the right; automatic depends on the hidden-surface method."},
+     .help =
+         "The content of the lower view on the right; automatic chooses a view that suits the hidden-surface method."},
 
     {.path = "view.layout.big",
      .place = IN(view.layout.big),

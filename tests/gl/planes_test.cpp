@@ -113,7 +113,7 @@ TEST_F(Planes, AnObliqueNearPlaneEqualsAClipDistance) {
 }
 
 TEST_F(Planes, TheOrderOfPlanesAndLightsDoesNotMatter) {
-    // Painted shadows are excluded: the last light covers the others, and all of them cover the image in the mirror.
+    // Painted shadows are excluded: the last shadow covers the others, and all of them cover the image in the mirror.
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
         if (room.params.planes.size() < 3) continue;

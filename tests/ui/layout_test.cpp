@@ -1,4 +1,4 @@
-// Nothing overlaps and nothing is cut off, at every size, in every theme, preset and view, and with texts 40 % longer.
+// Nothing overlaps and nothing is cut off, at every size, in every theme, preset and view, and with texts 40% longer.
 // Judged by the drawn letters (letters.h) as well as by the items' rectangles.
 #include <map>
 #include <ostream>

@@ -46,7 +46,7 @@ private:
     void release_held();
 
     bool composes_ = false;         ///< the input method has keys of which it has not yet made a character
-    std::vector<InputEvent> held_;  ///< a key that ends an entry and those after it, until the last character is there
+    std::vector<InputEvent> held_;  ///< a key that ends an entry and all after it, until its last character has arrived
     bool has_committed_ = false;    ///< a character has arrived since then
     double held_until_s_ = 0.0;
     double polled_s_ = 0.0;

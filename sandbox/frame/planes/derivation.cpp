@@ -58,8 +58,8 @@ MirrorPlane mirror_plane_of(const glm::dvec4& unit_plane) {
     return MirrorPlane::general;
 }
 
-/// Returns R of the slides: for the coordinate planes, a diagonal with one negative entry; otherwise in terms of a, b,
-/// c and d.
+/// Returns R as on the slides: for the coordinate planes, a diagonal matrix with one negative entry; otherwise in terms
+/// of a, b, c and d.
 glm::dmat4 mirror_form(MirrorPlane plane, const glm::dvec4& unit_plane) {
     const double a = unit_plane.x, b = unit_plane.y, c = unit_plane.z, d = unit_plane.w;
     const auto diagonal = [](double x, double y, double z) {

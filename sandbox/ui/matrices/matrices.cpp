@@ -140,7 +140,7 @@ void show_mirror(const Column& column) {
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand);
 }
 
-/// Draws C with buttons to alternatives; returns whether one was pressed.
+/// Draws C with buttons for the alternatives; returns whether one was pressed.
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
     return show_matrix({marked("Camera"), "C", "world_from_view",

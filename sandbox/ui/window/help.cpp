@@ -45,7 +45,7 @@ void draw_keys() {
         {"Ctrl+P", marked("open the presets; type to search")},
         {marked("Page up  Page down"), marked("previous preset, next preset")},
         {"Ctrl+plus  Ctrl+minus  Ctrl+0", marked("larger, smaller, default size")},
-        {"F9", marked("start, stop recording a flight; Esc stops playback")},
+        {"F9", marked("start or stop recording a flight; Esc stops playback")},
         {"F11", marked("full screen")},
         {"F12", marked("snapshot of the camera view")},
     };
