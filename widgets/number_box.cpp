@@ -69,12 +69,13 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, Px(1.5F) * context.palette.stroke);
     ImGui::PushStyleColor(ImGuiCol_Border, context.palette.accent);
     ImGui::SetNextItemWidth(size.x);
-    if (!editing.focused) ImGui::SetKeyboardFocusHere();
     // A completion callback keeps ImGui from handling Tab itself.
     constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                           ImGuiInputTextFlags_CallbackCompletion;
     ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
+    // After the item: the request for the next item is lost in Dear ImGui 1.90 if another window had the focus.
+    if (!editing.focused) ImGui::SetKeyboardFocusHere(-1);
     const bool active = ImGui::IsItemActive();
     // From ImGui 1.89 on, the callback is called for Tab alone, not for Shift+Tab.
     if (editing.focused && ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)))

@@ -213,9 +213,9 @@ void FileDialog::draw(Session& session) {
     }
     ImGui::EndChild();
     ImGui::SetNextItemWidth(-1.0F);
-    if (std::exchange(takes_keyboard_, false)) ImGui::SetKeyboardFocusHere();
     chosen |= widgets::TextField("##name", name_, "",
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (std::exchange(takes_keyboard_, false)) ImGui::SetKeyboardFocusHere(-1);
     widgets::Record("name");
     if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
     chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(), "choose or type a name first");

@@ -78,9 +78,9 @@ bool is_found(const NamedFile& preset, std::string_view search) {
 }
 
 bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
     const bool entered = widgets::TextField("##search", search_, tr("search"), ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere(-1);
     widgets::Record("search");
     const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
     const auto count = static_cast<std::ptrdiff_t>(found.size());
