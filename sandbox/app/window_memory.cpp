@@ -12,7 +12,11 @@ WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(st
     is_first_time_ = is_fresh || !is_there(file_);
     Result<Remembered> read = read_remembered(file_);
     if (is_fresh) {
-        if (read) remembered_ = {.lessons = read->lessons, .recent = read->recent, .student = read->student};
+        if (read) {
+            remembered_.lessons = read->lessons;
+            remembered_.recent = read->recent;
+            remembered_.student = read->student;
+        }
         known_ = remembered_;
         std::error_code failed;
         if (!file_.empty()) std::filesystem::remove(file_, failed);
