@@ -149,6 +149,10 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
 
 }  // namespace
 
+double picture_height(const Lens& lens, double distance) {
+    return lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
+}
+
 bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived) {
     constexpr std::size_t tried = 64;
     const glm::dmat4 clip_from_model =

@@ -8,6 +8,12 @@
 
 namespace viewing {
 
+/// A share of the picture's height that is a few pixels.
+inline constexpr double visible_share = 1.0 / 200.0;
+
+/// Returns the height of the picture at an eye distance, in world units.
+double picture_height(const Lens& lens, double distance);
+
 /// Tolerance in world units: an object that rests on a plane does not count as behind it.
 inline constexpr double standing = 1e-4;
 

@@ -56,7 +56,7 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-void say_tests(Sayer& tell, const DepthParams& depth, bool is_painted_right) {
+void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, const Scene& scene) {
     // With two reasons at a time, to fix one of them changes nothing.
     const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
     if (!depth.buffer) {
@@ -73,15 +73,14 @@ void say_tests(Sayer& tell, const DepthParams& depth, bool is_painted_right) {
                     alone("depth.test"));
         return;
     }
-    tell.broken(depth.func == CompareFunc::always && !is_painted_right,
+    tell.broken(depth.func == CompareFunc::always && !is_painted_right(derived, scene),
                 tr("GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still written"),
                 alone("depth.func"));
-    tell.broken(depth.func == CompareFunc::notequal && !is_painted_right,
+    tell.broken(depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
                 tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
                 alone("depth.func"));
     // Cleared to the nearest depth, the buffer rejects everything with GL_LESS, too.
-    const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
-    const char* const as_usual = clears_to_near ? "" : "depth.func";
+    const char* const as_usual = clears_to_nearest(depth) ? "" : "depth.func";
     tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(wants_farther && rejects_all(depth),
@@ -132,14 +131,9 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
                 "depth.format");
 }
 
-constexpr double visible_share = 1.0 / 200.0;  // of the picture's height: a few pixels
-
 /// Returns the depths that are not distinguished at an eye distance, as a share of the picture's height there.
 double unresolved_share(const Params& params, const Derived& derived, double distance) {
-    const Lens lens = params.lens();
-    const double height =
-        lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
-    return fighting_onset(depth_coding(params, derived), distance).gap() / height;
+    return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
 }
 
 /// Returns the setting that makes depth fine enough at the things in view: a larger near, or a smaller far if there is
@@ -203,8 +197,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                 "depth.logarithm_per_vertex");
     tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, scene),
          tr("the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
-            "the "
-            "offset"));
+            "the offset"));
     if (depth.mapping != DepthMapping::reversed) return;
     tell.broken(!derived.clip_zero_to_one,
                 depth.reversed_zero_to_one
@@ -269,7 +262,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(params, derived, scene)) return;
-    say_tests(tell, params.depth, is_painted_right(derived, scene));
+    say_tests(tell, params.depth, derived, scene);
     say_clears(tell, params.depth);
     say_cleared_code(tell, params, derived, scene);
     say_coarse_depth(tell, params, derived, scene);

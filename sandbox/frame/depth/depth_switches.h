@@ -17,20 +17,24 @@ inline bool has_bent_depth(const DepthParams& depth) {
     return depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
 }
 
+/// Returns whether the buffer is cleared to the nearest depth, so that nothing can be nearer.
+inline bool clears_to_nearest(const DepthParams& depth) {
+    return depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
+}
+
 /// Returns whether no fragment passes the depth test, or only those at the far plane.
 inline bool rejects_all(const DepthParams& depth) {
     if (!depth.tests()) return false;
-    const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     switch (depth.func) {
         case CompareFunc::never:
         case CompareFunc::equal:
             return true;
         case CompareFunc::greater:
         case CompareFunc::gequal:
-            return !clears_to_near;
+            return !clears_to_nearest(depth);
         case CompareFunc::less:
         case CompareFunc::lequal:
-            return clears_to_near;
+            return clears_to_nearest(depth);
         default:
             return false;
     }

@@ -61,9 +61,7 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
     const Lens lens = params.lens();
     const double z = depth->coarsest_distance,
                  step = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
-    const double height = lens.orthographic ? lens.height : 2.0 * z / clip_from_view(lens, 1.0)[1][1];
-    constexpr double visible_share = 1.0 / 200.0;  // of the picture's height: a few pixels
-    const bool is_visible = depth->greatest * step > visible_share * std::abs(height);
+    const bool is_visible = depth->greatest * step > visible_share * picture_height(lens, z);
     tell.broken(depth->greatest > alike && is_visible, coarser, "reflection.clip");
     tell(depth->greatest > alike && !is_visible, coarser);
     const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
@@ -116,15 +114,14 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
 /// Whether the mask of a mirror hides its image, which is beyond the mirror unless the wrong side is mirrored.
 /// A mirror after another plane begins with a cleared depth buffer inside its mask.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
-    const auto before =
-        std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
-    if (std::any_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side != 0.0; }))
-        return false;
-    if (objects_at_most(scene, -mirror.towards_eye(), 0.0).empty()) return false;
     const ReflectionParams& reflection = params.reflection;
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    return tests && reflection.mask_writes_depth && reflection.stencil && !reflection.after_objects &&
-           (reflection.side_of_eye || !mirror.is_seen_from_behind());
+    if (!tests || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects) return false;
+    if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
+    const auto before =
+        std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
+    return std::all_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side == 0.0; }) &&
+           !objects_at_most(scene, -mirror.towards_eye(), 0.0).empty();
 }
 
 /// Reports errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
@@ -144,16 +141,14 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 tr("R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
                    "beyond the mirror's edge"),
                 "reflection.stencil");
-    const auto in_front = std::find_if(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return !reflection.stencil && reflection.clip == MirrorClip::none &&
-               !objects_at_most(scene, mirror.towards_eye(), -standing).empty();
-    });
-    if (in_front != mirrors.end())
-        tell.broken(true,
-                    say("without the stencil, the mirror does not cover the image of {objects}, which lies in front of "
-                        "it",
-                        "objects"_a = objects_at_most(scene, in_front->towards_eye(), -standing)),
-                    "reflection.stencil");
+    const bool is_unmasked = !reflection.stencil && reflection.clip == MirrorClip::none;
+    std::string in_front;
+    for (const Mirror& mirror : mirrors)
+        if (is_unmasked && in_front.empty()) in_front = objects_at_most(scene, mirror.towards_eye(), -standing);
+    tell.broken(!in_front.empty(),
+                say("without the stencil, the mirror does not cover the image of {objects}, which lies in front of it",
+                    "objects"_a = in_front),
+                "reflection.stencil");
     tell.broken(
         std::any_of(mirrors.begin(), mirrors.end(),
                     [&](const Mirror& mirror) { return mask_hides(params, derived, mirror, scene); }),
