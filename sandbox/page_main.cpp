@@ -1,4 +1,4 @@
-// The browser's entry.
+// The browser's entry point.
 #include "app/browser/page.h"
 
 int main() {

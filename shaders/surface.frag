@@ -1,5 +1,6 @@
-// Colors a fragment: lit, ambient only, one flat color, front and back in different colors, or an ID to read back.
-// Light is added in linear space and converted to sRGB here, so that no sRGB target is needed.
+// Colors a fragment: lit, ambient only, one flat color, front and back in different colors, by depth fighting, by the w
+// of a shadow caster, or with an ID to read back. Light is added in linear space and converted to sRGB here, so that no
+// sRGB target is needed.
 //
 // FROM_PICTURE: the surface point and its depth come from textures, one texel per pixel, as a software method found
 // them.
@@ -55,11 +56,11 @@ uniform vec4 caster_w;          // dot(caster_w, p) is the w that S gives p
 uniform vec4 caster_side;       // dot(caster_side, p) is positive on the light's side of the plane
 uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the plane, beyond the light
 
-// The gap to the surface next to this one, relative to the gap that the depth buffer resolves: frame/depth/heat_map.h.
+// The gap to the neighboring surface, relative to the gap that the depth buffer resolves; see frame/depth/heat_map.h.
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
-uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, over the logarithm of the eye distance from near to far
+uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, spaced by the logarithm of the eye distance, near to far
 uniform vec3 heat_tones[HEAT_COLORS];       // sRGB, for ratios: from 0 to just below 1, then powers of 2 from 1 on
 uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
 
@@ -99,7 +100,7 @@ uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times th
 
 layout(location = 0) out vec4 color;
 
-// MASK_TEST and MASK_WRITE: a mask instead of the stencil, tested with discard, written along with the color.
+// MASK_TEST and MASK_WRITE: a mask replaces the stencil. It is tested with discard and written along with the color.
 #if defined(MASK_TEST) || defined(MASK_WRITE)
 uniform sampler2D mask_texture;  // value / 255, before the pass
 uniform int mask_reference;
@@ -170,7 +171,7 @@ vec3 lit_color(vec3 surface_albedo) {
     vec3 normal = patch_normal;
 #else
     vec3 normal = normalize(normal_world);
-#ifndef FROM_PICTURE  // already toward the eye there
+#ifndef FROM_PICTURE  // there, it already points toward the eye
     vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
     normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
 #endif
@@ -293,7 +294,7 @@ void main() {
 #ifdef MASK_WRITE
     mask = vec4(float(mask_after()) / 255.0, 0.0, 0.0, 1.0);
 #endif
-    // Last, because the derivatives above need all four fragments of a quad.
+    // Discard last, because the derivatives above need all four fragments of a quad.
 #ifdef MASK_TEST
     if (!passes_mask()) discard;
 #endif

@@ -1,6 +1,6 @@
-// Every surface of the scene: objects, their shadows, their mirror images and the plane's patch. The matrices arrive
-// complete (S and R already multiplied in, in double precision on the CPU). Shading uses positions relative to the eye,
-// along the world's axes: far from the world's origin, float32 is too coarse for slopes.
+// Transforms every surface of the scene: objects, their shadows, their mirror images and the plane's patch. The
+// matrices arrive complete: the CPU has already multiplied in S and R, in double precision. Shading uses positions
+// relative to the eye, along the world's axes: far from the world's origin, float32 is too coarse for slopes.
 layout(location = 0) in vec3 position_model;
 layout(location = 1) in vec3 normal_model;
 #ifdef PER_VERTEX
@@ -10,7 +10,7 @@ AT(3) out vec3 vertex_albedo;
 AT(4) flat out vec2 ids;
 #endif
 
-// SEPARATE: the same outputs for all fragment stages, whichever of them each stage reads.
+// SEPARATE: the outputs are the same for all fragment stages, whichever outputs a stage reads.
 #ifdef SEPARATE
 out gl_PerVertex {
     vec4 gl_Position;
@@ -53,7 +53,7 @@ uniform vec4 view_w_of_model;
 AT(5) out vec2 view_zw;
 #endif
 
-// GL interpolates the vertices' logarithms over the triangle, which is right only at the vertices.
+// GL interpolates the vertices' logarithms over the triangle, so the depth is correct only at the vertices.
 #ifdef LOGARITHM_PER_VERTEX
 uniform vec2 vertex_near_far;
 
@@ -78,7 +78,7 @@ void main() {
     ids = vertex_ids;
 #endif
 #ifdef FORCE_SIGN
-    // Tests the w that S gives, before the camera's: GL would not divide a triangle in which this sign changes.
+    // Test the w that S yields, without the camera. GL then does not split a triangle in which this sign changes.
     if (placed.w < 0.0) gl_Position = -gl_Position;
 #endif
 #ifdef CLIP_DISTANCE

@@ -1,6 +1,6 @@
-// Linked into every test program: sets the locations of assets, program and tests unless the environment has them. No
-// other setup is needed, whether ctest or a person starts the program. Every test compiles its shaders anew, with the
-// fast settings of the headless commands, so that no result depends on Mesa's cache from an earlier run.
+// Linked into every test program: sets the locations of assets, program and tests unless the environment already has
+// them. No other setup is needed, whether ctest or a person starts the program. Every test compiles its shaders anew,
+// with the fast settings of the headless commands, so that no result depends on Mesa's cache from an earlier run.
 #include <cstdlib>
 
 namespace {

@@ -1,4 +1,4 @@
-// A freely drawn area of a window, internal to the library. Read tree_diagram.cpp for its use.
+// A freely drawn area of a window, internal to the library. See tree_diagram.cpp for an example.
 #pragma once
 
 #include "widgets/inner.h"

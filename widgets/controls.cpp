@@ -330,7 +330,7 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 
 namespace {
 
-/// "button:show C" of a button "Show C".
+/// Returns a button's name as a target: "button:show C" for the button "Show C".
 std::string TargetOfButton(const char* label) {
     const Targets& targets = CurrentContext().targets;
     if (targets.empty() && !targets.offered) return {};

@@ -20,14 +20,14 @@ struct DepthMark {
 };
 
 struct PrecisionChartStyle {
-    /// The range over which near and far can be dragged; it does not depend on them. 10⁻³…10⁴ if the range is invalid.
+    /// The range over which near and far can be dragged; it does not depend on them. If it is invalid, 10⁻³…10⁴.
     ChartAxis x{.title = "eye distance z", .min = 1e-3, .max = 1e4};
     ChartAxis y{.title = "width Δz"};              ///< without a range: the whole decades of the curves
-    std::span<const ChartCurve> terms = {};        ///< parts of the step: dotted; also in the readout
+    std::span<const ChartCurve> terms = {};        ///< parts of the step, drawn dotted; also in the readout
     std::span<const DepthMark> marks = {};         ///< the scene's objects
-    double cursor_z = 0.0;                         ///< of the pixel that another view points at; ≤ 0: none
+    double cursor_z = 0.0;                         ///< distance of the pixel that another view points at; ≤ 0: none
     double default_near = 0.1, default_far = 100;  ///< a right-click on a line resets to these
-    const char* target = "";  ///< its name as in targets.h; lines add ".near" and ".far", curves their names
+    const char* target = "";  ///< the chart's name as in targets.h; lines add ".near" and ".far", curves their names
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 160×120 design pixels
 };
 
@@ -51,7 +51,7 @@ struct CodeTicksStyle {
 };
 
 /// Stored codes between near and far as two rows of ticks joined by lines: above, the codes, equally spaced; below, the
-/// eye distances that they represent. `eye_distances`: those of equally spaced codes, from left to right; if they are
+/// eye distances that they represent. `eye_distances` belong to equally spaced codes, from left to right; if they are
 /// too dense, only some are drawn. A distance outside near…far has no line. Unless near < far and both are finite,
 /// shows a sentence. Returns the index of the tick under the pointer, otherwise −1.
 int CodeTicks(const char* id, std::span<const double> eye_distances, double near, double far,
@@ -60,8 +60,8 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
 // ---- counts ----------------------------------------------------------------------------------------
 
 struct HistogramStyle {
-    const char* title = "depth";     ///< of the counted values
-    const char* counted = "pixels";  ///< name of the counted things
+    const char* title = "depth";     ///< names the counted values
+    const char* counted = "pixels";  ///< names what is counted
     bool logarithmic = false;        ///< bar heights show log(1 + count)
     std::uint64_t unwritten = 0;     ///< counted separately, in an extra bar at the right; 0: none
     const char* unwritten_name = "not written";
@@ -81,7 +81,7 @@ bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min
 struct Cell {
     ImU32 color = 0;             ///< opaque; alpha 0: the neutral color of fields
     std::string_view text = {};  ///< short: a number
-    bool accent = false;         ///< outlined in the accent color: just changed
+    bool accent = false;         ///< just changed: outlined in the accent color
     bool unwritten = false;      ///< crossed by a diagonal
 };
 
@@ -107,7 +107,7 @@ struct DividerStyle {
     const char* left = "";  ///< names of the two sides, shown beside the line at the top if they fit
     const char* right = "";
     float default_share = 0.5F;  ///< a right-click resets to it
-    bool* held = nullptr;        ///< receives whether the pointer is on the line or drags it, and so not on the picture
+    bool* held = nullptr;        ///< receives whether the pointer is on the line or drags it, and so off the picture
 };
 
 /// A line from top to bottom over a picture in min…max, dragged sideways. `share`: the part to the left of the line,

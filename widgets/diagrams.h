@@ -18,7 +18,7 @@ struct TreeNode {
     std::string_view label = {};             ///< short: a number
     int mark = -1;                           ///< its number in a traversal, drawn beside it; −1: not visited
     ImU32 color = 0;                         ///< by meaning; 0: neutral
-    int eye_side = 0;                        ///< 1: the eye is in front, −1: behind; highlights that edge. 0: none
+    int eye_side = 0;                        ///< 1: the eye is in front, −1: behind; highlights that edge. 0: neither
 };
 
 /// Positions of a tree's nodes: one row per level, front before back, at least 1 apart in a row, each parent centered
@@ -44,10 +44,10 @@ struct TreeDiagramState {
     std::unordered_set<int> collapsed;  ///< nodes with folded subtrees
     bool fit_next = true;               ///< show the whole tree in the next frame, or only its top if it is too large
     bool fit_whole_next = false;        ///< show all of it in the next frame, however small
-    int reveal_next = -1;               ///< in the next frame, unfold and move as little as needed to show this node
+    int reveal_next = -1;               ///< in the next frame, unfold, zoom and move only as needed to show this node
     int hovered = -1;                   ///< output: the node under the pointer
 
-    TreeLayout layout;  ///< for `laid_out_revision` and `laid_out_collapsed`
+    TreeLayout layout;  ///< the layout of `laid_out_revision` with `laid_out_collapsed`
     std::uint64_t laid_out_revision = 0;
     std::unordered_set<int> laid_out_collapsed;
     bool is_laid_out = false;
@@ -60,8 +60,8 @@ struct TreeDiagramState {
 
 struct TreeDiagramStyle {
     int shown_count = 1 << 30;  ///< draws only nodes below this index: the build steps so far
-    int current = -1;           ///< the node being visited, filled; inside a fold, the folded node
-    int lit = -1;               ///< the node linked to the pointer's position in another view; likewise
+    int current = -1;           ///< the node being visited, drawn filled; if a fold hides it, the folded node
+    int lit = -1;               ///< the node that the pointer in another view refers to; likewise for folds
     ImVec2 size{0.0F, 0.0F};    ///< in pixels; 0: the available size
 };
 
@@ -99,7 +99,7 @@ struct LogChartStyle {
 /// readout shows the nearest point's values. Returns the index of its curve, otherwise −1.
 int LogChart(const char* id, std::span<const ChartCurve> curves, const LogChartStyle& style);
 
-/// The same in a rectangle of any draw list, for export. `pointer` may be null.
+/// Draws the same chart in a rectangle of any draw list, for export. `pointer` may be null.
 int DrawLogChart(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const ChartCurve> curves,
                  const LogChartStyle& style, const ImVec2* pointer = nullptr);
 
@@ -110,12 +110,12 @@ struct StepPlayer {
     bool playing = false;
     float steps_per_s = 4.0F;
     double carry_steps = 0.0;  ///< fraction of the next step that has elapsed
-    bool shown = false;        ///< its bar was drawn; set by the bar
+    bool shown = false;        ///< the bar sets this when it is drawn
 };
 
-/// A bar for a step of 0…count, or −1 for all, even if the count grows: buttons to the ends and to the neighbors, play
-/// and pause, a slider (drag; wheel and buttons move by one step; Ctrl-click to type), and the speed. Disabled without
-/// steps. Returns true when `step` changed.
+/// A bar for a step in 0…count, or −1 for all steps even if the count grows: buttons to the ends and to the neighbors,
+/// play and pause, a slider (drag; wheel and buttons move by one step; Ctrl-click to type), and the speed. Disabled
+/// without steps. Returns true when `step` changed.
 bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s);
 
 /// For custom bars: advances by `dt_s` while playing. Stops at the end; playing again starts over.

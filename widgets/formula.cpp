@@ -95,7 +95,7 @@ private:
     ImU32 color_ = 0;
 };
 
-/// The character of `bytes` bytes at `s`; 0 if it is malformed.
+/// The character at `s`, which has `bytes` bytes; 0 if it is malformed.
 char32_t CharacterAt(const char* s, int bytes) {
     if (bytes == 1) return static_cast<unsigned char>(*s);
     char32_t character = static_cast<unsigned char>(*s) & (0x7FU >> bytes);
@@ -119,8 +119,8 @@ bool IsThinSpace(const char* formula, const char* s) {
     return !word_before && !word_after;
 }
 
-/// Finds the operand of `_` or `^`: the characters inside {…}, or one. Returns its end; `begin` itself if there is
-/// none.
+/// Finds the operand of `_` or `^`: the characters inside {…}, or a single one. Returns the operand's end, or `begin`
+/// itself if there is no operand.
 const char* ScriptEnd(const char* begin, const char** inside, const char** inside_end) {
     if (*begin == '\0' || *begin == ' ') return begin;
     if (*begin == '{') {

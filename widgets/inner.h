@@ -31,7 +31,7 @@ struct Box {
     ImVec2 min, max;
 };
 
-/// A font and its drawn size; ImGui's current font if the caller has none.
+/// A font and the size at which to draw it. FaceOf(nullptr) returns ImGui's current font.
 struct Face {
     ImFont* font;
     float size;
@@ -41,7 +41,7 @@ struct Face {
 };
 Face FaceOf(ImFont* font);
 
-/// Pushes a font for its lifetime; does nothing for null.
+/// Pushes a font until the end of the scope; does nothing if it is null.
 struct FontScope {
     explicit FontScope(ImFont* font) : pushed(font != nullptr) {
         if (pushed) ImGui::PushFont(font);
@@ -57,7 +57,7 @@ struct FontScope {
 /// Interpolates: a at t = 0, b at t = 1.
 ImU32 Mix(ImU32 a, ImU32 b, float t);
 ImU32 WithAlpha(ImU32 color, float alpha);
-/// Dark or light text color, whichever is readable on this color.
+/// Returns black or white, whichever is readable on this color.
 ImU32 InkOn(ImU32 color);
 /// The color as currently drawn: paler inside ImGui::BeginDisabled.
 inline ImU32 Shown(ImU32 color) {
@@ -73,12 +73,12 @@ std::string_view ShownPart(const char* label);
 /// The recorder's part: the text after "###", otherwise the visible part, otherwise the text after "##".
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
-/// The same for controls that set a value or are pressed.
+/// Does the same for controls that set a value, and for buttons.
 void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
 /// Starts a new frame of covered and highlighted targets.
 void BeginTargets(Targets& targets);
-/// Draws a plate if the box's name is covered. Returns whether it is. `component` −1: the only box.
+/// Draws a plate if the box's name is covered. Returns whether it is. `component`: −1 for a box on its own.
 bool CoveredBox(const char* id_text, int component, ImVec2 size);
 /// Marks the last item with the name that its scope gives this box.
 void MarkBox(int component);
@@ -113,8 +113,8 @@ bool FollowLinks(Links links);
 
 /// Call while the pointer is over an item that represents a matrix entry.
 void PointAtEntry(Links own, Links links);
-/// Whether to highlight an item that represents a matrix entry: because the entry, or the control of one of its
-/// parameters, is hovered.
+/// Whether to highlight an item that represents a matrix entry, because the pointer is over the entry or over the
+/// control of one of its parameters.
 bool IsEntryLit(Links own, Links links);
 
 /// Whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first item
@@ -122,7 +122,7 @@ bool IsEntryLit(Links own, Links links);
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
 /// Maximum width of a tooltip's lines: limited by the space beside the column while that stays readable.
 float TooltipTextWidth();
-/// Opens the tooltip window in its usual style; call EndTooltipWindow afterward. `told`: the text to record.
+/// Opens the tooltip window in its usual style; call EndTooltipWindow afterward, with the text to record in `told`.
 void BeginTooltipWindow();
 void EndTooltipWindow(std::string_view told = {});
 
@@ -150,7 +150,7 @@ struct FormulaLayout {
     ImFont* font;
 };
 
-/// Font and decimals for the numbers of a row, so that all look the same; each has a box of this width.
+/// The font and decimals that make all numbers of a row look alike. LookOf chooses them for boxes of this width.
 struct NumberLook {
     Face face;
     int decimals;
@@ -158,13 +158,13 @@ struct NumberLook {
 NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width);
 
 enum class BoxKind { drag, slider };
-/// The box of a Number without its label. `id` is unique in its ImGui id scope and names the box for the recorder.
-/// `look` null: chosen for this number alone.
+/// The box of a Number without its label. `id` is unique in its ImGui id scope and names the box for the recorder. If
+/// `look` is null, the box chooses one for this number alone.
 bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
                const NumberLook* look = nullptr);
 
-/// Numbers without a label that share a width. `names` are for the recorder. `first`: index of the first number among
-/// the components of its scope (TargetScope).
+/// Draws numbers without a label, which share the width. `names` are for the recorder. `first`: the index of the first
+/// number among the components of its scope (TargetScope).
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
                std::span<const double> defaults, std::span<const Links> links, float width, int first = 0);
 

@@ -11,7 +11,8 @@ using inner::Shown;
 
 namespace {
 
-/// Moving: filled, with a glow. Available but at rest: a ring in its color. Unavailable: a quiet ring, struck through.
+/// Draws a lamp. Moving: filled, with a glow. Available but at rest: a ring in its color. Unavailable: a quiet ring,
+/// struck through.
 void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU32 color, const inner::Face& face) {
     const Palette& palette = CurrentContext().palette;
     const float radius = Px(4.5F), line = Px(1.5F) * palette.stroke;

@@ -40,7 +40,8 @@ struct Measures {
     float Height() const { return 4.0F * cell_height + 2.0F * Px(3); }
 };
 
-/// Shrinks the symbols, to 0.7 of their size at the least, until the widest fits. Returns false if it still does not.
+/// Shrinks the symbols until the widest one fits, but to no less than 0.7 of their size. Returns false if it still does
+/// not fit.
 bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     float widest = 0.0F;
     for (const MatrixCell& cell : style.cells) {
@@ -207,7 +208,7 @@ CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell
     return state;
 }
 
-/// Shows `value`, and edits it if `style.editable`, which requires that the caller owns the value.
+/// Shows `value`. Also edits it if `style.editable`; the caller must then own the value.
 bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width) {
     IM_ASSERT(style.cells.empty() || style.cells.size() == 16);
     Context& context = CurrentContext();

@@ -1,4 +1,4 @@
-// Numbers with labels: single, as a slider, in rows. All of them are made of NumberBox (number_box.cpp).
+// Numbers with labels: single numbers, sliders, and rows. All of them consist of NumberBox (number_box.cpp).
 #include <cmath>
 #include <iterator>
 

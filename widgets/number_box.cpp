@@ -74,7 +74,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
                                           ImGuiInputTextFlags_CallbackCompletion;
     ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
-    // After the item: the request for the next item is lost in Dear ImGui 1.90 if another window had the focus.
+    // Called after the item: Dear ImGui 1.90 loses a request for the next item if another window had the focus.
     if (!editing.focused) ImGui::SetKeyboardFocusHere(-1);
     const bool active = ImGui::IsItemActive();
     // From ImGui 1.89 on, the callback is called for Tab alone, not for Shift+Tab.
@@ -91,7 +91,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
 
     editing.typing = 0;
     if (editing.tab < 0) editing.type_next = editing.last_number;
-    // Escape has restored the first text. Unchanged text keeps the value, even one that is out of range.
+    // Escape has restored the original text. Unchanged text keeps the value, even one that is out of range.
     if (std::string_view(editing.text) == editing.text_before) return std::nullopt;
     const std::optional<double> typed = ParseNumber(editing.text, style.unit);
     return typed ? std::optional(Clamped(*typed, style)) : std::nullopt;
@@ -239,7 +239,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
-/// Tab in a number leads to the next one drawn, Shift+Tab to the previous one.
+/// In a number, Tab leads to the next number drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
     if (editing.tab > 0 && editing.typing == 0) {

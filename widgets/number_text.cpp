@@ -13,7 +13,7 @@ constexpr std::string_view power_of_ten = "·10";
 constexpr std::string_view raised_minus = "⁻";
 constexpr std::string_view raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-/// Converts the end of "7.5·10⁻⁶", from "·" on, to "e-6", which is never longer. Empty for any other text.
+/// Converts the end of "7.5·10⁻⁶", from "·" on, to "e-6", which is never longer. Returns "" for any other text.
 std::string ExponentOf(std::string_view text) {
     if (!text.starts_with(power_of_ten)) return {};
     text.remove_prefix(power_of_ten.size());

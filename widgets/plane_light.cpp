@@ -1,5 +1,5 @@
-// Editors for the lecture's two four-component values, which they keep valid: the plane's normal is never zero, the
-// light never all zero.
+// Editors for the lecture's two four-component values. They keep the values valid: the plane's normal is never zero,
+// and the light's components are never all zero.
 #include <cmath>
 
 #include "widgets/inner.h"

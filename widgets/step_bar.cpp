@@ -72,7 +72,7 @@ void DrawIcon(ImDrawList* draw, ImVec2 center, float r, Icon icon, ImU32 color) 
     }
 }
 
-/// `id` is "##" and a name.
+/// `id` is "##" followed by a name.
 bool IconButton(const char* id, Icon icon, bool enabled, const char* tip) {
     const bool bar_is_disabled = inner::IsDisabled();
     ImGui::BeginDisabled(!enabled);
@@ -141,7 +141,8 @@ void DrawTrack(ImDrawList* draw, ImVec2 min, ImVec2 max, float begin, float end,
     if (held) draw->AddCircleFilled(ImVec2(knob, middle), Px(3), Shown(inner::InkOn(palette.accent)));
 }
 
-/// Returns the step after this frame's mouse actions on the track. `type`: set by a Ctrl-click, to type the number.
+/// Returns the step after this frame's mouse actions on the track. A Ctrl-click sets `type`, so that the user can type
+/// the number.
 int UseTrack(int step, int count, float width, bool& type) {
     Editing& editing = CurrentContext().editing;
     const ImGuiIO& io = ImGui::GetIO();

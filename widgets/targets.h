@@ -22,7 +22,7 @@ struct Targets {
     /// includes all switches of that kind.
     std::optional<std::vector<std::string>> offered;
 
-    /// The visible area of a highlighted target in this frame, with all its parts in one window.
+    /// The visible area of a highlighted target in this frame, including all its parts in the same window.
     struct Found {
         std::string name;
         const ImDrawList* window;
@@ -31,7 +31,7 @@ struct Targets {
     std::vector<Found> found;
 
     // Internal state between calls.
-    std::vector<std::string> sought;  ///< highlighted names still to scroll into view, for frames_of_search
+    std::vector<std::string> sought;  ///< highlighted names to scroll into view during frames_of_search
     int frames_of_search = 0;
     std::vector<const ImDrawList*> scrolled;  ///< windows that have scrolled in this frame
     bool opens_next = false;                  ///< opens the next Section
@@ -46,7 +46,7 @@ bool Contains(std::string_view whole, std::string_view part);
 bool IsCovered(std::string_view name);
 /// Whether the name or a part of it is covered.
 bool IsPartCovered(std::string_view name);
-/// Whether the name, its whole, or a part of it is highlighted.
+/// Whether the name, a name that contains it, or a part of it is highlighted.
 bool IsHighlighted(std::string_view name);
 /// Whether a highlighted target that one of these names contains still has to scroll into view; folded parts must then
 /// open.
@@ -78,8 +78,8 @@ void CoveredControl(const char* label, float width = 0.0F);
 /// Draws a plate without an item.
 void DrawPlate(ImDrawList* draw, ImVec2 min, ImVec2 max);
 
-/// Names the number boxes inside this scope: a single box gets the name itself; the boxes of a row are its components
-/// "[0]", "[1]" …, or get one of `names` each.
+/// Names the number boxes inside this scope: a single box gets the name itself; the boxes of a row get its components
+/// "[0]", "[1]" …, or one of `names` each.
 struct TargetScope {
     explicit TargetScope(std::string_view name);
     explicit TargetScope(std::span<const char* const> names);

@@ -33,7 +33,7 @@ enum class Role { none, light, plane, camera, mirror, point, trouble };
 struct Palette {
     ImU32 ground, raised, field, field_hovered, field_active, border, text, quiet, accent, view_ground;
     ImU32 light, plane, camera, mirror, point, trouble;  ///< chosen with enough contrast on this background
-    float stroke = 1.0F;                                 ///< line width multiplier: 1 on dark, larger on the projector
+    float stroke = 1.0F;                                 ///< line width multiplier; larger than 1 on the projector
     float type_scale = 1.0F;                             ///< 1.3 on the projector
 
     ImU32 of(Role role) const;
@@ -42,7 +42,7 @@ struct Palette {
 enum class ThemeKind { dark, light, projector };
 const Palette& palette_of(ThemeKind theme);
 
-/// Fonts already in the atlas. Any may be null: then ImGui's current font is used.
+/// Fonts already in the atlas. Any of them may be null; widgets then use ImGui's current font.
 struct Fonts {
     ImFont* text = nullptr;          ///< proportional 14
     ImFont* heading = nullptr;       ///< semibold 14
@@ -58,7 +58,7 @@ struct RecordedItem {
     std::string label;  ///< the full path of labels: "camera/position/x"
     ImVec2 min, max;
     bool enabled = true;
-    std::string text;        ///< text that it shows: a number, the chosen name, "on" or "off"; otherwise empty
+    std::string text;        ///< the text that it shows: a number, the chosen name, "on" or "off"; may be empty
     bool is_switch = false;  ///< a control to set, or a button
 };
 
@@ -82,7 +82,7 @@ struct Editing {
 
     double drag_value = 0.0;     ///< position of a drag, before rounding
     float drag_distance = 0.0F;  ///< pixels since the press
-    double value_before = 0.0;   ///< before a slider's knob jumped to the pointer
+    double value_before = 0.0;   ///< the value before a slider's knob jumped to the pointer
     double jumped_at_s = -1.0;   ///< time of that jump, by ImGui's clock; negative: none
     glm::vec3 color{0.0F};       ///< of the open color picker; finer than 8 bits
 
@@ -95,7 +95,7 @@ struct Editing {
     float redraw_in_s = -1.0F;
 };
 
-/// Use of a text field: how many times it was left, and the frame in which it was last active.
+/// How a text field has been used: how many times it was left, and the frame in which it was last active.
 struct TextFieldUse {
     int times = 0, active_frame = 0;
     bool is_used = false;
@@ -130,7 +130,7 @@ void NewFrame(Context& context);
 Context& CurrentContext();
 
 /// Call after a frame's last widget. Returns the seconds until another frame is needed even without input (a tooltip is
-/// due, highlights must follow the pointer, the caret blinks): 0 immediately, negative never.
+/// due, highlights must follow the pointer, the caret blinks). 0: immediately; negative: never.
 float RedrawIn(const Context& context);
 
 /// Requests another frame in `in_s` seconds even without input. The soonest request wins.
@@ -144,7 +144,7 @@ void GoOnWhileHeld();
 bool MayBeTakenBack(const Context& context);
 
 /// Commits typed text at the start of the next frame, as if its field had lost focus. Call before a key, a file or
-/// another window takes the field away. A number box then closes; a text field stays active.
+/// another window takes the focus. A number box then closes; a text field stays active.
 void EndTyping(Context& context);
 /// Whether typed text is not committed yet.
 bool IsTyping(const Context& context);
@@ -169,7 +169,7 @@ void CountScrolled(bool is_filled = false);
 
 /// A label for ImGui itself: the text in the current language, with a language-independent English id.
 std::string LabelText(const char* label);
-/// The same, wrapped to the width available at the cursor, of which ImGui itself needs `taken` pixels.
+/// Returns the same label, wrapped to the width available at the cursor, of which ImGui itself needs `taken` pixels.
 std::string BrokenLabelText(const char* label, float taken);
 
 // ---- text ------------------------------------------------------------------------------------------
@@ -181,7 +181,7 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 /// Wraps text only at spaces, so that lines are at most `width` pixels wide in the current font if possible. ImGui
 /// would also break within "0.5".
 std::string BrokenAtBlanks(std::string_view text, float width);
-/// The same in a given font at its own size; also works outside a frame.
+/// Does the same in a given font at its own size; also works outside a frame.
 std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& font);
 /// Returns the start of the text that fits into `width` pixels in the current font, with "…" if anything was cut.
 std::string Shortened(std::string text, float width);
@@ -205,9 +205,9 @@ ImVec2 Formula(ImDrawList* draw, ImVec2 position, const char* formula, std::span
 
 /// A delayed tooltip for the last item, beside the item's column, or below the item if the column is as wide as the
 /// window. A click or typing hides it. A semibold `title` is followed by lines; empty ones are skipped, and if all are
-/// empty, there is no tooltip. `formula` may be several, separated by "; ". `path`, the name for scripts, is at the
-/// bottom, small and quiet. Works on disabled items. Inside a group, the item's own tooltip takes precedence over the
-/// group's.
+/// empty, there is no tooltip. `formula` may hold several formulas, separated by "; ". `path`, the name for scripts, is
+/// at the bottom, small and quiet. Works on disabled items. Inside a group, the item's own tooltip takes precedence
+/// over the group's.
 void Tooltip(const char* title, const char* body, const char* formula = "", const char* gl_call = "",
              std::span<const LetterRole> roles = {}, const char* path = "");
 
@@ -228,15 +228,15 @@ struct NumberStyle {
 };
 
 /// A number to drag; a double-click or Ctrl-click starts typing, a right-click resets. `width` 0: the item width. If
-/// the decimals do not fit, they are written smaller, then dropped. Reserves space for a sign, so that the decimals
-/// stay in place when it appears.
+/// the number does not fit, a final zero is dropped; then it is written smaller, then with fewer decimals. Reserves
+/// space for a sign, so that the decimals stay in place when it appears.
 bool Number(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
-/// The same as a slider with a knob between min and max.
+/// A number as a slider, with a knob between min and max.
 bool Slider(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
-/// Several numbers in one row, with equal decimals and size and one label after them. `links[i]`: of component i, if
-/// given.
+/// Several numbers in one row, with equal decimals and size and one label after them. `links[i]` belongs to component
+/// i, if given.
 bool Numbers(const char* label, std::span<double> values, const NumberStyle& style,
              std::span<const double> defaults = {}, std::span<const Links> links = {});
 bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value = {},
@@ -250,7 +250,7 @@ float ToggleWidth(const char* label);                             ///< width of 
 /// A combo of names; a right-click resets to `default_index`. `width` 0: as wide as the longest name.
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width = 0.0F);
 float ChoiceWidth(std::span<const char* const> names);  ///< width that shows the longest name in full, in pixels
-/// The same as a row of radio buttons. `tips`: explanation of each one, on hover.
+/// The same choice as a row of radio buttons. `tips` explain each one on hover.
 bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
               std::span<const char* const> tips = {});
 
@@ -315,15 +315,15 @@ struct MatrixStyle {
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
 };
 
-/// A 4×4 matrix in square brackets: aligned columns, quiet zeros, symbols under the numbers. Hovering a cell highlights
-/// its linked controls; hovering a linked control highlights the cell. Returns true when an entry was edited. `width`
-/// 0: the available width.
+/// A 4×4 matrix in square brackets: aligned columns, quiet zeros, symbols under the numbers. Hovering over a cell
+/// highlights its linked controls; hovering over a linked control highlights the cell. Returns true when an entry was
+/// edited. `width` 0: the available width.
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
-/// The same without editing.
+/// Shows a matrix in the same way, without editing.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 
-/// Makes the last item, such as the line of code that fills a matrix entry, represent that entry: hovering the item or
-/// the entry highlights both, and the entry's parameters. Returns whether to highlight the item.
+/// Makes the last item, such as the line of code that fills a matrix entry, represent that entry: hovering over the
+/// item or the entry highlights both, and the entry's parameters. Returns whether to highlight the item.
 bool FollowEntry(Links own, Links links);
 
 /// One lamp in a row: whether this degree of freedom is available in the mode, and whether it is moving now.
@@ -345,9 +345,9 @@ bool Splitter(const char* id, bool vertical, float& position, float min, float m
 /// Draws text on a translucent plate of the background color.
 void PlateText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font = nullptr);
 
-/// Places labels beside their points so that none covers another or leaves the view: greedily over eight positions
-/// around each point, near ones first. Omits labels that do not fit. With roles, the text is a Formula. Labels are on
-/// plates, as PlateText.
+/// Places labels beside their points so that none covers another or leaves the view: it tries eight directions around
+/// each point, near positions first, and takes the first free one. Omits labels that do not fit. With roles, the text
+/// is a Formula. Labels are on plates, as with PlateText.
 class LabelPlacer {
 public:
     LabelPlacer(ImDrawList* draw, ImVec2 min, ImVec2 max) : draw_(draw), min_(min), max_(max) {}

@@ -21,8 +21,8 @@ public:
 
     struct Moment {
         bool wants_check = false;  ///< Check was pressed
-        bool is_held = false;      ///< a drag is in progress: goals wait for its end
-        bool may_wait = false;     ///< if false, update() blocks until the verdict is known, for pictures in files
+        bool is_held = false;      ///< a drag is in progress, so goals are judged when it ends
+        bool may_wait = false;     ///< if false, as for pictures in files, update() blocks until the verdict is known
     };
     /// Call once a frame. Returns whether the lesson strip has changed.
     bool update(Workbench& workbench, Session& session, const Moment& moment);

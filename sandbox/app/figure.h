@@ -1,4 +1,4 @@
-// Draws a state as a vector figure: the user interface remains shapes and text.
+// Draws a state as a vector figure, in which the user interface remains shapes and text.
 #pragma once
 
 #include "app/picture.h"

@@ -16,15 +16,15 @@ public:
     /// Forgets the values, since the pictures have changed.
     void forget() { inspector_.forget(); }
 
-    /// Reads the values that the views need from this frame. `at_once`: waits for all of them.
+    /// Reads the values that the views need from this frame. If `at_once`, waits for all of them.
     Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
 
     /// Returns the values and, if a view shows them, the depth fighting counts of the state at rest, even during
-    /// animation. `at_once`: waits for the counts; `is_held`: something is being dragged.
+    /// animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
-    /// Returns one more pixel of the camera's picture, for the status bar. `at_once`: waits for it. Otherwise it may
-    /// arrive a few frames later; until then, returns the previous one.
+    /// Returns the report on one more pixel of the camera's picture, for the status bar. If `at_once`, waits for it.
+    /// Otherwise the report may arrive a few frames later; until then, returns the previous one.
     std::optional<PixelReport> at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px, glm::ivec2 pixel,
                                   bool at_once);
     /// Call in a frame whose status bar shows no pixel.

@@ -25,8 +25,9 @@ struct LessonPicture {
     bool has_strip = true;  ///< shows the strip with its texts
 };
 
-/// The whole window, the camera's picture or its buffers, and each other view by itself: the matrices, and the topics
-/// of the lower views. `derivation` is the mirror's if the state shows that one, otherwise the shadow's.
+/// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself
+/// (the matrices, or a topic of the lower views). `derivation` is the mirror's derivation if the state shows that one,
+/// otherwise the shadow's.
 enum class PictureView {
     window,
     camera,
@@ -80,7 +81,7 @@ inline constexpr std::array picture_view_names{"window",
 struct PictureRequest {
     PictureView view = PictureView::window;
     glm::ivec2 size_px{1280, 720};
-    std::optional<int> samples = {};                   ///< 0 or 4; empty: the state's. Always 0 for depth and stencil.
+    std::optional<int> samples = {};                   ///< 0 or 4; empty: the state's; always 0 for depth and stencil
     std::shared_ptr<const LessonPicture> lesson = {};  ///< for the whole window; the state is then the step's
     bool labels = false;       ///< for the camera's picture: adds the window's overlay, and the picture beside it
     bool transparent = false;  ///< makes the bare background transparent
@@ -95,18 +96,18 @@ LoadedState show_step(LessonPicture step, PictureRequest& request);
 /// these.
 Params drawn_params(Params params, const PictureRequest& request);
 
-/// Checks whether the view can be drawn at this size: is_image_size, and enough space for the window and its views. The
-/// error completes a sentence that begins with the option or field that sets the size.
+/// Checks whether the view can be drawn at this size: is_image_size() must hold, and the window and its views must have
+/// enough space. The error completes a sentence that begins with the option or field that sets the size.
 Status check_picture_size(PictureView view, glm::ivec2 size_px);
 
 /// Whether the picture contains no user interface.
 bool is_drawn_by_gl(const PictureRequest& request);
 
-/// Draws a picture; needs a current context. If it contains user interface, draws frames until two are equal.
+/// Draws a picture; needs a current context. If it contains any user interface, draws frames until two are equal.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);
 
-/// Redraws a view's chart of costs at a printable size: 1920 pixels wide.
+/// Redraws a view's cost chart at a printable size: 1920 pixels wide.
 Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, const GrowthViewState& shown);
 
 }  // namespace viewing

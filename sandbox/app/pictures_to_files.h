@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Writes the camera's view with its state into `folder`, in a file named by the time.
+/// Writes the camera's view with its state into `folder`, in a file named after the current time.
 void write_snapshot(const Renderer& renderer, Studio& studio, const std::filesystem::path& folder);
 
 /// Writes the chart of growing costs.

@@ -23,7 +23,8 @@ public:
 
     /// Loads the state for a picture, in the background.
     using Load = std::function<Result<LoadedState>()>;
-    /// Returns a preset's picture; without a texture while it is being made or if that fails. "": no picture.
+    /// Returns a preset's picture, which has no texture while it is being made or if making it fails. Returns no
+    /// picture for "".
     PresetPicture of(const std::string& name);
     /// Does the same for any state, kept under `name`.
     PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
@@ -32,14 +33,14 @@ public:
     bool is_busy() const { return preparing_.is_running(); }
 
 private:
-    /// Everything for a picture except the drawing itself.
+    /// Everything that a picture needs before it can be drawn.
     struct Prepared {
         std::string name;
         glm::ivec2 size_px{0};
         Params params;
         Scene scene;
         Derived derived;
-        std::shared_ptr<HiddenAnswer> answer;  ///< null if GL's depth buffer draws
+        std::shared_ptr<HiddenAnswer> answer;  ///< null if GL's depth buffer does all the work
     };
     static Result<Prepared> prepare(const std::string& name, const Load& load, const Viewport& viewport);
     Status draw(Prepared& prepared);

@@ -32,8 +32,8 @@ void lead(Studio& studio, const LessonPicture& wanted) {
     studio.session.finish_loading();
 }
 
-/// Returns the window's sentence for an empty view. If that sentence asks for a click, returns instead the setting that
-/// would fill the view.
+/// Returns the window's sentence for an empty view. If that sentence asks for a click, returns one that names the
+/// setting that would fill the view instead.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
     const bool wants_pixel = view == PictureView::cells || view == PictureView::pixel;
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];
@@ -124,7 +124,7 @@ std::string RestingWindow::too_small(glm::ivec2 size_px) {
     const std::string told = "the view does not fit in " + size_text(size_px) + " pixels, even at its smallest scale; ";
     constexpr int highest_px = 8192;
     while (!fits() && surroundings_.size_px.y < highest_px) {
-        // The hidden share of content that is cut off without scrolling is unknown, so assume at least a fifth.
+        // If content is cut off without scrolling, its hidden share is unknown, so assume at least a fifth.
         const double seen = std::min(static_cast<double>(studio_.workbench.widgets.seen_share), 0.8);
         surroundings_.size_px.y =
             std::min(highest_px, static_cast<int>(std::ceil(surroundings_.size_px.y / seen / 10.0)) * 10);

@@ -1,4 +1,5 @@
-// A window without a screen, drawn until nothing changes: the source of pictures and figures with user interface.
+// A window without a screen, which is drawn until nothing changes. It is the source of all pictures and figures that
+// show the user interface.
 #pragma once
 
 #include "app/picture.h"
@@ -7,10 +8,11 @@
 
 namespace viewing {
 
-/// The maximum number of frames until the user interface settles: ImGui needs two for its layout, sections one more.
+/// The maximum number of frames in which the user interface must settle: ImGui needs two for its layout, and sections
+/// need one more.
 inline constexpr int most_frames = 12;
 
-/// Shows one view alone, without controls that only make sense on screen, or the whole window; there is no pointer.
+/// Shows the whole window, or one view alone without the controls that make sense only on screen. Hides the pointer.
 void show(Studio& studio, ViewName maximized);
 
 class RestingWindow {
@@ -19,16 +21,16 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Draws the requested view until two frames are equal. If a view by itself would have to scroll or be cut off, its
-    /// contents are drawn smaller until all of it is visible; if it leaves space, larger. The error is the window's own
-    /// message, or says that the size is too small and which one would do.
+    /// Draws the requested view until two frames are equal. If a view by itself would have to scroll or be cut off,
+    /// draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error is
+    /// the window's own message, or says that the size is too small and which size would do.
     Status rest(const PictureRequest& request);
 
     /// Whether everything is visible without cuts or scrolling.
     bool fits() const;
 
     Image read() const { return studio_.read(); }
-    /// Returns the window as shapes, text and pictures; draws it once more.
+    /// Draws the window once more and returns it as shapes, text and pictures.
     Drawing record();
 
 private:
@@ -44,8 +46,8 @@ private:
     Studio::Surroundings surroundings_;  ///< size and scale; no input
 };
 
-/// Calls `draw` on the state with the request's changes applied: once, or, for a transparent picture, on black and on
-/// white, to remove the background.
+/// Calls `draw` on the state after applying the request's changes to it. Calls it once or, for a transparent picture,
+/// once on black and once on white, so that the background can be removed.
 template <typename Draw>
 auto drawn_without_ground(const LoadedState& state, const PictureRequest& request, const Draw& draw)
     -> decltype(draw(state, std::optional<Color>())) {
@@ -59,7 +61,7 @@ auto drawn_without_ground(const LoadedState& state, const PictureRequest& reques
     return without_ground(*on_black, *on_white);
 }
 
-/// Returns the topic of the lower view that `view` shows by itself; automatic for views without one.
+/// Returns the topic that `view` shows by itself in a lower view; Topic::automatic if it shows none.
 Topic topic_of(PictureView view, const Params& params);
 
 }  // namespace viewing

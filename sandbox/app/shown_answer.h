@@ -10,8 +10,8 @@ namespace viewing {
 
 class ShownAnswer {
 public:
-    /// Requests the result that the camera's view needs from the worker. A result that takes longer than a moment
-    /// appears as soon as it is ready.
+    /// Asks the worker for the result that the camera's view needs. A result that takes longer than a moment appears as
+    /// soon as it is ready.
     Status update(Renderer& renderer, const Params& params, const Derived& derived, const Session& session,
                   glm::ivec2 camera_px, bool is_interactive);
 
@@ -26,7 +26,7 @@ public:
 private:
     HiddenWorker worker_;
     std::shared_ptr<const HiddenAnswer> answer_;
-    DepthParams depth_;  ///< for which the difference was computed
+    DepthParams depth_;  ///< the settings for which the difference was computed
     bool is_behind_ = false;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double slow_ms = 80.0;  // a frame this slow no longer keeps up with a drag
 
-/// Returns the earlier of two delays until a redraw; a negative delay means never.
+/// Returns the shorter of two delays until a redraw; a negative delay means never.
 double sooner(double a_s, double b_s) {
     return a_s < 0.0 || b_s < 0.0 ? std::max(a_s, b_s) : std::min(a_s, b_s);
 }
@@ -36,7 +36,7 @@ Studio::Studio(Renderer& renderer, Session opened)
       judge_(renderer) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // write no file that was not named
+    io.IniFilename = nullptr;  // write no file that the user did not name
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     ImGui_ImplOpenGL3_Init(gl::shader_version());

@@ -29,7 +29,7 @@ public:
     Session session;
     Workbench workbench;
 
-    /// External inputs of a frame. `shows_time`: false in pictures that must be reproducible.
+    /// External inputs of a frame. `shows_time` is false in pictures that must be reproducible.
     struct Surroundings {
         glm::ivec2 size_px{1280, 720};
         double device_scale = 1.0;  ///< of the monitor; multiplied by the state's ui.scale and the theme's type scale
@@ -58,20 +58,21 @@ public:
     /// Returns the latest frame's parameters and everything derived from them.
     const ShownFrame& shown() const { return shown_; }
 
-    /// Returns the number of seconds until another frame is needed without input: 0 immediately, negative never.
+    /// Returns the number of seconds until another frame is needed if no input comes; 0 means immediately, and a
+    /// negative number means never.
     double redraw_in_s() const { return redraw_in_s_; }
 
-    /// Whether the next frame reads a pixel back; for this some drivers block until all drawing is done.
+    /// Whether the next frame reads a pixel back, which makes some drivers block until all drawing is done.
     bool reads_back() const { return inspection_.reads_back(); }
 
 private:
-    /// Recomputes and redraws everything that depends on a change of the frame's parameters, sizes or results.
+    /// Recomputes and redraws everything that is affected by changes in the frame's parameters, sizes or results.
     void update(const Layout& layout, const Surroundings& surroundings);
     Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
     Params shown_params() const;
     StatusLine status(bool shows_time);
     Requests draw_interface(const Surroundings& surroundings);
-    /// Makes one exercise of the student's sheet per frame, since its numbers may be measured in pictures.
+    /// Makes one exercise of the student's sheet per frame, since its numbers may have to be measured in pictures.
     void make_exercise();
     void record(double dt_s);
     double next_redraw_in_s() const;

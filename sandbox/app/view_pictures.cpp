@@ -20,7 +20,7 @@ std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views)
     return ids;
 }
 
-/// Returns the pictures of the steps of GL's own methods.
+/// Returns the step pictures if GL alone draws the current method; otherwise none.
 HiddenPictures pictures_by_gl(const ShownFrame& shown) {
     const bool has_steps = shown.hidden && is_drawn_by_gl_alone(shown.params.visibility.method);
     return has_steps ? shown.hidden->pictures : HiddenPictures{};

@@ -1,4 +1,4 @@
-// The pictures in the window's views, each topic with its own View.
+// The pictures in the window's views, each with a View of its own.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ public:
 
     /// Draws all visible views. A view that cannot be drawn keeps its last picture.
     Status draw(const ShownFrame& shown, const Scene& scene, const Layout& layout);
-    /// Draws only the camera's view, or only one of the views below it, for scenes that are slow to draw.
+    /// Draws only the camera's view, for scenes that are slow to draw; draw_lower() draws only one of the views below
+    /// it.
     Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
     /// Draws the camera's view at its last size on screen, although it is not visible.
     Status draw_unseen_camera(const ShownFrame& shown, const Scene& scene);
@@ -29,7 +30,8 @@ public:
     const View& camera() const { return camera_; }
     /// Returns the View that this texture in Pictures belongs to; null for other textures.
     const View* view_of(ImTextureID texture) const;
-    /// Returns the textures for the user interface; leaves the measured results empty.
+    /// Returns the textures for the user interface, and the comparison of the ways to draw a mirror image; leaves
+    /// everything else empty.
     Pictures textures() const;
 
 private:

@@ -13,9 +13,9 @@ namespace viewing {
 
 class WindowMemory {
 public:
-    /// Reads the file of the last run; `is_fresh`: forgets looks and place, but neither progress
-    /// nor recent files nor the student. If the file cannot be read, trouble() says why
-    /// and nothing is remembered.
+    /// Reads the file of the last run. If the file cannot be read, nothing is remembered and, unless `is_fresh`,
+    /// trouble() says why. If `is_fresh`, forgets the looks and the place, but not the progress, the recent files or
+    /// the student.
     WindowMemory(std::filesystem::path file, bool is_fresh);
 
     /// Returns the problem with the last run's file; "" if there is none.
@@ -24,17 +24,18 @@ public:
     /// Whether nothing has been remembered yet, which means that this is the first run.
     bool is_first_time() const { return is_first_time_; }
 
-    /// Applies the remembered look to a state that has none of its own; on the first run, sets the system's language.
+    /// Applies the remembered look to a state that has none of its own. If no language is remembered, sets the
+    /// system's.
     void dress(Params& params) const;
 
-    /// Writes changes in the background. Call once a frame; returns the outcome of a write that has ended, an error as
-    /// one sentence. During a write the next one waits, and only the latest is kept.
+    /// Writes changes in the background. Call once a frame. Returns the outcome of a write that has ended; an error is
+    /// one sentence. While a write is in progress, the next one waits, and only the latest values are kept.
     Status remember(const Remembered& now);
     /// Remembers the choices made in this frame and the person's progress, and passes additions by other windows to the
-    /// workbench. `keeps_answers`: the exercises are the person's own, not an opened hand-in.
+    /// workbench. `keeps_answers` says that the exercises are the person's own, not those of an opened hand-in.
     Status follow(const Requests& requests, Workbench& workbench, bool keeps_answers);
-    /// Call when another window may have written the file: this window gets the focus, or the page is notified.
-    /// follow() and the workbench's frame then adopt the file's content.
+    /// Call when another window may have written the file, that is, when this window gets the focus or the page is
+    /// notified. follow() and the workbench's frame then adopt the file's content.
     void read_again(Workbench& workbench);
     /// Restores the remembered progress and answers in a newly opened window.
     void restore(Workbench& workbench, bool keeps_answers) const;
@@ -48,7 +49,7 @@ private:
     Remembered remembered_;   ///< current values in this window
     Remembered known_;        ///< as last read or written
     Remembered sent_;         ///< values being written
-    bool is_written_ = true;  ///< or being written
+    bool is_written_ = true;  ///< `remembered_` is written, or is being written
     bool has_news_ = false;   ///< from other windows, for the workbench
     BackgroundTask<Remembered> writing_;
     std::string trouble_;

@@ -34,7 +34,7 @@ public:
     EndingReport(const EndingReport&) = delete;
     EndingReport& operator=(const EndingReport&) = delete;
 
-    /// Returns the result of `work`; writes an exception into the report and rethrows it.
+    /// Runs `work` and returns its result; writes an exception into the report and rethrows it.
     ExitStatus guard(const std::function<ExitStatus()>& work);
 
     /// Checks all files (check_outputs); from then on, an expired --timeout or a fault also leaves a report.
@@ -45,7 +45,7 @@ public:
     void finish(Outputs& results, ExitStatus status, const std::string& sentence);
 
 private:
-    /// Omits the duration if it is unknown.
+    /// Returns the report as JSON; `duration_s` is null if it is unknown.
     std::string text(ExitStatus status, const std::string& sentence, std::optional<double> duration_s) const;
     double seconds_so_far() const;
     void prepare_last_words() const;

@@ -108,7 +108,8 @@ Image camera_picture(Headless& headless, const LoadedState& state) {
     return headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
 }
 
-/// Checks that every fault is visible: with all faults but one fixed, the picture must differ from the correct one.
+/// Checks that every fault is visible: if all faults but one are fixed, the picture must still differ from the correct
+/// one.
 LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, Headless& headless) {
     LessonFindings findings;
     const auto with = [&](const std::vector<std::string>& settings) {

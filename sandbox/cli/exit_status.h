@@ -1,4 +1,5 @@
-// How a command ends: the exit status, the same for every command, and the failure that carries it.
+// The ways in which a command ends: the exit statuses, which are the same for every command, and the failure that
+// carries one.
 #pragma once
 
 #include <stdexcept>

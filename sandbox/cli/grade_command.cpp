@@ -116,8 +116,8 @@ std::string how_many(const std::vector<StudentGrade>& grades, bool (*are)(const 
            " hand-ins are";
 }
 
-/// Throws Failure unless all hand-ins were read, judged and found correct. `skipped` says how many files were skipped
-/// and why, or is "".
+/// Throws Failure unless all hand-ins could be read, were fully judged and are correct. `skipped` says how many files
+/// were skipped and why, or is "".
 void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped) {
     const std::string behind = skipped.empty() ? "" : "; " + skipped;
     if (std::any_of(grades.begin(), grades.end(), is_cut))

@@ -1,4 +1,4 @@
-// A context without a display and its renderer, for every command that draws.
+// A GL context that needs no display, and its renderer, for every command that draws.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@
 
 namespace viewing {
 
-/// Throws Failure if the driver could not start its threads, for which it would wait forever.
+/// Throws Failure if the driver could not start its threads, since it would wait for them forever.
 void require_threads();
 
-/// Returns the context for all pictures, made after require_threads(). `device` is passed to EglContext::make.
+/// Calls require_threads(), then makes the context that all pictures use. `device` is passed to EglContext::make.
 Result<gl::EglContext> context_for_pictures(const std::string& device);
 
 class Headless {
@@ -33,7 +33,7 @@ public:
     /// Throws Failure with GL's message if GL has reported an error.
     void require_no_errors();
 
-    /// Returns the value of a drawing. Its error, or one that GL reported, ends the command.
+    /// Returns the value of a drawing's result. An error in the result, or one that GL reported, ends the command.
     template <typename T>
     T drawn(Result<T> result, ExitStatus status_of_its_error = ExitStatus::gl_error) {
         require_no_errors();
@@ -55,7 +55,8 @@ void check_size(const Options& options, const PictureRequest& request);
 /// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the exit status for an error of draw_picture that is not GL's: a single view may be empty, or not fit.
+/// Returns the exit status for an error of draw_picture() that does not come from GL: a single view may be empty, or
+/// may not fit.
 ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.

@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& file) {
     return pixels;
 }
 
-/// Returns the pixel pinned by the state, in the form that --pixel takes; nothing if it pins none.
+/// Returns the pixel that the state pins, in the form that --pixel takes; nothing if the state pins none.
 std::optional<std::string> pixel_of_state(const Params& params, const Derived& derived, const Scene& scene,
                                           glm::ivec2 size_px) {
     const PinnedPixel pinned = pinned_pixel(params, derived, plan(params, derived), scene, size_px);

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Opens the window with the sheet of the student who handed this in.
+/// Opens the window with the sheet of the student whose hand-in STATE is.
 ExitStatus show_hand_in(const Options& options, const StateArguments& arguments, const std::string& exercise,
                         bool replays, WindowMemory& memory) {
     if (arguments.as_typed().empty()) options.refuse("--exercise needs a hand-in as STATE");

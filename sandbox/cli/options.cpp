@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t help_width = 100;
 constexpr std::size_t names_width = 28;
 
-/// If set, a command lists its options here instead of running. A thread-local global, since run() has no parameter for
-/// it.
+/// If set, a command lists its options here instead of running. It is a thread-local global because run() has no
+/// parameter for it.
 thread_local std::vector<OptionDescription>* wanted_descriptions = nullptr;
 
 /// Returns, for example, "-o, --output OUT.png".
@@ -26,7 +26,7 @@ std::string shown_names(const OptionDescription& option) {
     return shown + (option.value_name.empty() ? "" : " " + option.value_name);
 }
 
-/// Whether a word is an option: not "-" alone, "--" or a number.
+/// Whether a word is an option, as opposed to "-", "--" or a number.
 bool is_option(const std::string& word) {
     const std::size_t name = word.starts_with("--") ? 2 : 1;
     return word.starts_with('-') && word.size() > name && std::isalpha(static_cast<unsigned char>(word[name])) != 0;

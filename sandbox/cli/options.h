@@ -1,5 +1,5 @@
-// The options of one command, declared once: parsed from the command line and printed as its --help. Hand-written,
-// since all messages are the program's own and a library would only split words.
+// The options of one command, which are declared once, parsed from the command line and printed as its --help. The
+// parser is hand-written: all messages are the program's own, so a library would do no more than split words.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace viewing {
 struct OptionDescription {
     std::string group;
     std::vector<std::string> names;  ///< "-o", "--output"; for a positional, its name
-    std::string value_name;          ///< "WxH"; "" for a flag and for a positional
+    std::string value_name;          ///< "WxH"; "" for a flag or a positional
     std::string help;
     bool is_positional = false;
 };
@@ -34,7 +34,7 @@ public:
     /// Lists the options declared after this call under this title in the help.
     void group(const char* title);
 
-    // `names` is "-o,--output"; `value_name` follows it in the help. Targets must outlive parse().
+    // `names` is a list such as "-o,--output"; `value_name` follows it in the help. Targets must outlive parse().
     void positional(const char* name, std::string& value, const char* help);
     void positionals(const char* name, std::vector<std::string>& values, const char* help);
     void text(const char* names, const char* value_name, std::optional<std::string>& value, const char* help);

@@ -17,20 +17,20 @@ namespace viewing {
 /// Writes to standard output and flushes. Throws Failure if that fails, for example on a full disk.
 void print(std::string_view text);
 
-/// Keeps a line about the input for print_notes(), each line once. Printing waits, because a command that fails prints
-/// only its one sentence.
+/// Keeps a line about the input for print_notes(), but not the same line twice. The line is not printed yet, because a
+/// command that fails prints only its one sentence.
 void note(const std::string& line);
 /// Writes the kept lines to standard error, in the order in which they were added.
 void print_notes();
 
-/// The results of one command, written together: all files or none (file.h), and none if writing to standard output
-/// ("-") fails.
+/// The results of one command, which are written together: all files or none (file.h), and none if writing to standard
+/// output ("-") fails.
 class Outputs {
 public:
     void add(const std::string& target, std::vector<std::uint8_t> bytes);
     void add(const std::string& target, std::string_view text);
     void add(WholeFolder folder);
-    /// Throws Failure.
+    /// Writes the results. Throws Failure if that fails.
     void write();
 
 private:

@@ -74,7 +74,7 @@ void refuse_misspelt_command(const std::string& word) {
                   one_line(word) + ": not a command, a file or a preset; did you mean the command " + *meant + "?");
 }
 
-/// Requires UTF-8, since results repeat the arguments and are UTF-8 themselves.
+/// Refuses arguments that are not UTF-8, since the results repeat them and are UTF-8 themselves.
 void refuse_what_is_not_utf8(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i)
         if (!is_utf8(arguments[i]))

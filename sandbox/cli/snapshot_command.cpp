@@ -147,8 +147,8 @@ std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& t
     return lesson_step(options, *typed.lesson, typed.step);
 }
 
-/// Returns the state of a student's exercise at its start, with the question; or, if STATE is a hand-in, the state at
-/// its end.
+/// Returns the state at the start of a student's exercise, with the question; or, if STATE is a hand-in, the state at
+/// the exercise's end.
 LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, const StateArguments& arguments,
                           SnapshotWish& wish) {
     if (typed.lesson) options.refuse("--lesson and --exercise cannot be combined");
@@ -239,7 +239,7 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
     report.tell("blank", drawn.picture.is_blank());
 }
 
-/// Returns the state to show: that of a lesson's step, of an exercise, or STATE.
+/// Returns the state to show: that of a lesson's step or of an exercise, or STATE.
 LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                      SnapshotWish& wish) {
     LoadedState state;
@@ -261,8 +261,8 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
     return state;
 }
 
-/// Collects in `scene_files` the files used by the state's scene, as they become known: none of them may be
-/// overwritten.
+/// Draws the picture and writes the results. As the files of the state's scene become known, collects them in
+/// `scene_files`, since none of them may be overwritten.
 ExitStatus take(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                 const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
     report.begin();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* scene_file = "a file of the scene";
 constexpr const char* piped_name = "standard input";
 
-/// Returns the files that a scene names, including its own.
+/// Returns the files that a scene names, including the scene's own file.
 std::set<std::string> files_named_by(const SceneSource& source) {
     if (const auto* name = std::get_if<std::string>(&source)) return {*name};
     std::set<std::string> files;
@@ -36,7 +36,7 @@ bool sets_scene(const std::string& setting) {
            std::string_view("=.[").find(setting[path.size()]) != std::string_view::npos;
 }
 
-/// Rewrites the scene's relative file names: from relative to the state's folder to relative to the working directory.
+/// Rewrites the scene's file names, which are relative to the state's folder, to be relative to the working directory.
 void rebase_to_working_directory(LoadedState& loaded) {
     if (auto* scene = std::get_if<SceneDescription>(&loaded.params.scene)) {
         for (ObjectDescription& object : scene->objects)

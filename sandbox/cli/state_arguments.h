@@ -20,12 +20,12 @@ public:
     StateArguments(const StateArguments&) = delete;
     StateArguments& operator=(const StateArguments&) = delete;
 
-    /// Loads STATE (for a link to a lesson, the state of the step; for a flight, the picture at --at), then replaces
-    /// its scene with the mesh, then applies the settings in order. File names in STATE are relative to its folder,
-    /// those in settings to the working directory. File names are written back as given, unless settings change an
-    /// inline scene: then all its file names become relative to the working directory. Files in STATE's folder and
-    /// those named on the command line may be read; with --allow-outside, all files. For a flight without --at, mesh
-    /// and settings apply to its start. Throws Failure.
+    /// Loads STATE (if it is a link to a lesson, the state of the step; if it is a flight, the picture at --at),
+    /// replaces its scene with the mesh, and applies the settings in order. File names in STATE are relative to its
+    /// folder, those in settings to the working directory. File names are written back as given, unless settings change
+    /// an inline scene, in which case all its file names become relative to the working directory. Files in STATE's
+    /// folder and those named on the command line may be read; with --allow-outside, all files. For a flight without
+    /// --at, mesh and settings apply to its start. Throws Failure.
     LoadedState load() const;
     /// Returns the step that STATE links to; nothing if STATE is not such a link. Throws Failure.
     std::optional<LinkedStep> linked_step() const;
@@ -51,11 +51,11 @@ private:
     std::string state_;
     std::vector<std::string> settings_;
     std::optional<std::string> at_, mesh_;
-    mutable std::optional<std::string> piped_;  ///< the text of standard input, which can be read once
+    mutable std::optional<std::string> piped_;  ///< the text of standard input, which can be read only once
     bool allows_outside_ = false;
 };
 
-/// Returns the step named by --lesson and --step, by default the first. Throws Failure.
+/// Returns the step that --lesson and --step name; without --step, the first one. Throws Failure.
 LinkedStep lesson_step(const Options& options, const std::string& lesson, const std::optional<std::string>& number);
 
 /// Loads the scene of a state with its meshes; prints a note on stderr if parts were skipped. Throws Failure.

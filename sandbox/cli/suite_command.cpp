@@ -1,5 +1,5 @@
 // suite: draws and measures many states and compares them with references in one run, with a report to look at. suite/
-// defines entries and how they are judged; this file is the command around them.
+// defines the entries and judges them; this file is the command around that.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 using Clock = std::chrono::steady_clock;
 
-/// The options as typed; the first of the words is the action.
+/// The options as typed; the first word is the action.
 struct TypedSuite {
     std::vector<std::string> words, only;
     std::optional<std::string> jobs, shard, times, entry_timeout, device;
@@ -135,8 +135,8 @@ std::string pace(std::size_t done, std::size_t of, double seconds) {
     return figures(rate) + "/s, " + left + " left";
 }
 
-/// Prints a progress line, redrawn on a terminal; otherwise, a new line for each tenth. Each entry that did not pass
-/// also gets a line.
+/// Prints the progress: on a terminal, in one line that is redrawn; elsewhere, in a new line after each tenth of the
+/// entries. Each entry that did not pass also gets a line.
 class Progress {
 public:
     Progress(std::size_t of, std::size_t kept_for_shown) : of_(of), step_(std::max<std::size_t>(kept_for_shown, 1)) {}
@@ -288,7 +288,7 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
     return run.is_good(false) ? ExitStatus::done : ExitStatus::different;
 }
 
-/// The worker process. Internal: started by run.
+/// Runs a worker process. Internal: the action `run` starts it.
 ExitStatus work(const Options& options, const TypedSuite& typed, const Suite& whole) {
     const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
     Headless headless(device_option(options, typed.device));

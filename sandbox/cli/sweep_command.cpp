@@ -1,5 +1,5 @@
 // sweep: varies one or two fields of a state, or replays a recorded flight, and writes a film, a sheet, a folder of
-// pictures, or a table of numbers. Each picture is the same that snapshot draws.
+// pictures, or a table of numbers. Each picture is the same as the one that snapshot draws.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,7 +122,8 @@ bool is_own_picture(const fs::path& file) {
     return note && !note->empty();
 }
 
-/// Refuses an output that is also an input or another output; a folder of pictures replaces everything in it.
+/// Refuses an output that is also an input or another output. Also refuses a folder for the pictures that contains such
+/// a file, since the whole folder is replaced.
 void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish,
                 std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
@@ -135,7 +136,7 @@ void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan
     value_or_end(check_folder_free(*typed.output, is_own_picture));
 }
 
-/// Checks that there is something to vary: a flight varies by itself, any other state needs a field.
+/// Checks that there is something to vary: a flight varies by itself, but any other state needs a field.
 void check_way(const Options& options, const TypedSweep& typed, bool is_flight) {
     if (!is_flight && (typed.vary.empty() || typed.vary.size() > 2))
         options.refuse("--vary PATH=FROM:TO:COUNT is required once or twice; only a flight needs none");
@@ -173,7 +174,8 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     return wish;
 }
 
-/// One picture: the settings of a variation, or a flight's time as "t=0.5" with the index of its recorded picture.
+/// One picture of a sweep: the settings of a variation; or, for a flight, the time as "t=0.5" and the index of the
+/// recorded picture.
 struct Stop {
     std::vector<std::string> settings;
     std::size_t of_flight = 0;
@@ -205,7 +207,7 @@ std::vector<Stop> stops_of(const SweepPlan& wish, bool together, bool back) {
     return all;
 }
 
-/// Returns the stops of a flight: all recorded pictures, or those at k / fps seconds.
+/// Returns the stops of a flight: all recorded pictures, or those shown at k / fps seconds.
 std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
     std::vector<Stop> all;
     const auto add = [&all](double t_s, std::size_t picture) {
@@ -350,7 +352,7 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     if (wish.kind == Kind::folder) folder.emplace(value_or_end(WholeFolder::begin(*typed.output, is_own_picture)));
     std::vector<SheetPicture> sheet;
     std::string table = head(typed, wish);
-    std::optional<Params> drawn;  // what `image` shows
+    std::optional<Params> drawn;  // the parameters that `image` shows
     Image image;
     for (std::size_t i = 0; i < steps.count(); ++i) {
         const LoadedState state = steps.at(i);

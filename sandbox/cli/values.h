@@ -15,7 +15,7 @@ namespace viewing {
 /// The default of --size.
 inline constexpr glm::ivec2 default_size_px{1280, 720};
 
-/// Parses "1280x720": sides from 1 to 16384, at most `most_pixels`. Returns the default if left out.
+/// Parses "1280x720": sides from 1 to 16384, at most `most_pixels`. Returns the default if the option was left out.
 glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text,
                        int most_pixels = most_drawn_pixels);
 
@@ -36,16 +36,16 @@ bool is_png_name(const std::string& name);
 /// Refuses the name of an output picture unless it ends in .png, is "-", or names a device or a pipe.
 void check_picture_name(const Options& options, const char* name, const std::string& target);
 
-/// Returns the value of --samples, 0 or 4; nothing if left out.
+/// Returns the value of --samples, 0 or 4; nothing if the option was left out.
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);
 
 /// Returns, for example, "3 points", in the current language.
 std::string points_text(int points);
 
-/// Returns the value of --language; nothing if left out.
+/// Returns the value of --language; nothing if the option was left out.
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text);
 
-/// Speaks the language of --language from now on; without the option, the one spoken now.
+/// Makes the language of --language the current one; without the option, changes nothing.
 void speak_option(const Options& options, const std::optional<std::string>& text);
 
 /// The help texts of --samples and --size.

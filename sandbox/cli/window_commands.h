@@ -6,8 +6,8 @@
 
 namespace viewing {
 
-/// Shows the window until it is closed. Throws Failure without a display or GL, and, if VIEWING_SANDBOX_CHECK_GL is
-/// set, for a GL error.
+/// Shows the window until it is closed. Throws Failure if there is no display or no GL, and, if
+/// VIEWING_SANDBOX_CHECK_GL is set, if GL reports an error.
 ExitStatus show_window(Session session, const WindowStart& start, WindowMemory& memory);
 
 }  // namespace viewing

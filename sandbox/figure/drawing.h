@@ -77,8 +77,8 @@ std::size_t letter_count(const Drawing& drawing);
 bool has_cut_text(const Drawing& drawing);
 
 /// Removes the background from two drawings of the same content, one on black and one on white: omits marks that are
-/// black in one and white in the other, and lowers the opacity of marks through which the background is visible. Fails
-/// unless both drawings have the same marks in the same order.
+/// black in one and white in the other, and lowers the opacity of marks through which the background is visible. Both
+/// drawings must have the same marks in the same order; fails if one has more marks than the other.
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white);
 
 }  // namespace viewing

@@ -14,12 +14,12 @@ namespace viewing {
 struct VectorOptions {
     double dpi = usual_dpi;  ///< pixels of the drawing per inch on paper
     std::string title;
-    std::string note;  ///< the state shown, as JSON; "": none
+    std::string note;  ///< the state shown, as JSON; "" if there is none
 };
 
 std::string as_svg(const Drawing& drawing, const VectorOptions& options);
 
-/// Returns one page of the drawing's size: at most 200 inches a side, the limit of PDF readers.
+/// Returns one page of the drawing's size, which may be at most 200 inches a side, the limit of PDF readers.
 std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& options);
 
 }  // namespace viewing

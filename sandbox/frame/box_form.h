@@ -5,7 +5,7 @@
 
 namespace viewing {
 
-/// The linear form a·(p, 1) of a point p in some space, for boxes in a model's own space.
+/// The linear form a·(p, 1) of a point p in some space, evaluated over boxes in a model's own space.
 class BoxForm {
 public:
     /// `summed`: the magnitudes of the terms that were summed to get `form`, if they exceed those of `form` itself.
@@ -15,7 +15,7 @@ public:
             sizes_[column] = glm::dot(glm::max(glm::abs(form), summed), glm::abs(space_from_model[column]));
     }
 
-    /// Conservative bounds: no point of the box has a value beyond them, neither the exact value nor the computed one.
+    /// Return conservative bounds: neither the exact nor the computed value of any point in the box lies beyond them.
     double least(const Bounds& box) const { return middle(box) - reach(box); }
     double greatest(const Bounds& box) const { return middle(box) + reach(box); }
 

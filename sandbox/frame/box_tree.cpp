@@ -13,8 +13,8 @@ namespace {
 constexpr int bits = 10;  ///< per coordinate
 using Cell = std::array<std::uint32_t, 3>;
 
-/// Converts the coordinates of a cell to the digits of its position along the curve. Each digit takes one bit from each
-/// of the three; the first coordinate's bit is the highest.
+/// Converts a cell's coordinates to the digits of its position along the curve. Each digit takes one bit from each of
+/// the three coordinates; the first coordinate's bit is the highest.
 Cell digits_on_curve(Cell cell) {
     for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // rotate the octants inside the octants
         const std::uint32_t below = half - 1;
@@ -37,7 +37,7 @@ Cell digits_on_curve(Cell cell) {
     return cell;
 }
 
-/// Returns a point's position along the curve through the bounds; a point that is not finite comes first.
+/// Returns a point's position along the curve through the bounds; a coordinate that is not finite counts as the lowest.
 std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
     const glm::dvec3 share = (point - bounds.min) / bounds.size();  // NaN along an axis without extent
     Cell cell{};

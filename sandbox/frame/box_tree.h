@@ -36,8 +36,8 @@ public:
         });
     }
 
-    /// Visits items, always from the box with the smallest `key`. Skips boxes whose key is at least limit(), which may
-    /// shrink with each visit.
+    /// Visits items, always continuing with the box that has the smallest `key`. Skips boxes whose key is at least
+    /// limit(), which may shrink with each visit.
     template <typename Key, typename Limit, typename Visit>
     void least_first(Key key, Limit limit, Visit visit) const;
 
@@ -47,7 +47,7 @@ private:
     template <typename BoundsOf>
     static BoxTree made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item);
 
-    /// Visits the indices of the boxes below a box; on level 0, of the items of a run.
+    /// Visits the indices of the boxes below a box or, on level 0, the indices of a run's items.
     template <typename Each>
     void each_below(std::size_t level, std::size_t index, Each each) const {
         const std::size_t length = level == 0 ? run_length : fan;
@@ -66,7 +66,7 @@ private:
     }
 
     std::vector<std::uint32_t> items_;         ///< each once, along a space-filling curve
-    std::vector<std::vector<Bounds>> levels_;  ///< boxes of runs, then of `fan` of these, …; the last level has one box
+    std::vector<std::vector<Bounds>> levels_;  ///< boxes of runs, then of `fan` such boxes, …; the last level has one
 };
 
 template <typename Key, typename Limit, typename Visit>

@@ -32,7 +32,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     } else {
         derived.world_from_view = world_from_view(camera.position, camera.angles());
     }
-    // With C uploaded as V, the eye's axes come from C⁻¹.
+    // If C is uploaded as V, the eye's axes come from C⁻¹.
     const glm::dmat4 inverse_camera = view_from_world(derived.world_from_view);
     const bool swapped = params.slips.camera_as_view;
     derived.view_from_world = swapped ? derived.world_from_view : inverse_camera;
@@ -79,7 +79,7 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
     return cast;
 }
 
-/// Returns R with the mistakes that are switched on and the layout of the lecture's array.
+/// Returns R with the mistakes that are switched on, in the layout of the lecture's array.
 glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips, bool printed_by_rows) {
     const glm::dmat4 mirror =
         mirror_matrix_as_typed(slips.normal_not_unit ? equation : unit_plane(equation), slips.plus_2ab);

@@ -16,7 +16,7 @@ namespace viewing {
 struct Viewport {
     glm::ivec2 size_px{1280, 720};
     bool clip_control = true;  ///< the driver has glClipControl, which reversed depth needs
-    /// How the driver stores the depth format; none if not measured (render/driver_depth.h).
+    /// The depth format as the driver stores it; none if it was not measured (render/driver_depth.h).
     std::optional<StoredDepth> stored_depth{};
 
     double aspect() const { return size_px.y > 0 ? static_cast<double>(size_px.x) / size_px.y : 1.0; }
@@ -81,13 +81,13 @@ struct Derived {
     Choice chosen;
 
     const DerivedPlane& chosen_plane() const { return planes[chosen.plane]; }
-    const CastShadow& chosen_shadow() const { return chosen_plane().shadows[chosen.light]; }  ///< on that plane
+    const CastShadow& chosen_shadow() const { return chosen_plane().shadows[chosen.light]; }  ///< on the chosen plane
     const glm::dvec4& chosen_light() const { return lights_world[chosen.light]; }
 
     std::optional<FollowedPoint> followed;
     bool has_decals = false;
     std::vector<int> object_marks;  ///< decal_marks() if decals use the stencil; else empty
-    std::optional<HeatMap> heat;    ///< if the picture shows depth fighting
+    std::optional<HeatMap> heat;    ///< set if the picture shows depth fighting
     Facts facts;
 };
 
@@ -102,9 +102,9 @@ struct ObserverView {
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
-/// Derives the chosen light's view of everything that casts a shadow, framed for any position of the light: each caster
-/// hides its own shadow. A parallel light has parallel view rays; a light among the casters sees only those in front of
-/// it. Without objects, the light looks at the chosen plane's patch.
+/// Derives the chosen light's view of everything that casts a shadow, framed wherever the light is. In this view, each
+/// caster hides its own shadow. A parallel light has parallel view rays; a light among the casters sees only those in
+/// front of it. Without objects, the light looks at the chosen plane's patch.
 ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport);
 
 /// Derives the lecture's other interpretation of the same picture: the camera stays at the origin and V moves the
@@ -114,15 +114,16 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
 /// Returns the precision of a depth format.
 DepthPrecision precision_of(DepthFormat format);
 
-/// Returns whether GL lacks the format: the sandbox's shader then rounds to its codes, which 24 bits store exactly.
+/// Returns whether GL lacks the format. The sandbox's shader then rounds depths to the format's codes, which 24 bits
+/// store without loss.
 bool stores_fewer_bits(DepthFormat format);
 
 /// Returns whether the shader writes depths. It then also applies the offset, one code per unit, instead of
 /// glPolygonOffset.
 bool writes_depth_by_shader(DepthFormat format, DepthMapping mapping, bool logarithm_per_vertex);
 
-/// Returns whether the reported depths of this state depend on the driver: on its unit of an offset that moves decals,
-/// or, where that is visible, on how it stores 24 bits.
+/// Returns whether the reported depths of this state depend on the driver: on its offset unit if an offset moves decals
+/// or, where this is visible, on how it stores 24 bits.
 bool depends_on_stored_depth(const Params& params, const Scene& scene);
 
 /// Returns the width in eye z of one stored code at the eye distance z, for this state's projection, mapping and
@@ -139,7 +140,7 @@ glm::dmat4 effective_camera(const Derived& derived);
 /// each counterclockwise from the bottom left as the camera sees them.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
-/// Uses the placed camera, to show where it is even while a mistake breaks V.
+/// Does the same for the placed camera, to show where the camera is even while a mistake breaks V.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Derives all views but the camera's: the observer's, the light's, and that of an observer of a moving world.
+// Derives all views except the camera's: the observer's, the light's, and the one in which V moves the world.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -86,7 +86,8 @@ ObserverView derive_light_view(const Derived& derived, const Scene& scene, const
     view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {target + away, 1.0}};
     view.view_from_world = view_from_world(view.world_from_view);
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    // As wide as the casters plus a small margin; if the light is among the casters, as wide as a view can be.
+    // The view is as wide as the casters plus a small margin or, if the light is among the casters, as wide as a view
+    // can be.
     constexpr double room = 1.1, widest_slope = 4.0;
     double half_height = 1e-3 * radius, slope = 1e-9;
     for (const glm::dvec3& point : seen) {
@@ -121,7 +122,7 @@ glm::dmat4 placed_camera(const Params& params) {
 }
 
 glm::dmat4 effective_camera(const Derived& derived) {
-    return view_from_world(derived.view_from_world);  // rotation and translation, like C, so inverted in the same way
+    return view_from_world(derived.view_from_world);  // V is rigid like C, so it is inverted in the same way
 }
 
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {

@@ -17,25 +17,28 @@ struct DrawCall {
     bool operator==(const DrawCall&) const = default;
 };
 
-/// "plane", "plane 2", "plane 3" …
+/// Returns "plane", "plane 2", "plane 3", and so on.
 std::string plane_name(std::size_t plane);
 
 /// Returns whether a pass with this choice draws the object.
 bool is_chosen(Chosen chosen, const SceneObject& object);
 
-/// Returns how many calls a pass makes: one for a square, one per object, none for a method's result.
+/// Returns how many calls a pass makes: one for a square, one for each object that it draws, none for the result of a
+/// hidden-surface method.
 int call_count(const Pass& pass, const Scene& scene);
 
-/// Returns how many of a call's triangles are drawn: all before the limit's call, none after that call.
+/// Returns how many of a call's triangles are drawn: all before the limit's call, none after it, and in it as many as
+/// the limit allows.
 int triangles_drawn(const DrawLimit& limit, int call, int triangles);
 
 /// Returns a frame's calls in order if its method draws the scene in scene order; none for other methods.
 std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene);
 
-/// Returns "box, pass 4: Objects".
+/// Returns a call's name, such as "box, pass 4: Objects".
 std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene);
 
-/// Returns the limit one triangle earlier, across calls; before the first triangle, {0, 0}: nothing is drawn.
+/// Returns the limit that is one triangle earlier, if necessary in an earlier call. Before the first triangle, it is
+/// {0, 0}, which draws nothing.
 DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 
 }  // namespace viewing

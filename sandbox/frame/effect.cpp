@@ -61,7 +61,7 @@ bool is_named(const Reason& reason, std::string_view path) {
     });
 }
 
-/// Sorted from the broadest reason to the narrowest.
+/// Returns all reasons, sorted from the broadest to the narrowest.
 std::span<const Reason> reasons() {
     static const Reason all[] = {
         {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },

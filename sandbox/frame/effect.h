@@ -9,8 +9,8 @@
 namespace viewing {
 
 /// Returns the reason why changing the field at `path` alone, to any value, changes neither the picture nor any number:
-/// one sentence, to be translated. Empty if the field may have an effect. A field of the groups "light" and "plane"
-/// represents that field of all elements of the list. A null `scene` means a scene that has everything.
+/// one sentence, to be translated. Empty if the field may have an effect. A field of the group "light" or "plane"
+/// stands for that field of every element in the list. A null `scene` means a scene that has everything.
 std::string_view why_without_effect(const Params& params, const Scene* scene, std::string_view path);
 
 }  // namespace viewing

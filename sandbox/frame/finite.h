@@ -1,4 +1,4 @@
-// Checks that uploaded matrices are finite. Pixels of 8 bits cannot store NaN, so the check examines the matrices.
+// Checks that uploaded matrices are finite. 8-bit pixels cannot store NaN, so the check examines the matrices instead.
 #pragma once
 
 #include "frame/derive.h"
@@ -6,8 +6,8 @@
 
 namespace viewing {
 
-/// Returns an error that names the first matrix of projection, view, shadows and mirrors with an entry that is not
-/// finite as a float.
+/// Checks the matrices of the projection, the view, the shadows and the mirrors. Returns an error that names the first
+/// one with an entry that is not finite as a float.
 Status check_finite(const Derived& derived);
 
 }  // namespace viewing

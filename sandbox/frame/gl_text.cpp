@@ -47,7 +47,7 @@ public:
     void enable(const char* capability, bool on, bool was_on) {
         if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
     }
-    /// `is_known`: GL already has the value of `before`. A disabled test gets no parameters.
+    /// `is_known`: GL already has the value of `before`. While a test is disabled, its parameters are not sent to GL.
     void change(const std::string& call, const std::string& before, bool is_known = true) {
         if (call != before || !is_known) add(call);
     }
@@ -117,8 +117,8 @@ std::string remark(const char* words) {
     return std::string("  // ") + tr(words);
 }
 
-/// GL ignores its polygon offset where the fragment shader writes the depth, as for the logarithm: there the shader
-/// adds the offset.
+/// Returns whether the shader adds the offset: GL ignores glPolygonOffset where the fragment shader writes the depth,
+/// as it does for the logarithm.
 bool adds_offset_in_shader(const FramePlan& frame) {
     return frame.depth_mapping == DepthMapping::logarithmic && !frame.logarithm_per_vertex;
 }
@@ -159,7 +159,7 @@ bool is_lit(const Pass& pass) {
     return pass.shading == Shading::lit && pass.color_write;
 }
 
-/// Lists the colors of a pass: the lights if it is lit, the color of a shadow, the alpha of a patch.
+/// Adds the calls that set a pass's colors: the lights if it is lit, the color of a shadow, the alpha of a patch.
 void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
     if (!pass.color_write) return;
     if (is_lit(pass))

@@ -17,17 +17,18 @@ Ground ground_of(Theme theme);
 /// Blue and ocher are distinct for every kind of color vision; back faces are also striped.
 inline constexpr Color front_color{0x70, 0x9e, 0xd9}, back_color{0xcc, 0x7d, 0x21};
 
-/// Pixels where two hidden-surface methods differ.
+/// The color of pixels where two hidden-surface methods differ.
 inline constexpr Color difference_color{235, 30, 40};
 
-/// Stencil values: nothing marked, a patch, a patch with a missing light, a missing light beside a patch.
+/// Colors of stencil values: nothing marked, a patch, a patch with a missing light, a missing light beside a patch.
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};
 
-/// Casters by their w after S: casts a shadow, behind the plane, beyond the light.
+/// Colors of casters by their w after S: casting a shadow, behind the plane, beyond the light.
 inline constexpr std::array<Color, 3> caster_colors = {{{0x2b, 0xb9, 0x8b}, {0xd8, 0xc8, 0x4a}, {0xe4, 0x57, 0x2e}}};
 
-/// How often a pixel was drawn: 0, 1 … 7, 8 or more. From dark to bright, so that the order is visible without color.
+/// Colors for how often a pixel was drawn: 0, 1 … 7, 8 or more times. They go from dark to bright, so that the order is
+/// visible without color.
 inline constexpr std::array<Color, 9> overdraw_colors = {{{0x12, 0x15, 0x1b},
                                                           {0x2d, 0x2a, 0x63},
                                                           {0x2f, 0x4a, 0x8f},

@@ -27,7 +27,7 @@ std::string replaced(std::string text, std::string_view part, std::string_view b
     return text;
 }
 
-/// Returns the letters from `at` on, including an index ("l_x") if `with_index`.
+/// Returns the letters from `at` on, including an index ("l_x") if `with_index` is set.
 std::string_view letters_at(std::string_view text, std::size_t at, bool with_index) {
     std::size_t end = at;
     while (end < text.size() && (is_letter(text[end]) || (with_index && text[end] == '_'))) ++end;
@@ -125,7 +125,7 @@ std::string symbol_as_code(const std::string& symbol) {
     std::string text = replaced(symbol, "Π·L", "plane_dot_light");
     text = replaced(replaced(text, "·eye", "_dot_eye"), "(R eye)_", "R_eye_");
     text = replaced(text, "·", " ");
-    std::string code, operand;  // the last operand, to write its square
+    std::string code, operand;  // the last operand, kept to write its square
     bool follows_operand = false;
     const auto put = [&](std::string_view next) {
         code += (follows_operand ? "*" : "") + std::string(next);

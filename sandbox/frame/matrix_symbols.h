@@ -9,18 +9,18 @@
 
 namespace viewing {
 
-/// Row by row. Products have no operator ("-l_x n_y", "2fn"); powers are written "a^2". right, up, back, eye and aspect
-/// are words; every other letter is a symbol of its own.
+/// The entries row by row. Products have no operator ("-l_x n_y", "2fn"); powers are written "a^2". right, up, back,
+/// eye and aspect are words; every other letter is a symbol of its own.
 using MatrixSymbols = std::array<const char*, 16>;
 
-/// S of the unit plane (n, d) and the light l.
+/// Returns S for the unit plane (n, d) and the light l.
 MatrixSymbols shadow_symbols();
-/// R of the unit plane a, b, c, d, with the slides' mistakes.
+/// Returns R for the unit plane (a, b, c, d), with those of the slides' mistakes that are switched on.
 MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab);
-/// V and C. `swapped_order`: C = R T instead of T R.
+/// Return V and C. `swapped_order`: C = R T instead of T R.
 MatrixSymbols view_symbols(bool swapped_order);
 MatrixSymbols camera_symbols(bool swapped_order);
-/// P with near n, far f, height h and c = cot(½ fovy).
+/// Returns P with near n, far f, height h and c = cot(½ fovy).
 MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one);
 
 /// Returns a symbol in LaTeX math: "\Pi \cdot L - l_x n_x".

@@ -13,14 +13,14 @@ namespace {
 /// The sixteen entries as strings in listing order: rows first or columns first.
 using Entries = std::array<std::array<std::string, 4>, 4>;
 
-/// How a language writes NaN and infinity.
+/// A language's notation for NaN and infinity.
 struct Specials {
     const char* nan;
     const char* infinity;
     const char* minus_infinity;
 };
 
-/// How a language writes numbers and lists.
+/// A language's notation for numbers and lists.
 struct Notation {
     Specials specials;
     bool columns_first = false;

@@ -56,8 +56,8 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// Returns four forms that are at least 0 where a map sends a point with w > 0 inside the patch: the distances from the
-/// patch's edges, times w.
+/// Returns four forms that are all at least 0 where a map sends a point, with w > 0, into the patch: the distances from
+/// the patch's edges, times w.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);
@@ -81,7 +81,7 @@ bool is_in_frustum(const glm::dvec4& clip) {
     return clip.w > 0.0 && glm::all(glm::lessThanEqual(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)));
 }
 
-/// The same without near and far.
+/// Returns the same, but ignores near and far.
 bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
@@ -121,7 +121,8 @@ bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) 
     return false;
 }
 
-/// Returns whether a vertex of an object lands inside the patch, or elsewhere: beside it, or nowhere (w ≤ 0).
+/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, elsewhere: beside it, or
+/// nowhere (w ≤ 0). With `in_picture`, it must also land in the picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
         if (glm::dot(landing.side, point) < -standing) return false;
@@ -191,7 +192,8 @@ std::string objects_across(const Scene& scene, const glm::dvec4& form, double li
 bool lands_beyond(const Scene& scene, const Landing& landing) {
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
         if (lands(object, landing, false, true)) return true;
-        // Its vertices beyond the patch's edge are outside the picture, but one of its triangles crosses the edge.
+        // Its vertices beyond the patch's edge are outside the picture, but one of its triangles may cross the edge
+        // inside it.
         return lands(object, landing, true, false) && lands(object, landing, false, false) &&
                crosses_edge_in_picture(object, landing);
     });

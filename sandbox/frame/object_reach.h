@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// A share of the picture's height that is a few pixels.
+/// The share of the picture's height that a few pixels take up.
 inline constexpr double visible_share = 1.0 / 200.0;
 
 /// Returns the height of the picture at an eye distance, in world units.
@@ -17,28 +17,29 @@ double picture_height(const Lens& lens, double distance);
 /// Tolerance in world units: an object that rests on a plane does not count as behind it.
 inline constexpr double standing = 1e-4;
 
-/// Returns the names ("box, ball") of the objects that have a vertex p with form · (p, 1) ≤ limit. Fast if the scene's
-/// bounds rule that out; large meshes use their BoxTree.
+/// Returns the names ("box, ball") of the objects that have a vertex p with form · (p, 1) ≤ limit. This is fast if the
+/// scene's bounds rule out such a vertex; otherwise, it searches the BoxTree of each mesh.
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Returns the names of such objects that also have a vertex above `limit`.
 std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit);
 
-/// Returns whether one of 64 sampled vertices of an object is in the picture, between near and far.
+/// Returns whether any of at most 127 sampled vertices of an object is in the picture, between near and far.
 bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived);
 
-/// Returns whether a grid of points on a patch shows that part of it is in the picture.
+/// Returns whether part of a patch is in the picture, between near and far, judged by a grid of points.
 bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world);
 
-/// A map of the scene's vertices to the plane of a patch.
+/// A map that sends the scene's vertices to the plane of a patch.
 struct Landing {
-    const glm::dmat4& plane_from_world;  ///< only vertices with w > 0 afterward count
+    const glm::dmat4& plane_from_world;  ///< only vertices that it sends to w > 0 count
     const glm::dmat4& clip_from_world;   ///< of the picture: only images inside it count
     glm::dvec4 side;                     ///< only vertices on the positive side of this plane count
     const PlanePatch& patch;
 };
 
-/// Return whether part of an object's image is in the picture and outside the patch, or inside it. Looks at vertices.
+/// Return whether part of an object's image is in the picture and outside the patch, or inside the patch. Both examine
+/// vertices; lands_beyond() also finds triangles that cross the patch's edge, and assumes that large meshes have some.
 bool lands_beyond(const Scene& scene, const Landing& landing);
 bool lands_inside(const Scene& scene, const Landing& landing);
 

@@ -36,7 +36,7 @@ constexpr StencilState marks(int region) {
     return {.test = true, .reference = region, .on_pass = StencilOp::replace};
 }
 
-/// Passes only inside a region, lit or not: mirror images, the patch over its image, a single shadow.
+/// Passes only inside a region, lit or not. Used for mirror images, the patch over its image, and a single shadow.
 constexpr StencilState inside(int region) {
     return {.test = true, .func = CompareFunc::equal, .reference = region, .read_bits = stencil_region_bits};
 }
@@ -70,7 +70,7 @@ constexpr StencilState counts_once(int region, int light_bit) {
             .write_bits = light_bit};
 }
 
-/// Does the same without a region: still one shadow, but extending beyond its receiver.
+/// Does the same without a region: it still makes one shadow, but that extends beyond its receiver.
 constexpr StencilState counts_once_anywhere(int light_bit) {
     return {.test = true,
             .func = CompareFunc::equal,
@@ -79,12 +79,13 @@ constexpr StencilState counts_once_anywhere(int light_bit) {
             .write_bits = light_bit};
 }
 
-/// Passes only where exactly these lights of the region are missing or, for a decal, where its object's mark is set.
+/// Passes only where the stencil holds exactly `value`: a region with the bits of its missing lights or, for a decal,
+/// its object's mark.
 constexpr StencilState exactly(int value) {
     return {.test = true, .func = CompareFunc::equal, .reference = value};
 }
 
-/// Clears the missing lights of a region: in a mirror the next patch uses the same value.
+/// Clears the missing lights of a region, because in a mirror the next patch uses the same value.
 constexpr StencilState forgets_lights(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::zero;

@@ -30,8 +30,8 @@ struct PixelReport {
     glm::dvec3 world{0.0};
 };
 
-/// Returns the state to plan and draw when pixels are inspected: with the scene's own colors instead of counts,
-/// differences and the heat map, which do not identify the surface at a pixel.
+/// Returns the state to plan and draw when pixels are inspected. It shows the scene's own colors instead of counts,
+/// differences or the heat map, which do not identify the surface at a pixel.
 inline Params probed(Params params) {
     Shows& shows = params.view.shows;
     if (shows == Shows::overdraw || shows == Shows::difference || shows == Shows::fighting) shows = Shows::color;

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// Flips the comparison for reversed depth; the parameters keep "less is nearer".
+/// Flips the comparison for reversed depth; the parameters keep the convention that less is nearer.
 CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
     if (mapping != DepthMapping::reversed) return func;
     switch (func) {
@@ -292,7 +292,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // the camera's mistake
+    plain.reflection.same_projection = true;  // that mistake is the camera's alone
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image
     made.decal_offset = {-1.0, -2.0};

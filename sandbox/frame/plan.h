@@ -23,7 +23,7 @@ enum class Subject {
     difference,  ///< where two methods disagree
 };
 
-/// How a pass colors its fragments.
+/// The way in which a pass colors its fragments.
 enum class Shading {
     lit,       ///< ambient, diffuse and a modest highlight
     unlit,     ///< ambient only
@@ -42,10 +42,10 @@ enum class Chosen { all, bases, decals };
 
 enum class Blend { none, alpha, add };
 
-/// A plane in world space that clips its negative side, before the pass's own matrix is applied.
+/// A plane in world space, before the pass's own matrix is applied. Its negative side is clipped.
 using ClipPlane = glm::dvec4;
 
-/// The limit for one pass.
+/// The largest number of clip planes in one pass.
 inline constexpr std::size_t most_clip_planes = 2;
 
 struct Pass {
@@ -53,7 +53,7 @@ struct Pass {
     std::string reason;  ///< one sentence: its purpose
     Subject subject = Subject::objects;
     std::size_t plane = 0;        ///< index in Derived::planes: the patch, or a shadow's receiver
-    std::size_t light = 0;        ///< index in Derived::lights_world: whose shadow
+    std::size_t light = 0;        ///< index in Derived::lights_world: the light whose shadow it is
     Chosen chosen = Chosen::all;  ///< all objects, those that are not decals, or only decals
     bool marks_objects = false;   ///< each object has its own stencil reference: FramePlan::object_marks
     Shading shading = Shading::lit;
@@ -61,7 +61,7 @@ struct Pass {
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
-    bool is_mirror_image = false;        ///< or part of one
+    bool is_mirror_image = false;        ///< also true for part of one
     std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
@@ -80,7 +80,7 @@ struct Pass {
     bool operator==(const Pass&) const = default;
 };
 
-/// The point at which a frame stops when it is viewed call by call; calls as in frame/draw_calls.h.
+/// The point at which a frame stops when it is viewed call by call. Calls are numbered as in frame/draw_calls.h.
 struct DrawLimit {
     int call = -1;       ///< the last call drawn, from 0; −1: all
     int triangles = -1;  ///< of that call; −1: all
@@ -110,7 +110,7 @@ struct FramePlan {
     HiddenPictures hidden;
     bool has_decals = false;
     DepthOffset decal_offset;       ///< for objects marked as decals
-    std::vector<int> object_marks;  ///< per object: the stencil mark of itself or of its base; empty: none
+    std::vector<int> object_marks;  ///< per object: its own stencil mark, or its base's; empty: no marks
     DrawLimit limit;
     std::optional<HeatMap> heat;                 ///< for Shading::heat
     glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< caster_w · p is the w of p's projection: for Shading::caster_w
@@ -129,19 +129,20 @@ struct FramePlan {
     bool operator==(const FramePlan&) const = default;
 };
 
-/// Returns whether shadows and mirror images are drawn: not while a method is shown step by step, and not in the
-/// fighting and overdraw views.
+/// Returns whether shadows and mirror images are drawn: not while a method is shown step by step or in large pixels,
+/// and not in the fighting and overdraw views.
 bool shows_effects(const Params& params);
 
 /// Returns the planes that a frame draws: only the first one for hidden-surface methods other than GL's own.
 std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
-/// Returns how many mirrors in a row a view ray may meet with this many planes: fewer than requested if the stencil
-/// cannot count them, or if they would need more than 64 images or drawing the scene more than 256 times.
+/// Returns how many mirrors in a row a view ray may meet: the requested bounces, or fewer if the stencil cannot count
+/// them, or if they would need more than 64 images or draw the scene more than 256 times. At most 1 for hidden-surface
+/// methods other than GL's own.
 int reflection_depth(const Params& params, const Derived& derived);
 
-/// The eye for add_scene_passes(), which adds the objects, and the planes with their mirror images and shadows: part of
-/// plan() and plan_observer().
+/// The eye from which add_scene_passes() sees the scene. That function adds the objects and the planes, with their
+/// mirror images and shadows: part of plan() and plan_observer().
 struct Eye {
     glm::dmat4 clip_from_view{1.0};
     glm::dmat4 view_from_world{1.0};
@@ -150,7 +151,8 @@ struct Eye {
 void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Derived& derived, const Eye& eye);
 
 /// Plans the camera view's frame. `hidden` is the result of the requested method; until it exists, the objects are
-/// missing. Shadows and mirrors are left out while a method is shown step by step.
+/// missing. Shadows and mirrors are left out in the fighting view, and while a method is shown step by step or in large
+/// pixels.
 FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden = {});
 
 /// Replaces the objects with a method's result: part of plan().
@@ -159,35 +161,37 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
 /// Returns a pass that draws FramePlan::hidden's difference over the picture.
 Pass difference_pass(const char* reason);
 
-/// Sets format, mapping, clear value and offsets of the depth buffer, and how it is shown: part of plan().
+/// Sets the depth buffer's format, mapping, clear value and offsets, and the way in which it is shown: part of plan().
 void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
 
 /// Returns the sRGB color unchanged, with components from 0 to 1.
 glm::dvec4 color_of(const Color& color, double alpha);
 
-/// Returns 1, or −1 with reversed depth, which decreases with distance and therefore flips both signs of an offset.
+/// Returns the factor for both numbers of an offset: −1 with reversed depth, which decreases with distance, unless
+/// depth.reversed_offset is off; otherwise 1.
 double offset_sign(const DepthParams& depth);
 
 /// Gives decals without a polygon offset their own pass after the objects: part of plan().
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params);
 
-/// Keeps only the objects' passes, each of which adds one level of red to a pixel: part of plan().
+/// Lets only the objects' passes write color; each of them adds one level of red to a pixel. Part of plan().
 void count_overdraw(FramePlan& frame);
 
-/// Returns the eye distances that a depth picture with contrast shows as black and white: those of the state or, if it
-/// has none, the range of the scene's bounds and the first plane's patch, clamped to near and far.
+/// Returns the eye distances that a depth picture with contrast shows as black and white: the state's range or, if it
+/// has none that overlaps near … far, the range of the scene's bounds and the first plane's patch. Clamped to near and
+/// far.
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene);
 
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
 /// Returns the GL calls that lead from one pass of a frame to another, with their current values, in the lecture's
-/// words; unchanged state needs no call. first_gl_state() precedes the first pass.
+/// words; unchanged state needs no call. first_gl_state() is the state before the first pass.
 std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
-/// Returns the calls that begin a frame after another one of the same plan; the first ones reset what its last pass
-/// left.
+/// Returns the calls that begin a frame after another one of the same plan. The first of them reset the state that the
+/// last pass left.
 std::vector<std::string> clear_calls(const FramePlan& frame);
 
 /// Return "GL_LEQUAL" and the like.

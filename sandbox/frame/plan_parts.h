@@ -1,5 +1,5 @@
-// Shared by the parts of plan(): the world to draw, either the real one or its image in a mirror. Read plan.cpp first;
-// plan_mirror.cpp and plan_shadow.cpp after it.
+// The code shared by the parts of plan(): the world to draw, either the real one or its image in a mirror. Read
+// plan.cpp first; plan_mirror.cpp and plan_shadow.cpp after it.
 #pragma once
 
 #include "frame/plan.h"
@@ -10,7 +10,7 @@ namespace viewing {
 /// Direction of the strongest ambient light.
 inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
 
-/// Names a pass over a patch, for a single plane and for several; translated on use.
+/// The name of a pass over a patch, for a single plane and for several; translated on use.
 struct PatchName {
     const char *alone, *numbered;  ///< "Patch", "Patch {plane}"
 };
@@ -23,11 +23,11 @@ struct Level {
     glm::dmat4 projection;      ///< P, or the mirrored camera's projection
     glm::dmat4 clip_from_view;  ///< the projection, with the mirror as its near plane if requested
     glm::dmat4 view_from_world;
-    glm::dmat4 world_from_scene{1.0};  ///< the product of the mirrors' R; I if the camera is mirrored
-    glm::dmat4 scene_from_world{1.0};  ///< for the true mirrors, even if R was replaced
-    std::string mirrors_name{};    ///< "2, 1": the mirrors it is seen in, the last one last; empty for a single plane
-    std::string matrices = "P V";  ///< "P V R" inside a mirror, "F P F V R" if the camera is mirrored
-    std::string mirror_symbols{};  ///< " R₂ R₁": the mirrors it is seen in, the last one last
+    glm::dmat4 world_from_scene{1.0};     ///< the product of the mirrors' R; I if the camera is mirrored
+    glm::dmat4 scene_from_world{1.0};     ///< the product of the true mirrors, even if R was replaced
+    std::string mirrors_name{};           ///< "2, 1": the mirrors on the way, in order; empty for a single plane
+    std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if the camera is mirrored
+    std::string mirror_symbols{};         ///< " R₂ R₁": the mirrors on the way, in order
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel view rays, from this direction
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
@@ -43,11 +43,11 @@ struct Level {
     double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }
     glm::dvec4 plane_towards_eye(std::size_t index) const { return plane_facing(plane(index).unit_plane, eye_scene); }
     bool is_real() const { return mirrors_met == 0; }
-    /// Return the uploaded matrix in the lecture's letters, numbered if there are several: "R₂", "Rᵀ" as the lecture's
-    /// code fills it, "(−S₁₂)" for plane 1 and light 2 with the sign that makes w positive.
+    /// Return the uploaded matrix in the lecture's letters, numbered if there are several: "R₂"; "Rᵀ" if it is filled
+    /// as in the lecture's code; "(−S₁₂)" for plane 1 and light 2, with the sign that makes w positive.
     std::string mirror_symbol(std::size_t plane_index) const;
     std::string shadow_symbol(std::size_t plane_index, std::size_t light) const;
-    bool mirrors(std::size_t index) const;                             ///< whether an image is drawn for it
+    bool mirrors(std::size_t index) const;                             ///< whether its mirror image is drawn
     std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< the lights whose shadows are drawn on it
     int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch
 
@@ -59,7 +59,7 @@ struct Level {
 
 // The stencil of each pass: plan_stencil.cpp.
 
-/// Passes inside its mirror; in the real world, anywhere.
+/// Passes only inside the level's mirror or, in the real world, anywhere.
 StencilState stencil_of_level(const Level& level);
 
 /// Marks a patch as a mirror or receiver.
@@ -68,33 +68,33 @@ StencilState stencil_of_mask(const Level& level, std::size_t plane);
 /// Passes inside a patch that is already marked.
 StencilState stencil_of_patch(const Level& level, std::size_t plane);
 
-/// For drawing the patch itself: passes inside its mask if it blends over a mirror image; otherwise, the patch is its
-/// own mask.
+/// Used to draw the patch itself. Passes only inside the patch's mask if the patch blends over a masked mirror image;
+/// otherwise, marks the patch, unless it is in a mirror and no shadow is drawn on it.
 StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blends);
 
-/// For drawing a shadow on the patch. A painted shadow passes once per pixel and only on the patch, unless a switch
-/// says otherwise. For missing light, the shadow marks the pixels where the light is missing.
+/// Used to draw a shadow on the patch. A painted shadow passes once per pixel and only on the patch, unless a switch
+/// says otherwise. For missing light, the shadow marks the pixels that the light does not reach.
 StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_t light);
 
 /// Passes inside a patch where exactly these lights are marked as missing.
 StencilState stencil_of_patch_without(const Level& level, std::size_t plane, std::span<const std::size_t> missing);
 
-/// Undo the marks of missing lights and the patch's own mark: in a mirror, the next patch uses the same values.
+/// Undo the marks of missing lights and the patch's own mark, because in a mirror the next patch uses the same values.
 StencilState stencil_of_forgetting_lights(const Level& level, std::size_t plane);
 StencilState stencil_of_leaving(const Level& level, std::size_t plane);
 
-/// Passes off the patch that `mask` has marked: objects behind a mirror must not show through it.
+/// Passes only outside the patch that `mask` has marked: objects behind a mirror must not show through it.
 StencilState stencil_of_objects_beyond(const Pass& mask);
 
-/// For drawing the objects under decals, and the decals on those objects' visible pixels: an object's mark replaces the
-/// 0.
+/// Used to draw the objects under decals, and then the decals on those objects' visible pixels. Each object's own mark
+/// replaces the reference 0.
 StencilState stencil_of_decal_bases();
 StencilState stencil_of_decals();
 
 /// Clears the marks of patches before objects are marked.
 StencilState stencil_of_wiping();
 
-/// Makes a pass draw a square that fills the picture, at the clip-space depth of this eye distance.
+/// Makes a pass draw a square that fills the picture, at the clip-space depth `clip_z` of this eye distance.
 void fill_picture(Pass& pass, double clip_z, double eye_distance);
 
 /// Returns the pass of the scene itself, or of its mirror image.
@@ -103,7 +103,8 @@ Pass objects_pass(const Level& level);
 /// Returns a pass that marks a patch in the stencil, without color or depth.
 Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason);
 
-/// Returns the patch lit by `lights`. With `blends`, `reflectance` of the mirror image below shows through.
+/// Returns the pass that draws the patch, lit by `lights`. With `blends`, the mirror image below shows through with the
+/// weight `reflectance`.
 Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends);
 
 /// Adds the mask, a pass that resets the picture inside it, and the world that the mirror shows.

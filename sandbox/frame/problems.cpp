@@ -41,7 +41,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
     const glm::dvec4& at = derived.lights_world[index];
     const std::string negated =
         "[" + plain_number(0.0 - at.x) + "," + plain_number(0.0 - at.y) + "," + plain_number(0.0 - at.z) + ",0]";
-    // Typed correctly, a light is on the objects' side of the planes.
+    // A light that was entered correctly is on the objects' side of the planes.
     const glm::dvec4 center(0.5 * (scene.bounds_world.min + scene.bounds_world.max), 1.0);
     const bool is_beyond = std::all_of(turned_away.begin(), turned_away.end(), [&](std::size_t plane) {
         return planes[plane].shadows[index].plane_dot_light * glm::dot(planes[plane].unit_plane, center) < 0.0;
@@ -117,7 +117,7 @@ double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.sign * (cast.shadowed_world_from_world * between).w;
 }
 
-/// Relative: entries may be typed with five digits.
+/// A relative tolerance, since entries may be typed with only five digits.
 constexpr double by_hand_tolerance = 1e-4;
 
 double largest_component(const glm::dvec4& v) {
@@ -125,7 +125,7 @@ double largest_component(const glm::dvec4& v) {
     return std::max({size.x, size.y, size.z, size.w});
 }
 
-/// Returns whether R leaves three points of the plane where they are, and thereby all of them.
+/// Returns whether R leaves three points of the plane where they are, and therefore all of its points.
 bool keeps_plane(const DerivedPlane& plane) {
     const PlanePatch& patch = plane.patch;
     const glm::dvec3 points[] = {patch.center, patch.center + patch.extent * patch.u,
@@ -158,7 +158,7 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             const std::string matrix = shadow_name(plane, light);
             tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
                                   "matrix"_a = matrix));
-            // Row vectors: Πᵀ S = 0 means that every image lies in the plane.
+            // A vector times a matrix is Πᵀ S here; if that is 0, every image lies in the plane.
             const glm::dmat4& s = cast.shadowed_world_from_world;
             const double size = largest_entry(s);
             const bool lands = largest_component(of.unit_plane * s) <= by_hand_tolerance * size;
@@ -243,7 +243,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
     find_overrides(problems, params, derived);
-    // While the depth test rejects every fragment, nothing else can be seen.
+    // While the depth test rejects every fragment, no other effect on the picture can be seen.
     if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
         !params.reflection.after_objects)
         std::erase_if(problems, [](const Problem& problem) { return problem.breaks_picture; });

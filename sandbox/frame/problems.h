@@ -1,5 +1,5 @@
-// Finds problems and surprises in a state, as sentences that name the place of their cause. Uses derive()'s numbers and
-// plan()'s frame.
+// Finds problems and surprises in a state, as sentences that say where each problem comes from. Uses derive()'s numbers
+// and plan()'s frame.
 #pragma once
 
 #include <string>
@@ -10,27 +10,28 @@
 
 namespace viewing {
 
-/// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), where it is shown.
+/// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
+/// sentence is shown.
 struct Problem {
     std::string sentence;
     std::string_view group;
-    bool breaks_picture = false;  ///< caused by a switch: also shown over the picture
-    std::string mended_by = "";   ///< the setting that fixes the switch, as on the command line; "" if none
+    bool breaks_picture = false;  ///< caused by a switch, so it is also shown over the picture
+    std::string mended_by = "";   ///< the setting that fixes it, as on the command line; "" if none
 };
 
-/// Returns all problems. `frame` is the camera's: plan() of the same parameters and numbers.
+/// Returns all problems. `frame` is the camera's frame: plan() of the same parameters and numbers.
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 
-/// Adds the problem of a picture that shows none of the objects.
+/// Adds a problem if the picture shows none of the objects.
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
-/// Adds the problem of culled fronts.
+/// Adds a problem if culling removes the sides that face the eye.
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
-/// Add the problems of the depth buffer, of shadows and of mirrors: for every switch that breaks a picture, the reason.
+/// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// Adds sentences to one group of fields.
+/// Adds problems that concern one group of fields.
 class Sayer {
 public:
     Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
@@ -20,8 +20,8 @@ public:
     void operator()(bool is_so, std::string sentence) {
         if (is_so) problems_.push_back({std::move(sentence), group_});
     }
-    /// Adds the reason why a switch breaks the picture, and its fix: a field whose default fixes it, or else the
-    /// setting that does; "" if there is none.
+    /// Adds the reason why a switch breaks the picture. `mended_by` is the fix: a field whose default value fixes it,
+    /// or else a complete setting; "" if there is none.
     void broken(bool is_so, std::string sentence, std::string_view mended_by = "");
 
 private:
@@ -31,11 +31,11 @@ private:
 
 // Names of lights and planes in a sentence. Parameters count from 0, names from 1; `count` is the total number.
 
-/// "the light", "light 2".
+/// Returns "the light" or "light 2".
 std::string light_name(std::size_t light, std::size_t count);
-/// "the plane", "plane 2", "planes 2, 3".
+/// Returns "the plane", "plane 2" or "planes 2, 3".
 std::string planes_name(std::span<const std::size_t> planes, std::size_t count);
-/// "2, 3".
+/// Returns "2, 3".
 std::string numbers_name(std::span<const std::size_t> indices);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Reports a picture that shows none of the scene's objects: where they are, or what cuts them off.
+// Reports that the picture shows none of the scene's objects, and says where they are or what cuts them off.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace viewing {
 namespace {
 
-/// The sentence is shown only over the picture: in the panel, it would come and go and thereby move the control being
-/// dragged.
+/// The group of these problems, which are shown only over the picture: in the panel, the sentence would come and go and
+/// thereby move the control being dragged.
 constexpr std::string_view group = "view";
 
 /// Returns the corners of the objects' bounds, in view space.
@@ -24,7 +24,7 @@ std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& deri
     return corners;
 }
 
-/// Says on which side of the view the objects are.
+/// Returns a sentence that says on which side of the view the objects are.
 std::string beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))

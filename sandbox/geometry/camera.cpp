@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// cos and sin of an angle in degrees, exact at multiples of 90°.
+/// The cosine and sine of an angle given in degrees; exact at multiples of 90°.
 struct Turn {
     double cos, sin;
 };
@@ -39,7 +39,7 @@ constexpr double pole_cosine = 1e-9;
 
 glm::dmat4 rotation_from_angles(const Angles& angles) {
     const Turn yaw = turn_of(angles.yaw_deg), pitch = turn_of(angles.pitch_deg), roll = turn_of(angles.roll_deg);
-    // Ry · Rx: its columns are right, up and back before the roll.
+    // The columns of Ry · Rx are the right, up and back axes before the roll.
     const glm::dvec3 level_right(yaw.cos, 0.0, -yaw.sin);
     const glm::dvec3 level_up(yaw.sin * pitch.sin, pitch.cos, yaw.cos * pitch.sin);
     const glm::dvec3 back(yaw.sin * pitch.cos, -pitch.sin, yaw.cos * pitch.cos);

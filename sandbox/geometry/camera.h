@@ -22,16 +22,16 @@ glm::dmat4 rotation_from_angles(const Angles& angles);
 /// and yaw rotate about the same axis; there, roll is 0 and yaw is the whole rotation.
 Angles angles_from_rotation(const glm::dmat3& rotation);
 
-/// C = T(position) R: columns are right, up, back and the eye. With all angles 0, the camera looks along −z.
+/// C = T(position) R; its columns are right, up, back and the eye. With all angles 0, the camera looks along −z.
 glm::dmat4 world_from_view(const glm::dvec3& position, const Angles& angles);
 
-/// V = C⁻¹ written out for a rigid C: Rᵀ and −Rᵀ·eye; no general inverse.
+/// V = C⁻¹ for a rigid C, built from Rᵀ and −Rᵀ·eye without a general matrix inverse.
 glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
 
 /// T(position) R(rotation) S(scale), the pose of an object.
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
 
-/// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. For equal points, it looks along −z.
+/// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. If they are equal, it looks along −z.
 Angles angles_looking_at(const glm::dvec3& eye, const glm::dvec3& target);
 
 }  // namespace viewing

@@ -12,8 +12,8 @@ Framing framing(const Bounds& box, const Angles& angles, const Lens& lens, doubl
     const double y_slope = lens.orthographic ? 0.0 : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg))) / room;
     const glm::dvec2 slope(y_slope * aspect, y_slope);
 
-    // Coordinates along right, up and back. Each edge of the picture touches the corner that reaches farthest in its
-    // direction.
+    // Measure the corners along right, up and back. Each edge of the picture touches the corner that reaches farthest
+    // toward it.
     glm::dvec2 right_top(-1e300), left_bottom(-1e300);
     double front = -1e300, back = 1e300;
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,4 +1,4 @@
-// Places a camera so that its picture contains a box. Pure. Read navigation.h for moving the camera by hand.
+// Places a camera so that its picture contains a box. Pure. Read navigation.h for how the user moves the camera.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,7 +11,7 @@ namespace viewing {
 
 struct Framing {
     glm::dvec3 eye{0.0};
-    double height = 6.0;  ///< of an orthographic lens
+    double height = 6.0;  ///< full height of the picture, for an orthographic lens
 };
 
 /// Returns the nearest position from which a camera with these angles has the whole box in the middle of its picture,

@@ -36,7 +36,7 @@ struct Bounds {
     bool operator==(const Bounds&) const = default;
 };
 
-/// Returns the bounds of all vertices; empty for a mesh without any.
+/// Returns the bounds of all vertices; empty if the mesh has no vertices.
 Bounds bounds_of(const Mesh& mesh);
 
 }  // namespace viewing

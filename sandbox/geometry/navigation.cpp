@@ -13,7 +13,7 @@ constexpr double max_step_s = 0.25, max_substep_s = 1.0 / 240.0;
 constexpr double slow_factor = 0.25;
 constexpr double max_orbit_pitch_deg = 89.9, min_orbit_distance = 0.01;
 constexpr double orbit_zoom_length = 2.5;  // moving forward by this length divides the eye's distance by e = 2.718
-constexpr double rest_fraction = 1e-3;     // of the full speed: anything slower is at rest
+constexpr double rest_fraction = 1e-3;     // motion at or below this fraction of the full rate counts as rest
 
 double wrapped(double degrees) {
     const double turned = std::remainder(degrees, 360.0);
@@ -24,7 +24,7 @@ glm::dquat quaternion(const Angles& angles) {
     return glm::quat_cast(glm::dmat3(rotation_from_angles(angles)));
 }
 
-/// Returns the simultaneous rotation about the axes x, y, z by these degrees.
+/// Returns the rotation that turns about the x, y and z axes simultaneously by the given degrees.
 glm::dquat turn_about_own_axes(const Vec3& degrees) {
     const double angle = glm::radians(glm::length(degrees));
     return angle == 0.0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::angleAxis(angle, glm::normalize(degrees));
@@ -42,8 +42,8 @@ Vec3 view_forward(const Angles& angles) {
     return -Vec3(rotation_from_angles(angles)[2]);
 }
 
-/// Returns the view direction projected to the ground and normalized. Computed from the yaw, so it also exists for a
-/// view straight down. An upside-down camera looks opposite to its yaw.
+/// Returns the view direction, projected onto the ground and normalized. It is computed from the yaw, so it exists even
+/// for a view straight down. An upside-down camera looks opposite to its yaw.
 Vec3 ground_forward(const Angles& angles) {
     const bool upside_down = std::abs(std::remainder(angles.pitch_deg, 360.0)) > 90.0;
     return (upside_down ? -1.0 : 1.0) * view_forward({angles.yaw_deg, 0.0, 0.0});
@@ -78,7 +78,7 @@ WantedRates wanted_rates(const MotionInput& input, Navigation mode, const Motion
     return {move * (tuning.speed * factor), turn * (tuning.turn_deg * factor)};
 }
 
-/// Moves `rate` toward `wanted` for dt_s and returns its integral, both exactly.
+/// Moves `rate` toward `wanted` for dt_s seconds and returns its integral over that time, both exactly.
 Vec3 approach(Vec3& rate, const Vec3& wanted, double full_rate, double smoothing_s, double dt_s) {
     const double left_over = smoothing_s > 0.0 ? std::exp(-dt_s / smoothing_s) : 0.0;
     const Vec3 lag = rate - wanted;
@@ -117,7 +117,7 @@ void carry_about_target(Pose& pose, const Angles& angles) {
     pose.angles = angles;
 }
 
-/// The mistake: orbits over the pole while up stays the world's y axis, so that the picture flips there.
+/// Demonstrates a mistake: orbits over the pole while up stays the world's y axis, so the picture flips there.
 void orbit_without_limit(Pose& pose, Motion& motion, const Vec3& turn) {
     const double distance = glm::length(pose.position - pose.target);
     const Angles aim = angles_looking_at(pose.position, pose.target);

@@ -1,6 +1,6 @@
-// Moves the camera by held keys and mouse drags: flies with six degrees of freedom, walks with two, or orbits about a
-// target; also with three well-known mistakes of such code. Pure: the same start, input and time give the same pose on
-// any machine. Source: lecture, Camera Movement: Navigation. Read state/params.h next.
+// Moves the camera by held keys and mouse drags. It flies with six degrees of freedom, walks with two, or orbits about
+// a target, and can also make three well-known mistakes of such code. Pure: the same start, input and time give the
+// same pose on any machine. Source: lecture, Camera Movement: Navigation. Read state/params.h next.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Six degrees of freedom, two, or an orbit about a target.
+/// The camera flies with six degrees of freedom, walks with two, or orbits about a target.
 enum class Navigation { fly, walk, orbit };
 
 /// The keys that are held, and the mouse motion since the last step.
@@ -17,10 +17,10 @@ struct MotionInput {
     glm::dvec3 move{0.0};                       ///< held keys: right, up, forward, each −1 … 1
     double yaw = 0.0, pitch = 0.0, roll = 0.0;  ///< held keys: −1 … 1, positive turns left, looks up, leans left
     glm::dvec2 look_deg{0.0};                   ///< mouse: yaw (left positive), pitch (up positive); immediate
-    glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (in orbit, also the target) right and up, world units;
+    glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (in orbit, also of the target) right and up, world units;
                           ///< immediate
     double dolly = 0.0;   ///< fly, walk: distance forward, world units; immediate
-    double zoom = 1.0;    ///< orbit: factor on the distance to the target, above 0
+    double zoom = 1.0;    ///< orbit: multiplies the distance to the target, above 0
     bool slow = false;    ///< held keys act at a quarter of the speed
 
     /// Returns whether no key is held and the mouse has not moved.
@@ -29,9 +29,9 @@ struct MotionInput {
 
 /// The mistakes to demonstrate (creeping roll, walking that slows down, the flip at the pole).
 struct MotionSlips {
-    bool walk_slows = false;     ///< walk along the view direction, then restore the height
-    bool creeping_roll = false;  ///< in walk and orbit, yaw and pitch both about the camera's own axes
-    bool pole_flip = false;      ///< orbits without a limit, with a look-at whose up is always world y
+    bool walk_slows = false;     ///< walks along the view direction, then restores the height
+    bool creeping_roll = false;  ///< in walk and orbit, yaw and pitch both turn about the camera's own axes
+    bool pole_flip = false;      ///< orbits without a pitch limit, using a look-at whose up is always world y
 };
 
 struct Pose {
@@ -54,13 +54,13 @@ struct Motion {
 struct MotionTuning {
     double speed = 2.5;         ///< world units per second; in orbit, 2.5 divides the distance by e = 2.718 per second
     double turn_deg = 60.0;     ///< degrees per second
-    double smoothing_s = 0.12;  ///< time constant of start and stop; 0 starts and stops immediately
+    double smoothing_s = 0.12;  ///< time constant of starting and stopping; 0 starts and stops immediately
 };
 
 /// Returns the pose after dt_s seconds; `motion` keeps the motion that continues. Stopped motion is exactly 0. Steps of
-/// any length give the same path; a stall of more than a quarter of a second counts as a quarter, a negative or NaN
-/// dt_s as 0. Walk keeps height, pitch and roll to the last bit. Orbit keeps the eye's distance and the roll, and its
-/// pitch within ±89.9°; the camera moves as if bolted to the target, whether or not it looks at it.
+/// any length give the same path; a stall of more than a quarter of a second counts as a quarter, and a negative or NaN
+/// dt_s counts as 0. Walk keeps height, pitch and roll to the last bit. Orbit keeps the eye's distance and the roll,
+/// and its pitch within ±89.9°; the camera moves as if bolted to the target, whether or not it looks at it.
 Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation mode, const MotionSlips& slips,
           const MotionTuning& tuning, double dt_s);
 

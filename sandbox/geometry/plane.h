@@ -14,7 +14,8 @@ glm::dvec4 unit_plane(const glm::dvec4& plane);
 bool is_parallel_light(const glm::dvec4& light);
 
 /// S = (Π·L) I − L Πᵀ maps p to the point (after ÷ w) where the ray from the light L through p meets the plane. Uses
-/// the plane as given: pass a unit plane to get the displayed numbers. L.w = 1: point light, 0: parallel.
+/// the plane as given: pass a unit plane to get the displayed numbers. L.w is 1 for a point light, 0 for a parallel
+/// one.
 /// S² = (Π·L) S, S L = 0, rank 3; rank 1 if Π·L = 0. Source: lecture, Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
@@ -44,7 +45,7 @@ enum class ClipRange { standard, reversed_zero_to_one, reversed };
 glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view,
                                    ClipRange range = ClipRange::standard);
 
-/// The square drawn for a plane: its center is the point nearest to the world's origin, its half-axes along u and v
+/// The square drawn for a plane: its center is the point nearest to the world's origin, and its half-axes along u and v
 /// have length `extent`. P, −P and 2P have the same square.
 struct PlanePatch {
     glm::dvec3 center;
@@ -55,8 +56,8 @@ struct PlanePatch {
     bool operator==(const PlanePatch&) const = default;
 
     std::array<glm::dvec3, 4> corners() const;  ///< counterclockwise about u × v
-    double reach() const;                       ///< along u and v: the extent plus the edge
-    bool holds(const glm::dvec3& point) const;  ///< for points of the plane
+    double reach() const;                       ///< how far holds() reaches along u and v: slightly beyond the extent
+    bool holds(const glm::dvec3& point) const;  ///< whether a point of the plane is in the patch
     glm::dmat4 world_from_patch() const;        ///< maps (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
 };
 

@@ -41,12 +41,12 @@ struct DepthPrecision {
     bool operator==(const DepthPrecision&) const = default;
 };
 
-/// Returns the width of the step from a stored window depth to the next code, as window depth.
+/// Returns the width of the step from a stored window depth to the next code, measured in window depth.
 double code_width(const DepthPrecision& precision, double window_depth);
 
 /// Returns the width in eye distance of one stored code at `distance` (Δz ≈ z² (f−n) / (f n (2^b − 1))); for a float
-/// format, the width of one unit in the last place there. Positive and finite: a distance below `near` counts as
-/// `near`; beyond `far` the formula still applies.
+/// format, the width of one unit in the last place there. The result is positive and finite: a distance below `near`
+/// counts as `near`; beyond `far` the formula still applies.
 double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
 /// Returns depth_step, but for a float format at least half a unit in the last place of a float32 at `distance`: the

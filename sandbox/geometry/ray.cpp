@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Two directions whose sine is smaller count as parallel.
+/// Two directions count as parallel if the sine of the angle between them is at most this.
 constexpr double parallel_sine = 1e-12;
 
 }  // namespace

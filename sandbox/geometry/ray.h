@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// origin + t · direction, t ≥ 0. Lengths t are in units of `direction`, which need not be unit.
+/// origin + t · direction, t ≥ 0. t is in units of the length of `direction`, which need not be 1.
 struct Ray {
     glm::dvec3 origin, direction;
 
@@ -23,12 +23,12 @@ struct Ray {
 /// range of −1 … 1.
 Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc);
 
-/// Returns the point where the ray meets the plane a x + b y + c z + d = 0; none if the ray is parallel to the plane or
-/// the plane is behind its origin.
+/// Returns the t at which the ray meets the plane a x + b y + c z + d = 0; none if the ray is parallel to the plane or
+/// the plane is behind the ray's origin.
 std::optional<double> intersect_plane(const Ray& ray, const glm::dvec4& plane);
 
-/// Returns the s at which origin + s · direction is nearest to the ray, for dragging along an axis. None if the two are
-/// parallel, or if the nearest point is behind the ray's origin.
+/// Returns the s at which origin + s · direction is nearest to the ray, for dragging along an axis. Returns none if the
+/// two are parallel, or if the nearest point is behind the ray's origin.
 std::optional<double> closest_point_parameter_on_line(const Ray& ray, const glm::dvec3& origin,
                                                       const glm::dvec3& direction);
 
@@ -38,8 +38,8 @@ struct TriangleHit {
     glm::dvec3 barycentric;
 };
 
-/// Finds hits from either side; edges count as inside. None for a triangle without area, or seen edge-on. Source:
-/// Möller and Trumbore 1997.
+/// Finds hits from either side; edges count as inside. Returns none for a triangle that has no area or is seen edge-on.
+/// Source: Möller and Trumbore 1997.
 std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& triangle);
 
 struct MeshHit {

@@ -37,7 +37,7 @@ double turn_of_slice(double slice, int slices) {
     return slice / slices;
 }
 
-/// Adds the center and rim of a disc of radius 1 at height y, all with the normal straight up or down.
+/// Adds a disc of radius 1 at height y; the normals of all its vertices point straight up or down.
 void add_disc(Mesh& mesh, double y, bool faces_up, int slices) {
     const glm::dvec3 axis(0.0, 1.0, 0.0);
     const glm::dvec3 normal = faces_up ? axis : -axis;

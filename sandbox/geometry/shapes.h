@@ -1,5 +1,5 @@
-// The shapes of the scene format, made from formulas: all centered on their origin, wound counterclockwise seen from
-// outside, with unit normals.
+// The shapes of the scene format, made from formulas. They are wound counterclockwise as seen from outside and have
+// unit normals; all except the triangle are centered on their origin.
 #pragma once
 
 #include <array>
@@ -16,11 +16,13 @@ Mesh cone_mesh(int slices = 48);                                ///< radius 1, h
 Mesh quad_mesh();                                               ///< side 2 in the plane y = 0, front face up
 Mesh triangle_mesh(const std::array<glm::dvec3, 3>& vertices);  ///< one flat triangle, front face counterclockwise
 
-/// Newell's 32 bicubic Bézier patches, each cut into resolution × resolution × 2 triangles; axis y, centered, scaled so
-/// that its longest side is 2. Leaves out degenerate triangles at the poles. `resolution` is clamped to 1 … 64.
+/// Returns Newell's teapot: 32 bicubic Bézier patches, each cut into resolution × resolution × 2 triangles. Its axis is
+/// y; it is centered, and scaled so that its longest side is 2. Leaves out degenerate triangles at the poles.
+/// `resolution` is clamped to 1 … 64.
 Mesh teapot_mesh(int resolution = 10);
 
-/// Centers the mesh on its bounds and scales it uniformly to a longest side of 2. Only centers a mesh without extent.
+/// Centers the mesh on its bounds and scales it uniformly to a longest side of 2. A mesh without extent is only
+/// centered.
 void center_and_fit(Mesh& mesh);
 
 }  // namespace viewing

@@ -1,6 +1,6 @@
-// Newell's teapot (1975): 32 bicubic Bézier patches. All of it except handle and spout is a body of revolution, and
-// handle and spout are symmetric, so 20 rings and 14 cross-sections contain every control point. The numbers are
-// Newell's, with z up; the mesh has y up. Read navigation.h next.
+// Newell's teapot (1975): 32 bicubic Bézier patches. All of it except the handle and the spout is a body of revolution,
+// and these two are symmetric, so 20 rings and 14 cross-sections contain every control point. The numbers are Newell's,
+// with z up; the mesh has y up. Read navigation.h next.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,8 +22,8 @@ constexpr Ring ring(double radius, double height) {
     return {radius, height, 0.56 * radius};
 }
 
-/// A cross-section of handle or spout: two points in the plane of symmetry, and sides at a distance of `half_width`
-/// from that plane.
+/// A cross-section of the handle or the spout: two points in the plane of symmetry, and sides at a distance of
+/// `half_width` from that plane.
 struct Section {
     double x0, z0, x1, z1, half_width;
 };
@@ -128,7 +128,7 @@ Weights bernstein(double t) {
     return {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
 }
 
-/// Returns their derivatives.
+/// Returns the derivatives of these polynomials at t.
 Weights bernstein_slope(double t) {
     const double s = 1.0 - t;
     return {-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t};

@@ -1,5 +1,5 @@
-// Hides the differences between OpenGL 3.3 and OpenGL ES 3.0 (WebGL 2), and reports which features beyond both the
-// current context has. No other code asks which of the two it is.
+// Hides the differences between OpenGL 3.3 and OpenGL ES 3.0 (WebGL 2), and reports which features of the current
+// context go beyond both. No other code asks which of the two is in use.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A GL context without a display: only EGL, no X. By default with a software renderer, so that pictures are
+// A GL context without a display: only EGL, no X. By default, it uses a software renderer, so that pictures are
 // reproducible.
 #pragma once
 
@@ -33,9 +33,9 @@ void keep_no_cache_without_a_home();
 /// contexts on the same device. Move-only; destroy it in the thread where it is current.
 class EglContext {
 public:
-    /// Makes a context. `device`: "" for software (a device that reports itself as software, otherwise surfaceless with
-    /// software forced), "auto" for the first hardware device that works, otherwise software; or a device's index.
-    /// Requests debug output. The error is one sentence that lists the devices and what failed on each.
+    /// Makes a context. `device` is "" for software (a device that reports itself as software, otherwise surfaceless
+    /// with software forced), "auto" for the first hardware device that works, or software if none does; or the index
+    /// of a device. Requests debug output. The error is one sentence that lists the devices and what failed on each.
     static Result<EglContext> make(const std::string& device = "");
     /// Makes a context on the first software device; returns nothing if there is none. Does not change the environment,
     /// so any thread may call it.

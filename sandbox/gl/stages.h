@@ -11,7 +11,7 @@ struct DeletePipeline {
 };
 using Pipeline = Handle<DeletePipeline>;
 
-/// Compiles one stage. `defines`: as in make_program(). Also defines SEPARATE, and AT(n), the location at which a
+/// Compiles one stage. `defines` are as in make_program(). Also defines SEPARATE, and AT(n), the location at which a
 /// varying passes from stage to stage. The error contains the driver's log.
 Result<Program> make_stage(GLenum stage, std::string_view source, std::string_view defines);
 

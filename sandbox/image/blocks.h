@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Joins runs of pixels row by row, from the top; a row that is not added has no runs.
+/// Joins runs of pixels row by row, from the top; a row that is not added counts as one without runs.
 class BlockFinder {
 public:
     /// Adds the differences in row `y`, which must be below the last row added. A pixel whose difference exceeds
@@ -26,7 +26,7 @@ private:
     std::size_t root_of(std::size_t block);
 
     std::vector<std::size_t> parents_;
-    std::vector<std::int64_t> pixels_;  ///< number of pixels, for a block that is its own parent
+    std::vector<std::int64_t> pixels_;  ///< pixels in each block; valid only for a block that is its own parent
     std::vector<Run> above_;            ///< runs in row y_
     int y_ = -2;
 };

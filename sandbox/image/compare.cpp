@@ -1,5 +1,5 @@
-// A row that is identical byte by byte costs one memcmp; only the others are compared pixel by pixel, and only runs of
-// pixels beyond the threshold reach the box finder.
+// A row that is identical in both pictures costs only one memcmp. The other rows are compared pixel by pixel, and the
+// box finder reads only rows that have pixels beyond the threshold.
 #include "image/compare.h"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ bool has_beyond(std::span<const std::uint8_t> difference, int worst) {
     return std::any_of(difference.begin(), difference.end(), [worst](std::uint8_t level) { return level > worst; });
 }
 
-/// `found` has the true differences; in `difference`, those of excused pixels are reduced.
+/// Counts the pixels of a row. `found` has their differences before those on resampled edges are reduced, and
+/// `difference` has them afterward.
 void count_row(std::span<const std::uint8_t> found, std::span<const std::uint8_t> difference, int y,
                CompareReport& report) {
     const int worst = report.options.worst;

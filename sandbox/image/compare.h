@@ -1,4 +1,4 @@
-// Compares two pictures with two thresholds: how far a channel may be off, and which share of the pixels may be off by
+// Compares two pictures with two thresholds: how far a channel may be off, and what share of the pixels may be off by
 // more. The first alone would fail on one stray edge pixel; the second alone would let a small error pass. Pictures
 // from another driver have their own profile.
 #pragma once
@@ -18,10 +18,10 @@ namespace viewing {
 enum class CompareProfile { strict, portable };
 inline constexpr std::array profile_names{"strict", "portable"};
 
-/// strict: pictures are equal if they have the same size, and the pixels with a channel (red, green, blue or alpha)
-/// that differs by more than `worst` are at most `share` of the compared ones. portable: in addition, resampled edges
-/// do not count among these pixels, no connected block of them has more than `block_px`, and no square of 16 x 16
-/// pixels is shifted by more than `shift`.
+/// strict: pictures are equal if they have the same size, and at most `share` of the compared pixels have a channel
+/// (red, green, blue or alpha) that differs by more than `worst`. portable: resampled edges do not count among these
+/// pixels; in addition, no connected block of them may have more than `block_px`, and no square of 16 x 16 pixels may
+/// be shifted by more than `shift`.
 struct CompareOptions {
     /// How far a channel may be off, in levels from 0 to 255. The default is 2, because the renderer rounds differently
     /// on different processors. One level is invisible; a wrong light or normal changes a channel by tens of levels.
@@ -33,8 +33,8 @@ struct CompareOptions {
     int reach_px = 0;
     CompareProfile profile = CompareProfile::strict;
     /// Only for portable. The default is 4, because another number of samples changes single pixels at corners and at
-    /// faces thinner than a pixel, and, with 16 samples instead of 4, blocks of four. An edge that has moved along five
-    /// rows changes five.
+    /// faces thinner than a pixel, and even blocks of four with 16 samples instead of 4. An edge that has moved in five
+    /// rows changes five pixels.
     std::int64_t block_px = 4;
     /// Only for portable, in levels. The default is 0.6: noise of two levels up or down shifts the mean of 256 pixels
     /// by at most 0.48 in a picture of 640 x 360 (seven standard deviations are 0.62), while a shadow that is one level
@@ -61,7 +61,7 @@ struct PixelBox {
 
 struct CompareReport {
     bool equal = false;
-    bool sizes_differ = false;      ///< if so, never equal; only the common area from the top left is compared
+    bool sizes_differ = false;      ///< if so, they are never equal; only the common area from the top left is compared
     std::array<int, 2> size_a{};    ///< width, height
     std::array<int, 2> size_b{};    ///< width, height
     std::int64_t pixels = 0;        ///< the larger width times the larger height
@@ -72,7 +72,7 @@ struct CompareReport {
     double mean = 0.0;              ///< mean absolute difference over all channels, in levels
     std::array<double, 4> shift{};  ///< mean of A − B for red, green, blue, alpha, in levels
     std::array<double, 4>
-        local_shift{};                ///< portable: the largest in a square of 16 x 16 pixels, over pixels within worst
+        local_shift{};                ///< portable: the largest such mean in a 16 x 16 square, over pixels within worst
     std::int64_t blocks = 0;          ///< blocks of pixels beyond the threshold, connected across eight neighbors
     std::int64_t largest_block = 0;   ///< number of pixels in the largest block
     int worst_found = 0;              ///< the largest difference in a channel, in levels

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Ends inflate() on every exit.
+/// Calls inflateEnd() on every exit.
 struct Inflating {
     z_stream stream{};
     bool has_begun = inflateInit(&stream) == Z_OK;

@@ -8,10 +8,12 @@
 
 namespace viewing {
 
-/// Drawing needs up to 60 bytes per pixel, with four samples and the views beside the picture: about 1 GB.
+/// Drawing needs up to 60 bytes per pixel, with four samples and the views beside the picture; that is about 1 GB in
+/// total.
 constexpr int most_drawn_pixels = 4096 * 4096;
 
-/// Measuring draws with every method and compares: about 110 bytes and two microseconds per pixel.
+/// Measuring draws with every method and compares the results, which takes about 110 bytes and two microseconds per
+/// pixel.
 constexpr int most_measured_pixels = 2048 * 2048;
 
 /// Whether a picture of this size can be drawn, written and read again. A picture composed of others, such as a contact

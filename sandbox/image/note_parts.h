@@ -1,5 +1,5 @@
-// Splits a note into parts, each stored in a file under its own name: Pillow refuses a PNG file with a text of more
-// than 1 MiB, and libxml2 refuses an SVG document with one of more than 10 million bytes.
+// Splits a note into parts, which a file stores under separate names, because Pillow refuses a PNG file with a text of
+// more than 1 MiB, and libxml2 refuses an SVG document with one of more than 10 million bytes.
 #pragma once
 
 #include <string>

@@ -85,8 +85,8 @@ Inflated copied(std::span<const std::uint8_t> bytes, std::size_t most) {
     return {InflateEnd::whole, std::string(bytes.begin(), bytes.end())};
 }
 
-/// Adds the note's next part to the note; skips other chunks. Layouts: "tEXt": key, 0, text. "zTXt": key, 0, 0, packed
-/// text. "iTXt": key, 0, whether packed, 0, language, 0, translated key, 0, text.
+/// Adds the next part to the note; skips other chunks. Layouts: "tEXt": key, 0, text. "zTXt": key, 0, 0, packed text.
+/// "iTXt": key, 0, whether packed, 0, language, 0, translated key, 0, text.
 void take_note(FoundNote& note, std::string_view type, std::span<const std::uint8_t> chunk) {
     const std::string_view bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
     const std::string key = note_part_name(png_note_key, " ", note.parts + 1) + '\0';
@@ -110,7 +110,7 @@ void take_note(FoundNote& note, std::string_view type, std::span<const std::uint
 
 constexpr png_byte text_chunks[] = "tEXt\0zTXt\0iTXt";
 
-/// Returns 1 if libpng does not need to keep the chunk, −1 if out of memory.
+/// Returns 1, because libpng does not need to keep the chunk, or −1 if out of memory.
 int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     const std::string_view type(reinterpret_cast<const char*>(chunk->name));
     if (type != "tEXt" && type != "zTXt" && type != "iTXt") return 1;
@@ -122,7 +122,8 @@ int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     return 1;
 }
 
-/// `note` is null if the note was not requested. All other chunks that are not part of the picture are skipped unread.
+/// Reads everything before the pixels. `note` is null if the note was not requested. Skips all other chunks that are
+/// not part of the picture without reading them.
 bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nullptr) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);

@@ -91,7 +91,8 @@ Displacement displacement_of_flank(const Profile& profile, int sign, double turn
     return {.px = (most - least) / std::max(range.size(), 1), .net_px = 0.0, .step = range.size(), .least_range = 0};
 }
 
-/// Returns the sum of differences in the direction of the slope, which is opposite at the two edges of a line.
+/// Returns the size of the sum of the differences, each taken in the direction of the slope at its pixel; the slopes at
+/// the two edges of a line are opposite.
 double net_difference(const Profile& profile, int worst) {
     double net = 0.0;
     for (int i = profile.first(line_reach); i <= profile.last(line_reach); ++i) {

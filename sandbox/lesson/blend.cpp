@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Interpolates fields made of numbers, with one call operator for each such alternative of FieldRef.
+/// Interpolates fields that consist of numbers; has one call operator for each such alternative of FieldRef.
 struct Mix {
     const Field& field;
     const FieldRef& from;

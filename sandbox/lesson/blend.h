@@ -5,7 +5,7 @@
 
 namespace viewing {
 
-/// Returns the state at `share` of the way, 0 … 1. Numbers change evenly, those of logarithmic fields by equal factors;
+/// Returns the state at `share` of the way, 0 … 1. Numbers change evenly, or by equal factors in logarithmic fields;
 /// everything else equals `to` from the start. At 1 the result is exactly `to`.
 Params blended(const Params& from, const Params& to, double share);
 

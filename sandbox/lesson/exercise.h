@@ -1,6 +1,6 @@
 // An exercise: a lesson step with parameters, so that each student gets different numbers. variant_step() turns a
-// variant into a plain step, which is then presented and judged like any lesson step. Read variants.h for the
-// assignment of variants to students, hand_in.h for the file that is handed in.
+// variant into a plain step, which is then presented and judged like any lesson step. Read variants.h for how variants
+// are assigned to students, and hand_in.h for the file that is handed in.
 #pragma once
 
 #include <functional>
@@ -19,9 +19,9 @@ struct Exercise {
     std::vector<std::string> sets;  ///< the sets it belongs to: "shadow"
     std::vector<int> slides;
     int points = 1;
-    int visible_px = 0;  ///< pixels that each mistake by itself must change at 640 × 360; 0: any number
+    int visible_px = 0;  ///< pixels that each mistake alone must change at 640 × 360; 0: not checked
     std::vector<std::pair<std::string, LessonText>> tags;
-    std::vector<std::string> variants;  ///< the deployed ones: the values of its constants, as JSON objects
+    std::vector<std::string> variants;  ///< the deployed ones: the constants' values, as JSON objects
     std::string pattern;                ///< the step as JSON, with placeholders for the constants
     std::string source;                 ///< starts every message: "E16-shadow-matrix.json"
     std::filesystem::path file;
@@ -31,36 +31,38 @@ struct Exercise {
     std::string short_id() const { return id.substr(0, id.find('-')); }
 };
 
-/// Returns the exercises of the assets directory in order of file name, with an error for each unreadable one.
+/// Returns the exercises of the assets directory in order of file name, with an error in place of each unreadable one.
 std::vector<Result<Exercise>> exercises();
 
-/// Loads exercises from these files and folders, those of a folder in order of file name; if `files` is empty, loads
-/// those of the assets directory. Fails with the first error.
+/// Loads exercises from these files and folders (in a folder, in order of file name); if `files` is empty, loads those
+/// of the assets directory. Fails with the first error.
 Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& files);
 
 /// Returns the index of the exercise with that id or short id; the error suggests the nearest one.
 Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const std::string& name);
 
-/// Selects the exercises of a set, or of a comma-separated list of ids; all for "". The error lists the sets.
+/// Selects the exercises of a set, or those in a comma-separated list of ids; "" selects all. The error lists the sets.
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set);
 
 /// Reads an exercise from a string. `source` starts every message; files of its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// The number of variants that students get: that many of an exercise's combinations, from the first on.
+/// The maximum number of variants per exercise that students get: the first ones of its combinations.
 inline constexpr std::size_t most_deployed = 16;
 
-/// Returns all combinations of values that pass `require`, shuffled; the first ones are for deployment. Fails if an
-/// expression fails, or if there are too many combinations or none.
+/// Returns all combinations of values that pass `require`, in shuffled order; the first ones are for deployment. Fails
+/// if an expression fails, or if there are too many combinations or none.
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source);
 
-/// Returns the values of the names in a state. The function keeps alive everything that it refers to.
+/// A function that returns the values that names have in a state. The returned value keeps alive everything that it
+/// refers to.
 using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 
-/// Returns a variant as a step: constants filled in, expressions computed at its own start. The error is one sentence.
+/// Returns a variant as a step, with its constants filled in and its expressions computed at its own start. The error
+/// is one sentence.
 Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at);
 
-/// Makes a student's empty sheet, and adds an exercise to it.
+/// Make a student's empty sheet, and add an exercise to a sheet.
 Lesson empty_sheet(const std::string& course, const std::string& student);
 void add_to_sheet(Lesson& sheet, const Exercise& exercise, std::size_t variant, const LessonStep& step);
 

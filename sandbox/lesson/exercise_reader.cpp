@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_combinations = 20'000;
 constexpr std::size_t most_required = 40'000;                 // evaluations of "require" over all combinations
-constexpr std::size_t instructions_of_require = 100'000'000;  // for all of them: a few seconds
+constexpr std::size_t instructions_of_require = 100'000'000;  // for all evaluations together: a few seconds
 constexpr std::size_t longest_variant = 8192;                 // bytes of a combination as JSON
 
 /// Reads the lists that constants are picked from.

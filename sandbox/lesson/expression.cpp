@@ -37,7 +37,7 @@ constexpr std::size_t bytes_of_an_instruction = 64;  // memory that can be fille
 constexpr const char* takes_too_long = "takes too long";
 constexpr const char* needs_too_much_memory = "needs too much memory";
 
-/// Growing costs instructions, too, so that a chain of copies also reaches the limit.
+/// Allocates memory for Lua. Growing a block costs instructions, too, so that a chain of copies also reaches the limit.
 void* allocate(void* data, void* old, std::size_t old_bytes, std::size_t new_bytes) {
     auto& evaluation = *static_cast<Evaluation*>(data);
     const std::size_t before = old == nullptr ? 0 : old_bytes;  // without `old`, Lua passes the kind of value here
@@ -101,7 +101,7 @@ int refuse_member(lua_State* lua) {
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end + 1) {
         end = all.find('\n', begin);
         names.push_back(all.substr(begin, end - begin));
-        if (names.back() == wanted) return 0;  // it is null
+        if (names.back() == wanted) return 0;  // the member exists, but is null
     }
     raise(lua, path + " has no " + excerpt(wanted) + suggestion(wanted, names));
 }
@@ -155,7 +155,7 @@ void push_value(lua_State* lua, const Json& value, const std::string& path) {
         push_list(lua, value, path);
 }
 
-/// Charges the conversion of the value to JSON to the same limits: a table may contain another table many times.
+/// Charges the value's conversion to JSON against the same limits, since a table may contain another table many times.
 void take(lua_State* lua, std::size_t bytes) {
     spend(lua, 1);
     Evaluation& evaluation = evaluation_of(lua);
@@ -231,7 +231,7 @@ int call_measured(lua_State* lua) {
     return 1;
 }
 
-/// Looks up a name that is not mathematics, when the evaluation reaches it.
+/// Looks up a name that is not mathematics. Lua calls this when the evaluation reaches the name.
 int find_name(lua_State* lua) {
     constexpr int instructions_of_search = 10;
     spend(lua, instructions_of_search);

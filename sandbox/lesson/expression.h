@@ -1,6 +1,7 @@
-// The expressions of lesson files: Lua computes one value from a closed list of names. An expression has no access to
+// The expressions of lesson files. Lua computes one value from a closed list of names. An expression has no access to
 // files or libraries except the mathematics here, cannot define functions or loops, and has limited time and memory, so
-// that a stranger's file can do no harm. Read names.h for the names, lesson.h for the fields that contain expressions.
+// that a stranger's file can do no harm. Read names.h for the names, and lesson.h for the fields that contain
+// expressions.
 #pragma once
 
 #include <functional>
@@ -24,15 +25,15 @@ struct Surroundings {
 
 /// Limits of an expression, including the conversion of its value to JSON.
 struct ExpressionLimits {
-    int instructions = 1'000'000;  ///< bytes of source, filled memory and entries of the value also count
+    int instructions = 1'000'000;  ///< each byte of source, each entry of the value, and filling memory count, too
     std::size_t memory_bytes = 8U << 20U;
     int measured_call = 20'000;  ///< instructions that each call of a measured name costs
     bool closed_list = true;     ///< false: allows statements, functions and any words, within the other limits
 };
 
-/// Returns the value: a number, a string in UTF-8, true or false, null, or a list of those; vectors are lists, matrices
-/// lists of rows. Fails if check_expression() does. The error is one sentence without the expression: an unknown name,
-/// a wrong argument, too long, too much memory.
+/// Returns the value: a number, a string in UTF-8, true or false, null, or a list of those; vectors are lists, and
+/// matrices are lists of rows. Fails if check_expression() does. The error is one sentence, which does not repeat the
+/// expression: there is an unknown name or a wrong argument, or the expression takes too long or too much memory.
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings,
                       const ExpressionLimits& limits = {});
 
@@ -40,15 +41,15 @@ Result<Json> evaluate(const std::string& expression, const Surroundings& surroun
 Result<bool> holds(const std::string& expression, const Surroundings& surroundings,
                    const ExpressionLimits& limits = {});
 
-/// Checks the syntax, and that all words are known names. Uses Lua's own tokens, so words in comments and strings do
-/// not count. Computes no value.
+/// Checks the syntax, and that all words are known names. Splits the source into tokens as Lua does, so words in
+/// comments and strings do not count. Computes no value.
 Status check_expression(const std::string& expression, std::span<const std::string> constants = {});
 
 /// Whether an expression names a measurement, which may take a second.
 bool is_measured(const std::string& expression);
 
-/// Whether a word can name a constant: a letter, then letters, digits and _; neither a keyword of Lua nor a name of the
-/// mathematics.
+/// Whether a word can name a constant: it has the form of a name, and is neither a keyword of Lua nor one of the
+/// mathematics names.
 bool is_constant_name(const std::string& word);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// A student's hand-in: one JSON file with every attempt, readable by a person. Grading trusts only the student number,
-// the answers and the changes; the verdicts are for human readers. Read report/grading.h next.
+// A student's hand-in: one JSON file with every attempt, which a person can read, too. Grading trusts only the student
+// number, the answers and the changes; the verdicts are for human readers. Read report/grading.h next.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Attempt {
     std::optional<std::vector<double>> answer;  ///< entered numbers row by row, or indices of the chosen items
     std::vector<std::string> settings;          ///< for a goal: the changes, PATH=VALUE
     bool is_goal = false;                       ///< `settings` is the answer, even if empty
-    int hint = 0;                               ///< 1 or more: this hint was shown, and nothing was answered
+    int hint = 0;                               ///< if above 0, this hint was shown, and nothing was answered
     std::string told;                           ///< "right", the tag of a misconception, or ""
     bool operator==(const Attempt&) const = default;
 };
@@ -49,12 +49,12 @@ struct HandIn {
 
 inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
 
-/// Reads a hand-in. The error is one sentence with file and field, and begins with `source`.
+/// Reads a hand-in. The error is one sentence that names the file and the field, and begins with `source`.
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
 Result<HandIn> load_hand_in(const std::filesystem::path& file);
 
-/// Whether an attempt replaces the previous one. Goals are checked continuously, so the same mistake twice in a row is
-/// one attempt, the later one.
+/// Whether an attempt replaces the previous one. Goals are checked continuously, so the same mistake twice in a row
+/// counts as one attempt, the later one.
 bool replaces(const Attempt& attempt, const Attempt& before);
 
 std::string hand_in_as_text(const HandIn& hand_in);
@@ -63,16 +63,16 @@ std::string hand_in_as_text(const HandIn& hand_in);
 /// range.
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask);
 
-/// Returns the answer in an attempt's form; NaN becomes 0, infinity a large number.
+/// Returns the answer in an attempt's form; NaN becomes 0, and infinity becomes a large number.
 std::vector<double> answer_numbers(const Answer& answer);
 
 /// Compares settings by value: the same number may be written in different ways.
 bool are_same_settings(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-/// Merges the file of a student, which several windows may write. `kept` is the file's content, `known` what this
-/// window last read or wrote (HandIn{} if it never did), `now` its current answers. Keeps the attempts of both, each
-/// once, in chronological order. Drafts, replays and the name come from this window if it changed them since then,
-/// otherwise from the file. Merging again changes nothing.
+/// Merges this window's answers with a student's file, which several windows may write. `kept` is the file's content,
+/// `known` is the content that this window last read or wrote (HandIn{} if it never did), and `now` has its current
+/// answers. Keeps the attempts of both, each once, in chronological order. Drafts, replays and the name come from this
+/// window if it changed them since then, otherwise from the file. Merging again changes nothing.
 HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now);
 
 /// Merges into the file under a lock, and returns its new content; `now` if nothing was answered yet and there is no

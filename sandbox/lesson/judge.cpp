@@ -12,7 +12,8 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-/// Returns the difference of each entry, up to a factor if the question allows one; none if the two are not comparable.
+/// Returns the difference in each entry, up to a common factor if the question allows one; none if they are not
+/// comparable.
 std::optional<std::vector<double>> differences(std::vector<double> typed, const std::vector<double>& right,
                                                const Ask& ask, double& largest) {
     if (typed.size() != right.size() || right.empty()) return std::nullopt;

@@ -12,14 +12,14 @@ struct Verdict {
     bool right = false;
     LessonText say;   ///< why it is wrong; empty if it is right or is no known mistake
     std::string tag;  ///< the misconception
-    int points = 0;   ///< in an exercise: earned although the answer is not right
+    int points = 0;   ///< in an exercise: points earned although the answer is not right
     int place = 0;    ///< for an unknown mistake: the row or entry with the largest difference, counted from 1
     bool operator==(const Verdict&) const = default;
 };
 
 /// Returns the names that the step defines, as an object; empty if there are none.
 Json constants_of(const Ask& ask);
-/// Returns the surroundings with the names that the step defines.
+/// Returns the surroundings with the step's names added.
 Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 
 /// Whether judging an answer needs a measurement, which may take a second.
@@ -31,8 +31,8 @@ Json answer_as_json(const Ask& ask, const Answer& answer);
 /// Computes the right answer in these surroundings; empty for a goal. Fails with the expression's error.
 Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings);
 
-/// Judges an answer or, for a goal, whether it is reached; a goal ignores `answer`. Sets `surroundings.answer`. Reports
-/// the first wrong answer that matches. Fails with an expression's error.
+/// Judges an answer, or whether a goal is reached; a goal ignores `answer`. Fills in `surroundings.answer` itself.
+/// Reports the first of the known wrong answers that matches. Fails with an expression's error.
 Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings);
 
 }  // namespace viewing

@@ -1,6 +1,6 @@
-// A guided lesson as in its file: steps that each ask before they show. Each step's state is complete, so a step can be
-// revisited, reached directly and tested alone. Read reader.cpp for the file, judge.h for answers, run.h for the
-// progress through a lesson.
+// A guided lesson, as its file describes it. Each step asks a question before it shows the answer. Each step's state is
+// complete, so a step can be revisited, reached directly and tested alone. Read reader.cpp for the file, judge.h for
+// answers, and run.h for the progress through a lesson.
 #pragma once
 
 #include <array>
@@ -77,7 +77,7 @@ struct Ask {
     int rows = 1, columns = 1;                     ///< of the entered answer
     std::string expect;                            ///< an expression for the right answer
     std::vector<std::vector<int>> expected_items;  ///< one or more right lists of item indices, from 0
-    double tolerance = 0.0;                        ///< absolute, of each entry
+    double tolerance = 0.0;                        ///< absolute, for each entry
     double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
     std::string shows_as;            ///< the field that shows the effect of an entered matrix; "": none
@@ -91,7 +91,7 @@ struct Ask {
 struct Reveal {
     LessonText say;
     std::vector<std::string> settings;  ///< the changes
-    double over_s = 0.0;                ///< how long numbers take to change; the rest changes immediately
+    double over_s = 0.0;                ///< the time that numbers take to change; the rest changes immediately
     std::vector<std::string> highlight;
 };
 
@@ -104,7 +104,7 @@ struct LessonTarget {
 struct LessonStep {
     std::string id;
     LoadedState start;  ///< before the answer, including the layout
-    Params revealed;    ///< after it: with a goal's model and the reveal's changes
+    Params revealed;    ///< after the answer: with a goal's model and the reveal's changes
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;
@@ -114,7 +114,7 @@ struct LessonStep {
     LessonText note;
 };
 
-/// The exercises of one student, if the steps are exercises: one entry per step.
+/// One student's exercises, if the steps are exercises; one entry per step.
 struct Sheet {
     std::string course, student;
     struct Item {
@@ -134,7 +134,7 @@ struct Lesson {
     std::vector<std::string> needs;                        ///< lessons to do first
     std::vector<std::pair<std::string, LessonText>> tags;  ///< misconceptions by their short names
     std::vector<LessonStep> steps;                         ///< at least one
-    std::optional<LoadedState> picture;                    ///< shown on its card instead of the first step
+    std::optional<LoadedState> picture;                    ///< shown on the lesson's card instead of the first step
     std::filesystem::path file;
     std::optional<Sheet> sheet = {};
 };
@@ -153,7 +153,8 @@ struct LessonFile {
 /// lesson that cannot be read is listed by its file name; loading it reports why.
 std::vector<LessonFile> lessons();
 
-/// Loads the lesson with that id, or the file at that path. The error is one sentence with file, step and field.
+/// Loads the lesson with that id, or the file at that path. The error is one sentence that names the file, the step and
+/// the field.
 Result<Lesson> load_lesson(const std::string& argument);
 
 /// Reads a lesson from a string. `source` ("mine.json") starts every message; files of its scenes are relative to

@@ -1,5 +1,5 @@
-// Internal to lesson/: finds the words of Lua source by Lua's own tokens, so that no comment or long string hides one.
-// Source: Lua 5.4 Reference Manual, §3.1.
+// Internal to lesson/: finds the words of Lua source by splitting it into tokens as Lua does, so that no comment or
+// long string hides one. Source: Lua 5.4 Reference Manual, §3.1.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ bool is_word_of_lua(std::string_view word);
 /// Whether a word is a keyword that a single value may contain: and, false, nil, not, or, true.
 bool is_word_of_values(std::string_view word);
 
-/// Whether a word is a letter or _, then letters, digits and _.
+/// Whether a word consists of a letter or _, followed by letters, digits and _.
 bool has_form_of_name(std::string_view word);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int largest_dimension = 4;
 
-/// A table of numbers, up to 4 × 4 entries: a number (0 × 0), a vector (n × 0) or a matrix (n × m).
+/// A table of up to 4 × 4 numbers: a single number (0 × 0), a vector (n × 0) or a matrix (n × m).
 struct Tensor {
     int rows = 0, columns = 0;
     std::array<double, 16> at{};
@@ -221,7 +221,7 @@ int transpose(lua_State* lua) {
     return push(lua, transposed(matrix_at(lua, 1)));
 }
 
-/// Gaussian elimination with the largest pivot on [M | I]; it also gives the determinant.
+/// The result of Gaussian elimination with the largest pivot on [M | I], which also gives the determinant.
 struct Eliminated {
     Tensor inverse;
     double determinant = 1.0;
@@ -320,7 +320,7 @@ double length_of(const Tensor& tensor, int entries) {
     return std::sqrt(sum);
 }
 
-/// Divides a plane by the length of its normal, any other vector by its own length.
+/// Divides a plane by the length of its normal, and any other vector by its own length.
 int unit(lua_State* lua) {
     Tensor vector = vector_at(lua, 1);
     const double length = length_of(vector, std::min(vector.rows, 3));
@@ -389,8 +389,8 @@ int close(lua_State* lua) {
     return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), scalar_at(lua, 3)));
 }
 
-/// Compares up to scale: finds the position of the first one's largest entry, and divides each by its own entry at that
-/// position, which becomes 1 in both.
+/// Compares two tensors up to a factor: finds the position of the first tensor's largest entry, and divides each tensor
+/// by its own entry at that position, so that it becomes 1 in both.
 int same_map(lua_State* lua) {
     Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     const double tolerance = scalar_at(lua, 3);
@@ -473,7 +473,7 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
 }
 
 /// Pushes a list with the value of `of(code)` for the stored code of each fragment; the argument is a list of
-/// fragments, as from pixel().
+/// fragments, such as pixel() returns.
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the first part of each path of the state, in the order of the file.
+/// Returns the first part of each path in the state, in the order of the state file.
 std::vector<ExpressionName> names_of_state() {
     std::vector<ExpressionName> names;
     for (const Field& field : fields()) {

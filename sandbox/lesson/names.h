@@ -11,7 +11,7 @@ namespace viewing {
 enum class NameKind {
     value,       ///< known immediately
     measured,    ///< a function whose value may take a second
-    mathematics  ///< a function that depends on its arguments only
+    mathematics  ///< a function that depends only on its arguments
 };
 
 struct ExpressionName {

@@ -41,7 +41,7 @@ std::string time_text(const Lesson& lesson, double presented_s) {
                "left"_a = minutes_of(left_s));
 }
 
-/// Returns whether the lecturer is behind schedule, if all steps take equally long.
+/// Whether the lecturer is behind schedule, assuming that all steps take equally long.
 bool is_late(const LessonRun& run, double presented_s) {
     constexpr double patience_s = 120.0;
     const Lesson& lesson = run.lesson();

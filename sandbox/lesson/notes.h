@@ -1,4 +1,4 @@
-// The page that the lecturer sees while the audience sees the step: its note, the right answer, the next step, the
+// The page that the lecturer sees while the audience sees the step: its note, the right answer, the next step, and the
 // time.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace viewing {
 /// answer that cannot be computed appears as its expression.
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
 
-/// The phase of a step, on the second line of the notes.
+/// The phase of a step; the second line of the notes shows it.
 enum class StepPhase { asks, shows, answered };
 
 /// The lecturer's page in the current language.
@@ -25,13 +25,13 @@ struct Notes {
         std::string label, text;
     };
     std::vector<Part> parts;  ///< say, ask, answer, reveal, note, and what comes next
-    bool is_late = false;     ///< more than two minutes behind, if all steps take equally long
+    bool is_late = false;     ///< more than two minutes behind, assuming steps of equal length
 };
 
 /// `presented_s` counts from the start of the lesson.
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s);
 
-/// Returns plain text, lines of up to 78 characters, with a newline at the end.
+/// Returns the notes as plain text, in lines of up to 78 characters, with a newline at the end.
 std::string notes_page(const Notes& notes);
 
 }  // namespace viewing

@@ -55,7 +55,7 @@ LessonFile glance_at(const fs::path& path) {
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
         return true;
     });
-    (void)glance;  // unreadable parts keep their defaults
+    (void)glance;  // parts that cannot be read keep their defaults
     return file;
 }
 

@@ -32,9 +32,9 @@ public:
     /// Returns the answer entered or chosen so far; each step keeps its own.
     Answer& answer() { return now().answer; }
     const Answer& answer() const { return now().answer; }
-    /// Returns the latest verdict on the answer; none before Check is pressed, or after a change.
+    /// Returns the latest verdict on the answer; none before Check is pressed, or after the answer has changed.
     const std::optional<Verdict>& verdict() const { return now().verdict; }
-    /// A right verdict reveals the answer.
+    /// Keeps the verdict; a right one reveals the answer.
     void take(const Verdict& verdict);
     void forget_verdict() { now().verdict.reset(); }
     /// Returns the state in which the student left an exercise; none before any change.

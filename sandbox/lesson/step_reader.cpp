@@ -143,7 +143,7 @@ LoadedState state_at(const Json& object, const char* key, const fs::path& folder
 LoadedState read_start(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
     LoadedState start = state_at(object, "state", folder, presets, where);
     if (has(object, "layout")) start.params = laid_out(start.params, object["layout"], where.key("layout"));
-    start.preset = nullptr;  // a step is not a preset, so it never counts as changed
+    start.preset = nullptr;  // a step is not a preset, so the window never marks it as changed
     start.scene_origin = where.prefix + "scene";
     return start;
 }

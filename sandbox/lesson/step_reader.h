@@ -19,7 +19,8 @@ private:
     std::map<std::string, LoadedState> states_;
 };
 
-/// Reads a preset with settings on top; without either, the opening state. Files of its scene are relative to `folder`.
+/// Reads a preset and applies settings to it; if both are missing, returns the opening state. Files of its scene are
+/// relative to `folder`.
 LoadedState state_at(const Json& object, const char* key, const std::filesystem::path& folder, PresetShelf& presets,
                      const Where& where);
 

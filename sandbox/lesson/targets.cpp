@@ -53,17 +53,17 @@ constexpr const char* bars[] = {"pixel"};
 constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
                           {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
-/// Names without a kind, for things in many places: red sentences, advice on z-near, formulas of tooltips, links
-/// between entries and controls.
+/// Names without a kind, for things that occur in many places: red sentences, advice on z-near, formulas in tooltips,
+/// and links between entries and controls.
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
-/// Names in lessons from before the labels changed.
+/// Former names, which occur in lessons from before the labels changed, and the present ones.
 constexpr std::pair<std::string_view, const char*> former_names[] = {
     {"button:mend", "button:fix"},
     {"button:normalise", "button:normalize"},
     {"chart:precision.quantisation", "chart:precision.quantization"}};
 
-/// Fields that have a control neither in the panel nor in the camera view's headline.
+/// Fields without a control in the panel or in the camera view's headline.
 constexpr const char* without_control[] = {"version",
                                            "overrides",
                                            "follow",
@@ -94,7 +94,8 @@ int component_count(const Field& field) {
     return type == "vec3" ? 3 : type == "vec4" ? 4 : 0;
 }
 
-/// Removes "[2]" from the front of `rest`; none if there is no index below `count`.
+/// Removes an index such as "[2]" from the front of `rest` and returns it; none if `rest` does not begin with an index
+/// below `count`.
 std::optional<int> take_index(std::string_view& rest, int count) {
     if (rest.size() < 3 || rest[0] != '[' || rest[2] != ']' || rest[1] < '0' || rest[1] >= '0' + count)
         return std::nullopt;

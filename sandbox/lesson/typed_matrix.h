@@ -1,4 +1,4 @@
-// The effect of an entered matrix on the picture, next to that of the right one.
+// The effect of an entered matrix on the picture, beside the effect of the right one.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace viewing {
 LoadedState with_right_matrix(const LessonStep& step);
 
 /// Returns the same start with 16 entered numbers, row by row, as the matrix that the step asks for (Ask::shows_as). If
-/// the question allows any factor, uses the sign that keeps points near the origin in front of the eye, w > 0. Fails if
-/// the field refuses the numbers.
+/// the question allows any factor, uses the sign that gives points near the origin w > 0, so that they stay in front of
+/// the eye. Fails if the field refuses the numbers.
 Result<LoadedState> with_typed_matrix(const LessonStep& step, const std::vector<double>& numbers);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Turns a variant of an exercise into a lesson's step: fills its constants into the state, then the state's numbers
-// into everything else.
+// Turns a variant of an exercise into a lesson step: fills the constants into the state, then the state's numbers into
+// everything else.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t most_computed = 4096;             // expressions and {…} per variant
+constexpr std::size_t most_computed = 4096;             // expressions and {…} in a variant
 constexpr std::size_t most_computed_bytes = 4U << 20U;  // total of their values, as JSON
 constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items"};
 
@@ -28,7 +28,7 @@ Json with_whole_numbers(Json value) {
     return value;
 }
 
-/// Returns a value in the form for a sentence: 0.25, −3, (0, 1, 0, 0), a name unchanged.
+/// Returns a value as it appears in a sentence: 0.25, −3, (0, 1, 0, 0); a name is unchanged.
 std::string in_words(const Json& value) {
     constexpr int digits = 6;
     if (value.is_number()) return figures(value.get<double>(), digits);
@@ -45,7 +45,7 @@ bool has_words(const Json& value) {
     return !value.is_null() && !(value.is_number() && std::isnan(value.get<double>()));
 }
 
-/// Fills in values: strings that begin with "=", and placeholders in texts and keys.
+/// Replaces strings that begin with "=", and placeholders in texts and keys, by their values.
 class Filling {
 public:
     explicit Filling(const Surroundings& surroundings) : surroundings_(surroundings) {}

@@ -1,6 +1,6 @@
-// Assigns variants of exercises to students, fixed forever, so that a sheet never changes and a lecturer can
-// reconstruct it. All numbers are 64-bit, modulo 2⁶⁴. Source: Steele, Lea and Flood 2014, SplitMix64; text/hash.h for
-// FNV.
+// Assigns variants of exercises to students. The assignment is fixed forever, so that a sheet never changes and a
+// lecturer can reconstruct it. All numbers are 64-bit, modulo 2⁶⁴. Source: Steele, Lea and Flood 2014, SplitMix64. For
+// FNV, read text/hash.h.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the block's top left pixel, so that the pixel is in the middle if the picture has space for that.
+/// Returns the top left pixel of a block that has the pixel in its middle, if the picture has space for that.
 glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px) {
     return glm::clamp(pixel - cells / 2, glm::ivec2(0), glm::max(size_px - cells, glm::ivec2(0)));
 }

@@ -29,8 +29,8 @@ public:
     }
 
     /// Reads the data that are needed and not known yet. `frame` is that of the camera's view, without overdraw or
-    /// difference. `at_once`: waits for GL. Otherwise another pixel of a picture that was already read may arrive some
-    /// calls later, unless its block of cells is needed; until then the data stay unchanged.
+    /// difference. With `at_once`, waits for GL. Otherwise, another pixel of a picture that was already read may arrive
+    /// a few calls later, unless its block of cells is needed; until then, the data stay unchanged.
     Status update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
                   const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes, bool at_once = true);
 
@@ -40,7 +40,7 @@ public:
     Result<PixelReport> at(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                            glm::ivec2 size_px, glm::ivec2 pixel);
 
-    /// Does the same without waiting: call once a frame. Returns the latest pixel that is known for this picture;
+    /// Does the same without waiting; call it once a frame. Returns the latest pixel that is known for this picture, or
     /// nothing while the picture changes from frame to frame.
     Result<std::optional<PixelReport>> follow(Renderer& renderer, const FramePlan& frame, const Scene& scene,
                                               const Derived& derived, glm::ivec2 size_px, glm::ivec2 pixel);

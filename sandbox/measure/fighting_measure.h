@@ -11,8 +11,8 @@
 
 namespace viewing {
 
-/// Returns the part of the state that the counts depend on, with defaults for the rest: GL's depth buffer draws the
-/// objects and nothing else, completely.
+/// Returns the part of the state that the counts depend on, with defaults for the rest, so that GL's depth buffer draws
+/// all objects completely and nothing else.
 Params counted_params(const Params& state);
 
 /// Returns GL's picture of the objects as indices.
@@ -24,7 +24,7 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
                                    std::span<const FlatPair> pairs, WorkProgress* progress = nullptr);
 
 /// Does both: draws only the scene's objects, with the state's depth buffer whatever its hidden-surface method, and
-/// counts. The error is GL's, or says that the work was canceled.
+/// counts. The error comes from GL, or says that the work was canceled.
 Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);
@@ -35,10 +35,10 @@ glm::ivec2 spread_size(glm::ivec2 size_px);
 /// Adds the counts for one of the trembling() cameras to the spreads of the rows.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
-/// Counts with each of the report's cures. The error is GL's, or says that the work was canceled.
+/// Counts with each of the report's cures. The error comes from GL, or says that the work was canceled.
 Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
 
-/// Counts from all jittered cameras. The error is GL's, or says that the work was canceled.
+/// Counts from all jittered cameras. The error comes from GL, or says that the work was canceled.
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);
 

@@ -11,8 +11,8 @@ namespace viewing {
 Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                            HiddenAnswer& answer);
 
-/// Returns the ids of the polygons in the result's picture: drawn by GL, with the state's depth buffer if that is the
-/// method; otherwise pixel by pixel as the method found them.
+/// Returns the ids of the polygons in the result's picture. GL draws them, with the state's depth buffer if that is the
+/// method, unless the method itself finds a polygon for each pixel.
 Result<IdImage> polygon_ids_drawn(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                                   const HiddenResult& result);
 

@@ -18,7 +18,7 @@ public:
     /// differs, the previous question is completed first, so that answers appear even while the camera moves.
     void ask(const HiddenQuestion& question, const Scene& scene, int scene_version);
 
-    /// Waits until no work is left, at most `seconds`; negative: without a limit.
+    /// Waits until no work is left, but at most `seconds`; a negative value sets no limit.
     void wait(double seconds);
 
     /// Returns the newest answer for this scene; null while there is none. The pointer stays the same until there is

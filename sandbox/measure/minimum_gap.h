@@ -22,7 +22,8 @@ public:
     ~MinimumGapSearch();
 
     bool is_done() const;
-    /// Draws one more small picture. The error is GL's, or says that the work was canceled; an error ends the search.
+    /// Draws one more small picture. The error comes from GL, or says that the work was canceled; an error ends the
+    /// search.
     Status step(Renderer& renderer, WorkProgress* progress = nullptr);
     const MinimumGap& found() const;  ///< valid once the search is done
 

@@ -1,4 +1,4 @@
-// Writes the man page and the completions for bash and zsh, which a package contains besides the program and its
+// Writes the man page and the completions for bash and zsh, which a package contains in addition to the program and its
 // assets. Runs during the build and uses the same table as --help. Usage: generate FOLDER.
 #include <cstdio>
 #include <cstdlib>

@@ -106,7 +106,7 @@ std::string joined_names(const std::vector<std::string>& names, std::string_view
     return all;
 }
 
-/// Quotes a text for a shell, including any "'" in it.
+/// Quotes a text for a shell, and escapes any "'" in it.
 std::string in_quotes(std::string_view text) {
     std::string result = "'";
     for (const char sign : text) result += sign == '\'' ? "'\\''" : std::string(1, sign);

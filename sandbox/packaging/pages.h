@@ -6,7 +6,7 @@
 namespace viewing {
 
 std::string man_page();         ///< troff, for section 1
-std::string bash_completion();  ///< commands, options, files, and names of presets that the program itself lists
+std::string bash_completion();  ///< commands, options, files, and preset names, which it gets from the program
 std::string zsh_completion();   ///< the same, with a description of each option
 
 }  // namespace viewing

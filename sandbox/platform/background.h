@@ -1,5 +1,5 @@
 // Background work that can be started, watched and canceled; it ends with a result, or with one sentence that says why
-// there is none. The only code that makes threads: browsers, which have none, use another file instead of
+// there is none. No other code makes threads; browsers, which have none, use browser/background.cpp instead of
 // desktop/background.cpp.
 #pragma once
 
@@ -16,11 +16,11 @@
 
 namespace viewing {
 
-/// Sets a function to call whenever work ends, in the thread of the work, to wake a window that sleeps until something
-/// happens. Null: no function.
+/// Sets a function that the work's thread calls whenever work ends, to wake a window that sleeps until something
+/// happens. Null removes the function.
 void wake_when_work_ends(void (*wake)());
 
-/// Returns the sentence that replaces the result if `std::current_exception` ended the work.
+/// Returns the sentence that replaces the result if an exception ended the work. Call while handling that exception.
 Error failure_of_work();
 
 /// Runs a function in the background. Outside this file, use BackgroundTask instead.
@@ -33,7 +33,7 @@ public:
     BackgroundCall& operator=(const BackgroundCall&) = delete;
 
     bool is_done() const;
-    /// Waits until the work ends, at most `seconds`; negative: without a limit.
+    /// Waits until the work ends, but at most `seconds`; if that is negative, without a limit.
     void wait(double seconds) const;
 
 private:
@@ -41,7 +41,7 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// Computes a T. Use it from one thread; only `Work` runs in another. Only wait() and the destructor wait; the
+/// Computes a T. Use it from one thread; only `Work` runs in another. Only wait() and the destructor block; the
 /// destructor waits for all work that was started.
 template <typename T>
 class BackgroundTask {
@@ -79,7 +79,7 @@ public:
     void cancel() {
         if (job_) job_->progress.canceled = true;
     }
-    /// Waits, at most `seconds`; negative: without a limit.
+    /// Waits until the work ends, but at most `seconds`; if that is negative, without a limit.
     void wait(double seconds) const {
         if (job_ && job_->call) job_->call->wait(seconds);
     }

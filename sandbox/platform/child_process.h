@@ -1,5 +1,5 @@
-// Runs another program that communicates in lines: its standard output is returned line by line, its standard error as
-// one text. For work that may crash without taking this process down with it.
+// Runs another program that communicates in lines: returns its standard output line by line, and its standard error as
+// one text. For work that may crash, and must not take this process down with it.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,15 @@ namespace viewing {
 
 class ChildProcess {
 public:
-    /// Starts the program. `arguments`: its path, then its arguments. The error is the system's reason.
+    /// Starts the program. `arguments` contains its path, followed by its arguments. The error is the system's reason.
     static Result<ChildProcess> start(const std::vector<std::string>& arguments);
     ChildProcess(ChildProcess&&) noexcept;
     ChildProcess& operator=(ChildProcess&&) noexcept;
     /// Ends a child that is still running (end()).
     ~ChildProcess();
 
-    /// Write a text to its standard input, with a line end or unchanged. Return false if the program no longer reads.
+    /// Write a text to its standard input, with a line end or unchanged. Return false if the program no longer reads
+    /// its input.
     bool tell(const std::string& line) { return give(line + "\n"); }
     bool give(std::string_view bytes);
     /// Closes its standard input, so that the program ends by itself.
@@ -29,15 +30,15 @@ public:
 
     /// Returns the lines written since the last call, without line ends; an incomplete line is kept until it ends.
     std::vector<std::string> take_lines();
-    /// Returns its standard error output since the last call; at most the last 64 KiB.
+    /// Returns the last 64 KiB, at most, of its standard error output since the last call.
     std::string take_complaints();
 
-    /// Whether it may still write something. Reads available output.
+    /// Whether the program may still write something: its output had not ended when it was last read.
     bool is_running() const;
     /// Sends SIGTERM, so that it can remove unfinished files, and SIGKILL if it is still running two seconds later.
     /// Then calls wait().
     std::string end();
-    /// Waits until it ends. Returns how it ended, in words: "exit status 9", "signal 11 (Segmentation fault)".
+    /// Waits until the program ends. Says in words how it ended: "exit status 9", "signal 11 (Segmentation fault)".
     std::string wait();
     /// Returns the exit status after wait(); −1 if a signal ended it.
     int exit_status() const;

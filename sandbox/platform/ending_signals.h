@@ -17,7 +17,7 @@ public:
     EndingNote(const EndingNote&) = delete;
     EndingNote& operator=(const EndingNote&) = delete;
 
-    /// Returns the noted signal; 0: no signal.
+    /// Returns the noted signal; 0 if there is none.
     static int signal();
     /// Returns a file descriptor that becomes readable when a signal is noted, for use in poll().
     static int file();
@@ -26,7 +26,7 @@ public:
 /// Returns a name such as "SIGTERM (kill)"; "--timeout" for SIGALRM.
 const char* name_of_ending_signal(int signal);
 
-/// Whether the signal is that of --timeout.
+/// Whether the signal is the one that --timeout uses.
 bool is_timeout(int signal);
 
 /// Ends the process as if by this signal.

@@ -34,7 +34,8 @@ namespace fs = std::filesystem;
 
 constexpr const char *unfinished_begin = ".viewing-sandbox-", *unfinished_end = ".partial";
 
-/// Writes all bytes and closes the file. Returns 0 or the errno of the failure. `keeps`: also flushes them to the disk.
+/// Writes all bytes and closes the file. If `keeps`, also flushes them to the disk. Returns 0 or the errno of the
+/// failure.
 int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     int failure = 0;
     while (!bytes.empty() && failure == 0) {
@@ -50,7 +51,7 @@ int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     return failure;
 }
 
-/// Opens a new file next to the target; returns −1 with errno on failure.
+/// Opens a new file next to the target; on failure, returns −1 and sets errno.
 int open_new(const fs::path& target, fs::path& made) {
     constexpr int tries = 100;
     int file = -1;
@@ -62,8 +63,8 @@ int open_new(const fs::path& target, fs::path& made) {
     return file;
 }
 
-/// Unfinished files and folders, in a form for a signal handler that ends the process and can neither lock nor
-/// allocate.
+/// The unfinished files and folders, in a form that a signal handler can use while it ends the process: it can neither
+/// lock nor allocate.
 std::array<std::atomic<const char*>, 64> unfinished{};
 
 /// Removes a file, or a folder with its contents. Calls only functions that a signal handler may call.
@@ -93,7 +94,8 @@ void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as
 #endif
 }
 
-/// A complete file next to its target that is about to get the target's name; removed if that does not happen.
+/// A complete file next to its target, about to get the target's name. The destructor removes it if that has not
+/// happened.
 class Prepared {
 public:
     /// Returns 0 or the errno of the failure.
@@ -123,7 +125,7 @@ public:
         return 0;
     }
 
-    /// Undoes take_name(), if the file system can exchange names.
+    /// Undoes take_name(). If the names could not be exchanged, only removes a file that was new.
     void give_name_back() {
         if (!has_name_) return;
         if (has_exchanged_)
@@ -184,7 +186,7 @@ fs::path folder_of(const fs::path& file) {
 void keep_folder(const fs::path& folder) {
     const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (opened < 0) return;
-    ::fsync(opened);  // some file systems refuse, because they have nothing to flush
+    ::fsync(opened);  // fails on some file systems, because they have nothing to flush
     ::close(opened);
 }
 

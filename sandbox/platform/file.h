@@ -1,5 +1,5 @@
-// Writes files completely, so that nobody ever finds a half-written file, and checks files before they are read. All
-// files are written by these functions.
+// Writes files completely, so that nobody ever finds a half-written file, and checks files before they are read. The
+// program writes its files with these functions.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ struct FileBytes {
 };
 
 /// Writes all files or none. All of them are complete before the first one gets its name. If one cannot get its name,
-/// the earlier files lose theirs again (on a file system that cannot exchange names, only new files do). `before_names`
-/// runs between the two stages; if it throws, no file is written.
+/// the earlier ones lose theirs again (if the file system cannot exchange names, only those that replaced no file do).
+/// `before_names` runs between the two stages; if it throws, no file is written.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
 
 /// Copies the content of one file to another in the same way as write_file().
@@ -53,7 +53,7 @@ std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 /// length does not depend on the file's name, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
-/// Returns the files in a folder with such names, which are left over from a program that ended while it was writing.
+/// Returns the files with such names in a folder. They are left over from a program that ended while it was writing.
 std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::path& folder);
 
 /// Whether such a file or folder exists; false if that cannot be determined.

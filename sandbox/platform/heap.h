@@ -5,19 +5,19 @@
 
 namespace viewing {
 
-/// Reserves 32 MB for the heap in one step, without touching them; blocks up to that size are allocated from there.
+/// Reserves 32 MB for the heap in one step, without touching the memory. Blocks up to that size then come from there.
 /// Call before the first allocation. If it fails, nothing changes.
 void reserve_heap();
 
 /// From now on, gets blocks of 1 MB and more from the system and returns them when they are freed. For a process that
-/// makes thousands of pictures: otherwise such blocks would fragment its heap until the next one no longer fits.
+/// makes thousands of pictures, since such blocks would otherwise fragment its heap until the next one no longer fits.
 void give_large_blocks_back();
 
 /// Turns the untouched part of the reserve into 2 MB pages, if the system provides them on request, one after another
-/// as long as none takes longer than `longest`. A picture then takes a tenth less time from start to end. Processors
-/// clear a page in 40 to 300 µs. A virtual machine whose host must first find the memory takes 5 ms, which is more than
-/// a page saves, so the first page is also the last one there. Call before the first driver is loaded; later calls do
-/// nothing.
+/// as long as none takes longer than `longest`. Making a picture then takes a tenth less time from start to end.
+/// Processors clear a page in 40 to 300 µs. A virtual machine whose host must first find the memory takes 5 ms, which
+/// is more than a page saves, so the first page is also the last one there. Call before the first driver is loaded;
+/// later calls do nothing.
 void take_large_pages(std::chrono::microseconds longest = std::chrono::microseconds(700));
 
 }  // namespace viewing

@@ -15,8 +15,8 @@ void set_last_words(const std::filesystem::path& file, std::vector<std::pair<int
 
 void forget_last_words();
 
-/// Calls only functions that a signal handler may call. Writes nothing if no text is set for this status or it cannot
-/// be written.
+/// Writes the text for this status. Calls only functions that a signal handler may call. Writes nothing if there is no
+/// text for the status, or if the text cannot be written.
 void say_last_words(int status) noexcept;
 
 }  // namespace viewing

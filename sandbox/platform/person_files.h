@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Asks for a file with a dialog of the system. Returns false if the system has none, and the program must ask by
-/// itself.
+/// Asks for a file with the system's dialog. Returns false if the system has none, in which case the program must ask
+/// by itself.
 bool ask_for_file();
 
 /// Returns the file chosen in the dialog, once.
@@ -19,7 +19,7 @@ std::optional<std::filesystem::path> chosen_file();
 /// Gives a written file to the person.
 void hand_over(const std::filesystem::path& written);
 
-/// Whether writing a file can replace one of the person's files: handing over never does.
+/// Whether writing a file can replace one of the person's files; handing a file over never does.
 bool can_replace_files();
 
 /// Returns the name to use for a written file in a sentence: its path, or only its name if the folder is internal to

@@ -9,8 +9,8 @@
 namespace viewing {
 
 /// The worker writes `fraction` and reads `canceled`. A canceled method returns soon, with a defined but incomplete
-/// result and a sentence that says so. Work may be part of other work, `whole`: its progress then appears there between
-/// `begin` and `end`, and canceling the whole also cancels the part.
+/// result and a sentence that says so. Work may be part of other work, `whole`. The part's progress then appears there
+/// between `begin` and `end`, and canceling the whole also cancels the part.
 struct WorkProgress {
     std::atomic<float> fraction{0.0F};  ///< 0 … 1
     std::atomic<bool> canceled{false};
@@ -19,11 +19,11 @@ struct WorkProgress {
     double begin = 0.0, end = 1.0;  ///< this part's range in `whole`
 
     using Clock = std::chrono::steady_clock;
-    Clock::time_point deadline = Clock::time_point::max();  ///< after this time, as if canceled
+    Clock::time_point deadline = Clock::time_point::max();  ///< after this time, the work counts as canceled
 };
 
 #ifdef __EMSCRIPTEN__
-/// A page has one thread: long work yields to it whenever it checks for cancellation.
+/// A page has only one thread, so long work lets the page run whenever it checks for cancellation.
 void give_way();
 #else
 inline void give_way() {}
@@ -41,14 +41,14 @@ inline bool is_canceled(const WorkProgress* progress) {
            (progress->canceled.load(std::memory_order_relaxed) || is_late(*progress) || is_canceled(progress->whole));
 }
 
-/// Whether to check for cancellation before this item of a long sequence: checking before each one would cost more than
-/// the items.
+/// Whether to check for cancellation before this item of a long sequence, since checking before each one would cost
+/// more than the items themselves.
 constexpr bool is_time_to_look(std::size_t item) {
     return item % 4096 == 0;
 }
 
-/// Whether canceled work ends before this item: never within the first 32,768 items, since quick work is worth
-/// completing.
+/// Whether canceled work must end before this item. It never does within the first 32,768 items, since quick work is
+/// worth completing.
 inline bool is_cut_short(std::size_t item, const WorkProgress* progress) {
     constexpr std::size_t quickly_made = 32'768;
     return item >= quickly_made && is_time_to_look(item) && is_canceled(progress);

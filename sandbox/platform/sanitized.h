@@ -1,4 +1,4 @@
-// Whether the program runs under a sanitizer, which handles faults itself and checks for leaks at the end.
+// Whether the program was built with a sanitizer, which handles faults itself and checks for leaks at the end.
 #pragma once
 
 #if defined(__has_feature)

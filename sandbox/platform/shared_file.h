@@ -1,6 +1,6 @@
-// A file that several windows of one person write. Each adds its changes to the file's current content, while no other
-// window writes. If a window is killed during that time (kill -9), the system releases the lock, and the file has the
-// previous or the new content.
+// A file that several windows of one person write. Each window adds its changes to the file's current content while no
+// other window writes. If a window is killed during that time (kill -9), the system releases the lock, and the file has
+// the previous or the new content.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,10 @@
 
 namespace viewing {
 
-/// While it exists, other processes and threads that lock the folder wait. Creates a missing folder. If the folder
-/// cannot be locked, or a stopped process has held the lock for ten seconds, the caller continues without a lock: that
-/// loses less than not writing. A browser locks nothing: the page merges changes by other tabs (kept.js).
+/// While an object of this class exists, other processes and threads have to wait before they can lock the folder.
+/// Creates a missing folder. If the folder cannot be locked, or a stopped process has held the lock for ten seconds,
+/// the caller continues without a lock: that loses less than not writing. In a browser nothing is locked; the page
+/// merges changes by other tabs (kept.js).
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);
@@ -29,9 +30,10 @@ private:
 /// Renames a file that cannot be parsed to FILE.unreadable, FILE.unreadable-2 …
 Status set_aside(const std::filesystem::path& file);
 
-/// Reads `file`, merges and writes it under the folder's lock; returns its new content. `load` returns a Result<T> for
-/// a file; a file that it cannot parse is set aside, never overwritten. `merge` makes the new content from the current
-/// one, or from T{} if there is none. `write` stores a T; it is not called if nothing has changed.
+/// Reads `file`, merges changes into it and writes it, all under the folder's lock. Returns its new content. `load`
+/// returns a Result<T> for a file; a file that it cannot parse is set aside, never overwritten. `merge` makes the new
+/// content from the current one, or from T{} if there is none. `write` stores a T; it is not called if nothing has
+/// changed.
 template <typename T, typename Load, typename Merge, typename Write>
 Result<T> merge_into_file(const std::filesystem::path& file, const Load& load, const Merge& merge, const Write& write) {
     const FolderLock lock(file.parent_path());

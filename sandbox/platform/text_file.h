@@ -13,7 +13,8 @@ namespace viewing {
 /// The maximum size of a text file or of standard input.
 inline constexpr std::size_t max_document_bytes = 16U << 20U;
 
-/// Reads a file. The error names the file: missing, a directory, unreadable, or longer than `most_bytes`.
+/// Reads a file. The error names the file and says that it is missing, a directory, unreadable, or longer than
+/// `most_bytes`.
 Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most_bytes = max_document_bytes);
 
 /// Reads the rest of a stream, such as standard input; `name` begins the message.

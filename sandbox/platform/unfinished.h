@@ -1,5 +1,5 @@
-// Registers files and folders that are written next to their target and then get the target's name: for code that
-// writes them, and for a signal handler that ends the process. file.h and whole_folder.h write in this way.
+// Registers files and folders that are written next to their target and then get the target's name, so that a signal
+// handler can remove them when it ends the process. file.h and whole_folder.h write in this way.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// A folder of results that nobody ever finds half complete: it is written next to its target and gets the target's name
-// when it is complete. Read file.h for single files.
+// A folder of results that nobody ever finds half-complete: it is written next to its target and gets the target's name
+// only when it is complete. Read file.h for single files.
 #pragma once
 
 #include <filesystem>
@@ -25,15 +25,15 @@ public:
     static Result<WholeFolder> begin(const std::filesystem::path& target, const IsOwnResult& is_own = {});
     WholeFolder(WholeFolder&& other) noexcept;
     WholeFolder& operator=(WholeFolder&&) = delete;
-    /// Removes the folder unless it has got its final name; a signal that ends the process does the same
+    /// Removes the folder unless it has received its final name; a signal that ends the process does the same
     /// (remove_unfinished_files).
     ~WholeFolder();
 
-    /// The folder for the files until take_name().
+    /// Returns the folder that the files must be written into until take_name().
     const std::filesystem::path& beside() const;
 
-    /// Gives the folder its final name: replaces the previous folder and removes its contents, but keeps its
-    /// permissions. Checks again that it contains nothing foreign.
+    /// Gives the folder its final name. If there is a previous folder, checks again that it contains nothing foreign,
+    /// takes over its permissions, and removes it with its contents.
     Status take_name();
 
 private:

@@ -36,7 +36,7 @@ void read_pixels(const View& view, const PixelRect& rect, GLenum format, GLenum 
     glReadPixels(at.x, at.y, rect.size.x, rect.size.y, format, type, values);
 }
 
-/// Converts the index of a pixel in the rectangle from top row first to bottom row first.
+/// Converts a pixel's index in the rectangle from top-row-first to bottom-row-first order.
 std::size_t from_the_bottom(std::size_t index, const PixelRect& rect) {
     const auto columns = static_cast<std::size_t>(rect.size.x), rows = static_cast<std::size_t>(rect.size.y);
     return (rows - 1 - index / columns) * columns + index % columns;
@@ -57,7 +57,7 @@ StoredPixel stored_pixel(std::uint32_t depth, int stencil, const DepthPrecision&
 }
 
 /// Returns the precision in which a target's buffer stores depths. Formats with fewer bits are exactly representable in
-/// 24.
+/// 24 bits.
 DepthPrecision precision_in(const gl::Target& target) {
     switch (target.spec().depth) {
         case gl::DepthKind::d16:
@@ -236,7 +236,7 @@ void BufferReader::draw_depths(const View& view, const PixelRect& rect) {
 void BufferReader::draw_stencil(const View& view, const PixelRect& rect) {
     if (capabilities_.read_depth_stencil || !view.target().has_stencil()) return;
     begin_bytes(stencil_bytes_, view, rect);
-    const gl::Framebuffer both = gl::make_framebuffer();  // the bytes, with the view's stencil
+    const gl::Framebuffer both = gl::make_framebuffer();  // writes the bytes, tests the view's stencil
     glBindFramebuffer(GL_FRAMEBUFFER, both.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, stencil_bytes_.texture(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, view.target().depth_texture(),

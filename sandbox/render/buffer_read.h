@@ -10,13 +10,14 @@
 
 namespace viewing {
 
-/// A rectangle of pixels inside a view; (0, 0) is the top left one.
+/// A rectangle of pixels inside a view; (0, 0) is the top left pixel.
 struct PixelRect {
     glm::ivec2 first_pixel{0};
     glm::ivec2 size{1};
 };
 
-/// Depth and stencil of one pixel, as stored in the buffers; the mask, if the target has no stencil.
+/// Depth and stencil of one pixel, as stored in the buffers. `stencil` is the value of the mask if the target has no
+/// stencil.
 struct StoredPixel {
     double window_depth = 1.0;
     std::uint32_t code = 0;  ///< the integer code, or the bits of the float
@@ -78,7 +79,7 @@ private:
     void begin_bytes(gl::ColorTarget& bytes, const View& view, const PixelRect& rect);
     ReadFormat bind_depths(const View& view) const;
     ReadFormat bind_stencil(const View& view) const;
-    /// Converts a value read from GL to the code or the bits of the float.
+    /// Converts a value read from GL to an integer code or, for a float buffer, to the bits of the float.
     std::uint32_t depth_of(std::uint32_t given, const DepthPrecision& in_buffer) const;
     void copy(const View& view, const View& identities);
 

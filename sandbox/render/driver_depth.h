@@ -1,5 +1,5 @@
-// Measures in which precision the driver stores depth, and the unit of its polygon offset, by drawing rows of pixels
-// that pass or fail the depth test. Works even if depth cannot be read back.
+// Measures the precision in which the driver stores depth, and the unit of its polygon offset, by drawing rows of
+// pixels that pass or fail the depth test. Works even if depth cannot be read back.
 #pragma once
 
 #include "frame/depth/driver_depth.h"

@@ -16,7 +16,7 @@ struct GpuDrawing {
     std::array<gl::Texture, 4> surface;  ///< positions, normals, colors, counts
 
     void draw(int first_vertex, int vertex_count) const;  ///< draws some of the triangles
-    void bind_textures() const;                           ///< binds them to texture units 0 … 3
+    void bind_textures() const;                           ///< binds `surface` to texture units 0 … 3
 };
 
 class GpuDrawings {

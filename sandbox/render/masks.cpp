@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Above the texture units of the textures that hold a method's surface points.
+/// These texture units are above those of the textures that hold a method's surface points.
 constexpr GLint mask_unit = 8, changed_mask_unit = 9;
 
 void bind(GLint unit, GLuint texture) {

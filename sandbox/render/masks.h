@@ -1,7 +1,7 @@
-// Stencil tests for targets without a stencil buffer (gl/stencil_mask.h): the fragment shader compares with the mask
-// and writes the mask together with the color. With a stencil buffer, the first of overlapping triangles in a pass
-// excludes the others. With a mask, this takes two steps: the pass changes only the mask, and then its single color
-// fills the pixels whose mask has changed.
+// Stencil tests for targets without a stencil buffer (gl/stencil_mask.h): the fragment shader tests against the mask
+// and writes the mask together with the color. With a stencil buffer, the first of several overlapping triangles in a
+// pass excludes the others. With a mask, this takes two steps: the pass changes only the mask, and then its single
+// color fills the pixels whose mask has changed.
 #pragma once
 
 #include "frame/plan.h"
@@ -11,11 +11,11 @@
 
 namespace viewing {
 
-/// How a pass emulates its stencil test in a target. All false if the target has a stencil or multisampling: in a frame
-/// with multisampling, no 16-bit pass tests the stencil (plan()).
+/// How a pass emulates its stencil test in a target. All fields are false if the target has a stencil or multisampling:
+/// in a frame with multisampling, no 16-bit pass tests the stencil (plan()).
 struct MaskUse {
     bool tests = false;   ///< fragments are discarded if the comparison fails
-    bool writes = false;  ///< writes the value that the stencil would get to the mask
+    bool writes = false;  ///< writes to the mask the value that the stencil would get
     bool fills = false;   ///< fill_changed() draws the color afterward
 };
 MaskUse mask_use(const Pass& pass, const gl::Target& target);
@@ -23,7 +23,8 @@ MaskUse mask_use(const Pass& pass, const gl::Target& target);
 /// Binds the framebuffer for the pass, and the mask to compare with. Call after apply_state().
 void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target);
 
-/// Sets the stencil test that the shader emulates. The current program may test or write the mask.
+/// Sets the stencil test that the shader emulates. `program` must be current; if it does not use the mask, this does
+/// nothing.
 void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference);
 
 /// Draws the pass's single color over the pixels whose mask it has changed.

@@ -1,5 +1,5 @@
 // Makes the buffers of a frame visible: draws depth, stencil and counts as colors into another target. Read
-// buffer_read.h for reading their numbers.
+// buffer_read.h for how to read their numbers.
 #pragma once
 
 #include "frame/plan.h"
@@ -11,14 +11,14 @@ namespace viewing {
 /// Draws without a mesh: one triangle over the whole target.
 class Fullscreen {
 public:
-    void draw(const ShaderProgram& program) const;  ///< leaves it current
+    void draw(const ShaderProgram& program) const;  ///< leaves the program current
 
 private:
     gl::VertexArray no_vertices_ = gl::make_vertex_array();
 };
 
-/// Converts the stencil of the framebuffer to values in its red channel, with one masked test for each bit: not every
-/// context can sample or read the stencil. The other channels become 0; the caller restores the state.
+/// Converts the stencil of the framebuffer to values in its red channel, with one masked test for each bit, because not
+/// every context can sample or read the stencil. The other channels become 0; the caller restores the state.
 void gather_stencil(GLuint framebuffer, const ConstantProgram& constant, const Fullscreen& fullscreen);
 
 /// Needs a frame drawn without multisampling; leaves GL in its default state.

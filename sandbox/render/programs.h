@@ -38,7 +38,7 @@ struct SurfaceKind {
 
 /// shaders/surface.*. "relative" means along the world's axes, with the origin from relative_origin() in
 /// surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: with few bits,
-/// logarithmic, or from a method in software.
+/// logarithmic, or from a software method.
 struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
     Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};

@@ -10,7 +10,8 @@
 
 namespace viewing {
 
-/// The framebuffers of one view on screen, kept between frames so that nothing is reallocated without a change.
+/// The framebuffers of one view on screen, kept between frames so that they are reallocated only when something
+/// changes.
 class View {
 public:
     /// Returns the finished picture: resolved color, or depth and stencil made visible.
@@ -28,8 +29,8 @@ private:
 
 class Renderer {
 public:
-    /// Needs a current context. Fewer capabilities than the context has select the fallbacks; more are a programming
-    /// error. Fails if the driver rejects a shader.
+    /// Needs a current context. Leaving out a capability of the context selects its fallback; passing one that the
+    /// context lacks is a programming error. Fails if the driver rejects a shader.
     static Result<Renderer> make(const gl::Capabilities& capabilities = gl::Capabilities::of_current_context());
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -59,7 +60,8 @@ public:
     static constexpr int patch_identity = 255 * 256;
 
     /// Draws the plan's hidden surfaces in order, without anything else in the scene. Returns for each pixel the
-    /// visible polygon, as its Polygon::source. At most 2^24 − 1 polygons; the depths remain those of an empty picture.
+    /// visible polygon, as its Polygon::source. There may be at most 2^24 − 1 polygons. The depths of the image remain
+    /// those of an empty picture.
     Result<IdImage> read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
 private:

@@ -15,8 +15,8 @@ std::array<glm::dvec4, 8> corners_of(const Bounds& box) {
     return corners;
 }
 
-/// Whether all corners are on the negative side, by more than rounding in single precision can explain. The sum is
-/// linear in the corner, so the whole box is then on that side, whatever the values of w.
+/// Whether all corners are on the negative side of the plane, by more than rounding in single precision can explain.
+/// The sum is linear in the corner, so the whole box is then on that side, whatever the values of w.
 bool are_beyond(const std::array<glm::dvec4, 8>& corners, const glm::dvec4& plane) {
     constexpr double rounding = 1e-5;
     return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec4& corner) {
@@ -29,7 +29,7 @@ bool are_beyond(const std::array<glm::dvec4, 8>& corners, const glm::dvec4& plan
 }  // namespace
 
 bool is_out_of_sight(const Bounds& box_model, const Pass& pass, const glm::dmat4& world_from_model) {
-    if (box_model.empty() || pass.forces_sign) return false;  // it negates single vertices, maybe out of the box
+    if (box_model.empty() || pass.forces_sign) return false;  // it may move vertices out of the box
     const std::array<glm::dvec4, 8> corners = corners_of(box_model);
     for (const ClipPlane& plane : pass.clip_planes)
         if (are_beyond(corners, plane * world_from_model)) return true;

@@ -49,7 +49,7 @@ private:
     template <typename Value, std::size_t count>
     friend class Uniform;
 
-    /// Makes glUniform*() set uniforms of this uniform's stage; the program must be current.
+    /// Makes glUniform*() set the uniforms of the stage in `place`; the program must be current.
     void address(const UniformPlace& place) const {
         if (place.stage == 0 || place.stage == addressed_) return;
         gl::address(pipeline_, place.stage);

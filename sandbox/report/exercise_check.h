@@ -1,4 +1,4 @@
-// An exercise's own tests: checks each deployed variant like a step of a lesson, and its answers again through a
+// An exercise's own tests. Checks each deployed variant like a step of a lesson, and checks its answers again through a
 // hand-in.
 #pragma once
 

@@ -1,4 +1,4 @@
-// An exercise of one student, ready to draw: at its start, or after the answer in a hand-in.
+// One student's exercise, ready to draw: at its start, or after the answer in a hand-in.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the parts of a predicted gap, for gaps along a normal with this slant; its total is null if no gap is wide
+/// Returns the parts of a predicted gap, measured along a normal with this slant; the total is null if no gap is wide
 /// enough.
 Json onset_as_json(const FightingOnset& onset, double slant) {
     return {{"quantisation", onset.quantisation * slant},

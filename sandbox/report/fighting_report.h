@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Reports every pair of near-coplanar flat objects as seen by the state's camera, and the cures. Unless
-/// `counts_alone`, also reports the spread for a jittered camera and the smallest gap that the depth buffer resolves at
-/// the target's distance, which takes dozens of pictures. The error is GL's.
+/// Reports every pair of near-coplanar flat objects as seen by the state's camera. Unless `counts_alone`, also reports
+/// the cures, the spread for a jittered camera, and the smallest gap that the depth buffer resolves at the target's
+/// distance, which takes dozens of pictures. Any error comes from GL.
 Result<Json> fighting_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
                               bool counts_alone = false);
 

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_thought_s = 5.0;  // on average between two answers, for a person who reads the questions
+constexpr double least_thought_s = 5.0;  // average time between two answers of a person who reads
 
 template <typename Of>
 int sum(const std::vector<ItemGrade>& items, const Of& of) {
@@ -22,7 +22,8 @@ int sum(const std::vector<ItemGrade>& items, const Of& of) {
                            [&](int total, const ItemGrade& item) { return total + of(item); });
 }
 
-/// Precedes each setting by its length, since names in a file may contain any character.
+/// Returns a key for the content of an attempt. Each setting follows its length, since names in a file may contain any
+/// character.
 std::string key_of(const Attempt& attempt) {
     std::string key = attempt.is_goal ? " goal" : " answer";
     if (attempt.answer)

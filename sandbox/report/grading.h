@@ -16,7 +16,7 @@
 namespace viewing {
 
 /// Judges an attempt at a step with a question. A change that the goal does not allow is wrong, and so is an answer
-/// that does not fit the question. The error is that of an expression or of drawing.
+/// that does not fit the question. The error comes from an expression or from drawing.
 Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Renderer& renderer);
 
 enum class Standing {
@@ -40,7 +40,7 @@ struct ItemGrade {
     std::vector<std::optional<Verdict>> verdicts;
     std::string trouble;
 
-    /// Returns the tag of the last recognized answer; "" if there is none.
+    /// Returns the tag of the last answer; "" if that answer is right, not recognized, or not judged.
     std::string last_tag() const;
     std::size_t judged() const;  ///< number of answers with a verdict
 };
@@ -73,8 +73,8 @@ struct TagCount {
 /// the attempts without the hints; the result contains indices into it.
 std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers);
 
-/// The budget of one file: each different answer costs 1, more if it needs measured pictures. The last and the first
-/// answer to each exercise are judged even if the budget is used up.
+/// The budget of one file: each different answer costs 1, or cost_of_measured if it needs measured pictures. The last
+/// and the first answer to each exercise are judged even if the budget is used up.
 inline constexpr int budget_of_file = 2048, cost_of_measured = 100;
 
 class Grader {
@@ -111,7 +111,8 @@ private:
     std::map<std::string, Result<Verdict>> verdicts_;  ///< keyed by exercise, variant and answer
 };
 
-/// Adds notes if two files contain the same times of attempts, or the same replay.
+/// Adds notes about files with the same attempt times or the same replay, about several files from one student, and
+/// about answers to another student's variant.
 void compare_hand_ins(std::vector<StudentGrade>& grades);
 
 /// Counts tags over all readable files, the most frequent one first.

@@ -10,13 +10,13 @@
 
 namespace viewing {
 
-/// The problems of a step; each sentence names lesson, step and the values.
+/// The problems of a step; each sentence names the lesson, the step and the values.
 using LessonFindings = std::vector<std::string>;
 
 /// Returns the findings; empty if there are none. Claims must be true before and after the answer. The model answer
 /// must be right, and a goal must not be reached at the start. Each listed wrong answer must be recognized and
-/// distinguished from the others, and every tag must be one of the lesson's. A goal's model must not change anything
-/// that may not be changed.
+/// distinguished from the others, and every tag must be one of the lesson's. A goal's model may change only what the
+/// step allows to be changed.
 LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer);
 
 }  // namespace viewing

@@ -9,7 +9,7 @@
 namespace viewing {
 
 /// Compares the pictures and depths of four ways: no clipping, clip distance, oblique near plane and mirrored camera.
-/// The error is GL's.
+/// Any error comes from GL.
 Result<Json> mirror_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Values of a surface are null for the background; values of a depth are null for a cleared buffer.
+/// Surface values are null for the background; depth values are null where the buffer holds only the cleared depth.
 Json report_as_json(const PixelReport& report) {
     const auto of_surface = [&report](Json value) { return report.written ? std::move(value) : Json(); };
     const auto of_depth = [&report](Json value) { return report.has_depth ? std::move(value) : Json(); };

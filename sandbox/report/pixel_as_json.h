@@ -11,7 +11,7 @@ namespace viewing {
 
 /// Returns one object for each pixel. Pixels count from the top left of a picture without multisampling, and must be
 /// inside it. The color is that of the picture for view.shows; all other values are the surface's, whatever the colors
-/// show. The error is GL's.
+/// show. Any error comes from GL.
 Result<Json> pixels_as_json(Renderer& renderer, const Params& params, const Scene& scene,
                             std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
 

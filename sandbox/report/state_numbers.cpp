@@ -5,7 +5,7 @@
 namespace viewing {
 namespace {
 
-/// Owns the data to which a state's numbers refer, as long as they are in use.
+/// Owns the data that a state's numbers refer to, for as long as they are in use.
 struct Kept {
     Kept(const LoadedState& state, const Params& start, Scene scene, Renderer* renderer)
         : now_(state.params), start_(start), scene_(std::move(scene)), numbers(now_, start_, scene_, renderer) {}

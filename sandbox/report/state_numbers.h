@@ -1,5 +1,5 @@
-// The numbers of any state for expressions, each state with its own scene: for exercises, whose variants are computed
-// and judged independently of the window's current state.
+// The numbers that expressions read from any state with its own scene. Exercises use them, because their variants are
+// computed and judged independently of the window's current state.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace viewing {
 
-/// Returns the numbers of `now`, with `start` as the start of the step. The error is the scene's. `renderer` may be
-/// null, as for LessonNumbers, and must outlive the result.
+/// Returns the numbers of `now`, with `start` as the start of the step. The error is that of loading the scene.
+/// `renderer` may be null, as for LessonNumbers, and must outlive the result.
 Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, Renderer* renderer);
 
-/// Returns a function that does the same for a start state itself, for computing variants.
+/// Returns a function that does the same for a state that is its own start, for computing variants.
 NumbersAt numbers_at_start(Renderer* renderer);
 
 }  // namespace viewing

@@ -399,7 +399,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
     if (run.is_revealed()) return;
     if (step.ask.kind != AskKind::goal) {
         const std::vector<double> typed = answer_numbers(run.answer());
-        if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window's may be newer
+        if (typed == std::exchange(last_typed_, typed)) return;  // unchanged here; another window's answer may be newer
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
         if (typed.empty() || (is_blank && (!known || !known->draft))) return;
         if (known && (known->draft ? *known->draft : latest_answer(*known)) == typed) return;

@@ -21,10 +21,11 @@ public:
     struct Entry {
         Exercise exercise;
         std::size_t variant = 0;
-        std::optional<Result<LessonStep>> step;  ///< none until made
+        std::optional<Result<LessonStep>> step;  ///< none until it is made
     };
 
-    /// Sets the folder for answers; if it is empty, nothing is saved, as when only a picture is drawn.
+    /// Sets the folder for answers; if it is empty, nothing is saved, for example when the program only draws a
+    /// picture.
     void keep_in(std::filesystem::path folder, std::string program);
     /// Reads the exercises on first use. If one cannot be read, trouble() returns the error.
     void open();
@@ -33,14 +34,14 @@ public:
 
     /// Returns what was typed for the student, complete or not.
     const Student& student() const { return student_; }
-    /// Opens a student's sheet and restores its earlier answers. Without number and course, or if the student
+    /// Opens a student's sheet and restores its earlier answers. Without both a number and a course, or if the student
     /// `practices`, opens the practice sheet, whose numbers belong to nobody and which is never handed in.
     void sit_down(const Student& student, bool practices = false);
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
-    /// Whether number and course are known: a student who practices can then return to a sheet.
+    /// Whether the student's number and course are known; if so, a practicing student can return to their own sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
-    /// The number of practice exercises tried, and the number of those that have the student's own numbers and attempts
-    /// that this sheet lacks. Answers to other numbers do not count.
+    /// How many exercises the student has tried in practice, and how many of these have the student's own numbers and
+    /// attempts that this sheet lacks.
     struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
@@ -65,15 +66,15 @@ public:
     void read_again();
 
     const std::vector<Entry>& entries() const { return entries_; }
-    /// Returns the index of the next variant to make, which needs a caller that computes its numbers; none if all are
-    /// made.
+    /// Returns the index of the next exercise whose step must be made; the caller makes it, which computes its numbers,
+    /// and calls take_step(). Returns none if all are made, or while a file is being read.
     std::optional<std::size_t> next_to_make() const;
     void take_step(std::size_t entry, Result<LessonStep> step) { entries_[entry].step = std::move(step); }
     bool is_ready() const { return is_read_ && !reading_.is_running() && !next_to_make(); }
 
     /// Returns the exercises at these indices as a run, with the earlier work on each.
     LessonRun sheet(const std::vector<std::size_t>& places) const;
-    /// Returns the same, opened at one of them; none if that one could not be made.
+    /// Returns the same, opened at one of them; none if that exercise could not be made.
     std::optional<LessonRun> sheet_at(const std::string& exercise, const std::vector<std::size_t>& places) const;
     const HandIn& hand_in() const { return hand_in_; }
     bool is_right(const std::string& exercise) const;
@@ -83,11 +84,11 @@ public:
     /// Records a judged answer.
     void record(const LessonRun& run, const Verdict& verdict, const Params& params);
     /// Called once a frame while a sheet is open: records hints shown, answers typed, and changes on the way to a goal.
-    /// `is_at_rest`: no control is held.
+    /// `is_at_rest` is true if no control is held.
     void follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s);
 
 private:
-    /// The content of an opened file, and of the file on disk.
+    /// The contents of an opened file, of the student's file on disk, and of the practice file.
     struct Opened {
         HandIn hand_in, on_disk, practice;
     };
@@ -111,7 +112,7 @@ private:
     std::string program_;
     Student student_;  ///< as typed
     Student owner_;    ///< whose numbers and file are used; number and course are empty for practice
-    HandIn practice_;  ///< read when another sheet was opened
+    HandIn practice_;  ///< the practice sheet, read when another sheet was opened
     std::vector<Entry> entries_;
     HandIn hand_in_;
     HandIn known_;  ///< the file's content when last read or written; other windows write it too

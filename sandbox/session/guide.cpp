@@ -117,7 +117,7 @@ void Guide::reveal(Session& session) {
     const bool has_improvised = session.params != start;
     const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
     run_->reveal();
-    // If the goal was reached in another way than the model's, keep that state.
+    // If the goal was reached in a different way than in the model solution, keep that state.
     const Params from = has_reached ? session.params : start;
     const Result<Params> changed = apply_settings(from, step.reveal.settings);
     const Params to = has_reached && changed ? *changed : step.revealed;

@@ -47,21 +47,22 @@ public:
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// Goes to the question's answer, then to the next step's question. Does nothing after the last one.
     void next(Session& session);
-    /// Goes back to the question, then to the whole step before.
+    /// Goes back to the question, then to the previous step, with its answer if that was shown.
     void previous(Session& session);
-    /// Goes to the question of that step, answered before or not.
+    /// Goes to the question of that step, whether or not it was answered before.
     void go_to(std::size_t step, Session& session);
     /// Goes to the step that was shown before the last go_to().
     void go_back(Session& session);
-    /// Shows the answer: the reveal's changes, and the model of a goal that is not reached.
+    /// Shows the answer: the reveal's changes and, for a goal that was not reached, its model solution.
     void reveal(Session& session);
     /// Restores the step's state, before or after its answer.
     void return_to_step(Session& session);
-    /// Shows the parameters before the answer while held: a blink comparator. Does nothing during a reveal.
+    /// Shows the parameters from before the answer while `is_held`, like a blink comparator. Does nothing during a
+    /// reveal.
     void hold_before(bool is_held, Session& session);
 
     bool is_revealing() const { return reveal_.has_value(); }
-    /// Whether the state differs from the step's; theme and scale do not count.
+    /// Whether the state differs from the step's; theme, scale and language do not count.
     bool departs(const Session& session) const;
 
 private:

@@ -38,7 +38,7 @@ private:
     }
 
     Value current_;
-    std::deque<Value> past_, future_;  ///< dropping the oldest from the front is cheap
+    std::deque<Value> past_, future_;  ///< deques drop their oldest step cheaply
 };
 
 }  // namespace viewing

@@ -23,7 +23,7 @@ struct OutsideFile {
     std::string named_by;        ///< the state's name, or "clipboard"
 };
 
-/// A line for the status bar, good or bad news.
+/// A line of good or bad news for the status bar.
 struct Message {
     std::string text;
     bool is_error = false;
@@ -33,7 +33,7 @@ struct Message {
 
 class Session {
 public:
-    /// Loads the scene immediately; the error says why it cannot.
+    /// Loads the scene immediately; the error says why that is impossible.
     static Result<Session> make(const LoadedState& state);
     /// Makes a session for a window without waiting long: if loading takes more than `patience_s`, the opening scene is
     /// shown until the scene arrives.
@@ -59,7 +59,7 @@ public:
     /// Called once a frame: starts and finishes loading the scene that `params` names, applies opened states, and
     /// reports finished writes. A failed read changes nothing and says why in `message`.
     void update_scene();
-    /// Waits for all of that, for pictures without a window.
+    /// Waits until all of that is done; used to draw pictures without a window.
     void finish_loading();
     std::optional<float> loading_fraction() const;
     /// Whether a state or a scene is being read; until it arrives, `params` are unchanged.
@@ -82,7 +82,8 @@ public:
 
     /// Moves the camera back to its initial pose in this state.
     void go_home();
-    /// Fits the whole scene with its patches into the picture without rotating the camera. `aspect` is the picture's.
+    /// Fits the whole scene with its patches into the picture without rotating the camera. `aspect` is that of the
+    /// picture.
     void frame_all(double aspect);
     /// Removes roll.
     void level();
@@ -107,10 +108,10 @@ public:
     const OpenPreset* preset() const { return preset_.get(); }
     /// Whether anything but looks and layout differs from that preset.
     bool departs_from_preset() const;
-    /// Restores the preset as one step, except looks and layout; does nothing without one.
+    /// Restores the preset as one step, except looks and layout; does nothing without a preset.
     void return_to_preset();
 
-    /// Returns the flight opened last, once, so that it is played; its start is already in `params`.
+    /// Returns the flight opened last, but only once, so that the caller can play it; its start is already in `params`.
     std::shared_ptr<const Flight> take_flight() { return std::exchange(flight_, nullptr); }
 
     void reset();
@@ -135,7 +136,7 @@ public:
 
     /// Returns parameters with absolute file names, which are valid from any folder.
     Params portable(Params own) const;
-    /// Returns the whole state as text, portable.
+    /// Returns the whole state as text, made portable.
     std::string text() const;
     /// Whether the scene that `params` names is not loaded yet; the previous one is drawn until then.
     bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
@@ -167,13 +168,13 @@ private:
         std::filesystem::path outside;  ///< not empty: this file needs permission, and there is no scene
     };
 
-    /// Rotates the camera toward the orbit's target if the target is out of view: nobody wants to orbit something
-    /// invisible.
+    /// Rotates the camera toward the orbit's target if the target is out of view, because it makes no sense to orbit
+    /// something invisible.
     void aim_at_target();
-    /// Remakes a scene immediately if its formula's parameters changed: there is nothing to wait for.
+    /// Remakes a scene immediately if the parameters of its formula changed: there is no file to wait for.
     void remake_scene();
     void begin_here();  ///< makes the current camera its home
-    /// Gives up the awaited scene and restores what was before it was named.
+    /// Gives up the awaited scene and restores the state from before it was named.
     void keep_scene();
     void take_over(const Step& step);
     void start_reading(Wanted wanted);
@@ -196,11 +197,11 @@ private:
     BackgroundTask<Arrived> reading_;
     bool has_just_begun_ = false;  ///< reading_ began after the last update_scene()
     std::optional<OutsideFile> question_;
-    FileReach allowed_{false, {}};  ///< by permission, or because they were read before
+    FileReach allowed_{false, {}};  ///< files allowed by permission, or because they were read before
     BackgroundTask<std::monostate> writing_;
     std::string written_;  ///< the message when done
     std::optional<Status> outcome_;
-    int steps_back_ = 0;  ///< steps back in the history to where the awaited scene belongs; negative: forward
+    int steps_back_ = 0;  ///< undo steps minus redo steps since a scene was last loaded
 
     CameraParams home_;
     double home_height_ = 0.0;  ///< of the orthographic view at home_

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Most scenes load quickly: a short wait avoids a frame with the old one.
+/// Most scenes load quickly, so a short wait avoids a frame with the old scene.
 constexpr double a_moment_s = 0.02;
 
 /// Whether a scene would look the same as the current one, so that nothing needs to be redrawn.

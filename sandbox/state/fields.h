@@ -57,7 +57,7 @@ struct Field {
     double max = 1e12;
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
-    std::string_view help;          ///< its effect, in one or two sentences
+    std::string_view help;          ///< its effect, in a few sentences
     std::string_view formula = "";  ///< "" or the formula that uses it
     std::string_view gl_call = "";  ///< "" or the GL call that it sets
 
@@ -80,17 +80,17 @@ const Field& field(std::string_view path);
 /// Whether a path is the group or field itself, or is inside it.
 bool is_in(std::string_view path, std::string_view group);
 
-/// Returns the fields of a group; also for a group of list elements, such as "light".
+/// Returns the fields of a group, which may also be a group of list elements, such as "light".
 std::vector<const Field*> fields_of(std::string_view group);
 
 /// Returns the JSON form of an element of the group's list: `{"equation": [a, b, c, d], "extent", …}`.
 std::string element_form(std::string_view group);
 
-/// Returns how many elements of a list have the field; 1 if it is in no list.
+/// Returns how many elements of a list have the field; 1 if the field is not in a list.
 std::size_t element_count(const Field& field, const Params& params);
 
-/// The inclusive range of a field's component. The w of a light is 0 … 1; all other components have the field's range.
-/// A scalar is component 0.
+/// The inclusive range of a field's component. The w of a light has the range 0 … 1; all other components have the
+/// field's range. A scalar is component 0.
 struct Range {
     double min, max;
 };
@@ -164,9 +164,9 @@ std::string_view name_of(Enum value) {
 }
 
 /// Clamps every number to its field's range and corrects values that depend on each other (near < far, a plane with a
-/// normal, a light that is not zero, a chosen element that exists), so that the panel can never cause an error. Yaw and
-/// roll may grow without limit, so they wrap by full turns; NaN becomes the default. Leaves the objects of an inline
-/// scene unchanged: no control edits them.
+/// normal, a light that is not zero, a chosen element that exists), so that the panel can never cause an error. The
+/// camera's angles and the observer's yaw wrap by full turns, since they may keep growing; NaN becomes the default.
+/// Leaves the objects of an inline scene unchanged: no control edits them.
 void clamp_to_ranges(Params& params);
 
 }  // namespace viewing

@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// Returns an absolute path; follows links as far as the path exists.
+/// Returns the absolute path, following links as far as the path exists.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
 /// A set of files, and of folders with everything below them. Links are followed before a file is looked up. The assets
@@ -20,7 +20,7 @@ struct FileReach {
     bool includes(const std::filesystem::path& file) const;
 };
 
-/// Returns the reach of one folder alone; empty means the working directory.
+/// Returns the reach of one folder alone; an empty path means the working directory.
 FileReach reach_of_folder(const std::filesystem::path& folder);
 
 }  // namespace viewing

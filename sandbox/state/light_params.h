@@ -35,15 +35,15 @@ struct PlaneParams {
 struct ShadowParams {
     bool enabled = true;
     Color color{0, 0, 0};
-    double opacity = 0.5;  ///< at places where the shadows of all lights overlap
+    double opacity = 0.5;  ///< where the shadows of all lights overlap
     bool stencil_once = true, clip_to_receiver = true, clip_casters = true;
     ShadowOffset offset = ShadowOffset::polygon_offset;
     double offset_factor = -1.0, offset_units = -1.0, lift = 0.01;
     ShadowStyle style = ShadowStyle::blend;
 
-    bool clip_at_light = true;                      ///< clips casters at the light, parallel to the receiver
+    bool clip_at_light = true;                      ///< clips casters at the plane w = 0, which contains the light
     ShadowSign sign = ShadowSign::plane_dot_light;  ///< the factor of S; forced negates each vertex whose w is negative
-    bool write_depth = false;                       ///< with the offset added, so the plane's stored depths change
+    bool write_depth = false;                       ///< writes depth plus offset, so the plane's stored depths change
     bool own_stencil = true;                        ///< off: all planes share one value and all lights one bit
     bool operator==(const ShadowParams&) const = default;
 };
@@ -56,9 +56,9 @@ struct ReflectionParams {
     bool flip_winding = true, reflect_light = true;
     int bounces = 1;
 
-    MirroredThing mirrored = MirroredThing::scene;  ///< R mirrors the scene, or the camera, and its picture is flipped
+    MirroredThing mirrored = MirroredThing::scene;  ///< R mirrors the scene, or the camera, whose picture is flipped
     bool same_projection = true;                    ///< off: the mirrored camera uses the aspect ratio of a square
-    bool printed_by_rows = false;  ///< R filled by rows, like the lecture's code; GL reads them as columns
+    bool printed_by_rows = false;  ///< fills R by rows, like the lecture's code; GL reads them as columns
     bool mask_writes_depth = false;
     bool after_objects = false;  ///< draws the mirror last, and its mask without a depth test
     bool side_of_eye = true;     ///< off: mirrors the objects on the normal's side, wherever the eye is

@@ -5,8 +5,9 @@
 
 namespace viewing {
 
-/// Moves the later lights and planes up, with their matrices entered by hand. The chosen element stays chosen; if it is
-/// removed, the next one is chosen, or the last. `index` must exist; the last remaining element cannot be removed.
+/// Moves the later lights or planes up, together with their matrices entered by hand. The chosen element stays chosen;
+/// if it is removed, the next one is chosen, or the last. `index` must exist; the last remaining element cannot be
+/// removed.
 void remove_light(Params& params, std::size_t index);
 void remove_plane(Params& params, std::size_t index);
 

@@ -1,6 +1,7 @@
 // Everything that a user can change, as one plain value that can be copied, compared, printed, parsed and undone. The
-// defaults are the opening state. Names, order and units match the state file; fields.cpp has ranges and explanations.
-// Lengths are in world units, angles in degrees; y is up, right-handed. Read frame/derive.cpp next.
+// defaults are the opening state. Names, order and units match the state file; fields.cpp has the ranges and
+// explanations. Lengths are in world units, angles in degrees; coordinates are right-handed with y up. Read
+// frame/derive.cpp next.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +82,7 @@ struct SlipParams {
     bool camera_as_view = false;      ///< uploads C instead of V
     bool degrees_as_radians = false;  ///< P gets fovy in degrees instead of radians
     bool plus_2ab = false;            ///< row 2, column 1 of R is +2ab, as in one line of the slide
-    bool normal_not_unit = false;     ///< R from (a, b, c, d) as entered, not divided by |n|
+    bool normal_not_unit = false;     ///< fills R from (a, b, c, d) as entered, not divided by |n|
     bool operator==(const SlipParams&) const = default;
 };
 
@@ -127,8 +128,9 @@ struct Params {
     AnimationParams animation;
     UiParams ui;
 
-    /// Returns the input of P, with the mistake of using degrees as radians. If cot(fovy/2) is negative, which turns
-    /// the picture upside down, the field of view is negative too. It avoids 0° and ±180°, so that P has an inverse.
+    /// Returns the lens that P is computed from, including the mistake of using degrees as radians if it is switched
+    /// on. If cot(fovy/2) is negative, which turns the picture upside down, the field of view is negative too. With
+    /// that mistake, it avoids 0° and ±180°, so that P has an inverse.
     Lens lens() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }

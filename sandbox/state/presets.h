@@ -1,4 +1,4 @@
-// Presets: state files in assets/presets, each with a title and a sentence. Also loads a STATE argument.
+// Presets: state files in assets/presets, each with a title and a description. Also loads a STATE argument.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct NamedFile {
     /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes it, as on the command line.
     std::string mended_by;
     std::filesystem::path path;
-    /// Its state sets the theme or the text size, so it opens only from the list: Page Down skips it.
+    /// Whether its state sets the theme or the text size; if so, it opens only from the list, and Page Down skips it.
     bool sets_looks = false;
 };
 
@@ -54,9 +54,9 @@ struct LoadedState {
     FileReach reach = {};  ///< the files that its scene may read; for a loaded state, its own folder
 };
 
-/// Loads the STATE of the command line: the path of a .json file, a preset's name, or "" for the opening preset; a
-/// figure (.png, .svg, .pdf) that contains its state; a flight; a link to a state or a preset (for a link to a lesson:
-/// lesson/linked_step.h).
+/// Loads the STATE argument of the command line: the path of a .json file, which contains a state or a flight; the path
+/// of a figure (.png, .svg, .pdf) that contains its state; a preset's name, or "" for the opening preset; or a link to
+/// a state or a preset. lesson/linked_step.h handles links to a lesson.
 Result<LoadedState> load_state(const std::string& argument);
 
 /// Loads a state or a link from a string; `source` starts every message.

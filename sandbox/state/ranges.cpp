@@ -1,5 +1,5 @@
-// Applies the list of fields to values: ranges of components, descriptions of allowed values, and how values are
-// corrected that a control has dragged out of range.
+// Applies the list of fields to values: ranges of components, descriptions of allowed values, and corrections of values
+// that a control has dragged out of range.
 #include <algorithm>
 #include <cmath>
 #include <sstream>

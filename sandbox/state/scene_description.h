@@ -1,4 +1,4 @@
-// A scene as in its file: objects with a shape and a place. scene.h makes meshes from it.
+// A scene as its file describes it: objects, each with a shape and a place. scene.h makes meshes from it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace viewing {
 
-/// "#rrggbb".
+/// A color, written as "#rrggbb" in files.
 struct Color {
     std::uint8_t r = 0, g = 0, b = 0;
     bool operator==(const Color&) const = default;
@@ -24,7 +24,7 @@ enum class ShapeKind { box, sphere, torus, cylinder, cone, quad, triangle, teapo
 /// Options for reading a mesh file.
 struct MeshReading {
     double crease_deg = 30.0;  ///< largest angle between faces whose computed normals are smooth: 0 … 180
-    bool fit = true;           ///< centers and scales; else keeps the file's coordinates
+    bool fit = true;           ///< centers and scales the mesh; off: keeps the file's coordinates
     bool operator==(const MeshReading&) const = default;
 };
 

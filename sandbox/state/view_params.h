@@ -44,7 +44,7 @@ enum class Topic {
 struct BesideParams {
     Beside shows = Beside::nothing;
     BesideLayout layout = BesideLayout::halves;
-    double share = 0.5;                             ///< the fraction left of the divider
+    double share = 0.5;                             ///< the fraction of the view left of the divider
     DepthFormat format = DepthFormat::d32f;         ///< of other_depth
     DepthMapping mapping = DepthMapping::reversed;  ///< of other_depth
     bool operator==(const BesideParams&) const = default;
@@ -76,9 +76,9 @@ struct ViewParams {
     int samples = 4;                        ///< 0 or 4
     int plane = 1, light = 1;               ///< the chosen ones, counted from 1
     BesideParams beside;
-    std::optional<glm::ivec2> pixel;  ///< pinned in the camera view; (0, 0) is the top left one
+    std::optional<glm::ivec2> pixel;  ///< the pinned pixel of the camera view; (0, 0) is the top left one
     std::optional<Pin> pin;           ///< overrides `pixel`
-    std::optional<glm::ivec2> cells;  ///< columns and rows of cells around it; none: as many as stay readable
+    std::optional<glm::ivec2> cells;  ///< columns and rows of cells around that pixel; none: as many as stay readable
     int call = -1;                    ///< the last draw call of the frame, from 0; −1: all of them
     int triangle = -1;                ///< number of triangles of that call to draw; −1: all of them
     int pass = -1;                    ///< the last pass of the frame, from 0; −1: all of them

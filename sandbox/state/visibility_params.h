@@ -21,7 +21,8 @@ struct VisibilityParams {
     VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other method in the difference view
     bool numbers = false;                                        ///< writes the drawing order on the polygons
     std::optional<glm::ivec2> raster;  ///< columns and rows of the computed picture; none: the view's pixels
-    std::optional<glm::ivec2> pixel;   ///< in that picture, (0, 0) top left; the views show its fragments or ray
+    std::optional<glm::ivec2> pixel;   ///< a pixel of that picture, (0, 0) at the top left; the views show its
+                                       ///< fragments or ray
     bool operator==(const VisibilityParams&) const = default;
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Ends the check of the entry: it cannot be drawn, or a file cannot be written. Caught by check_entry.
+/// Ends the check of an entry that cannot be drawn or whose files cannot be written. Caught by Check::run().
 struct Broken : Refusal {
     using Refusal::Refusal;
 };
@@ -135,7 +135,7 @@ private:
                                                            as_text(difference))));
     }
 
-    /// Reports the changes to the state that the reference was drawn from, which the reference contains.
+    /// Reports how the state has changed since the reference was drawn; the reference contains the earlier state.
     void tell_changed_state(const fs::path& reference, const std::string& state) {
         const Result<std::string> note = read_png_note(reference);
         if (!note || note->empty()) return;

@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// Everything that is needed for drawing.
+/// Everything that is needed to draw an entry.
 struct SuiteSubject {
     LoadedState state;
     Scene scene;

@@ -7,7 +7,7 @@
 namespace viewing {
 
 Status check_masks(const Suite& suite) {
-    std::set<std::string> known;  // masks checked so far: most entries share those of the defaults
+    std::set<std::string> known;  // masks checked so far; most entries share the masks of the defaults
     for (const SuiteEntry& entry : suite.entries) {
         if (!entry.checks_picture || entry.mask.is_empty()) continue;
         std::string key = std::to_string(entry.size_px.x) + "x" + std::to_string(entry.size_px.y);

@@ -8,7 +8,8 @@
 
 namespace viewing {
 
-/// One difference: "shadow_from_world[0][1]". A value that does not exist in one of the trees is null.
+/// One difference, at a path such as "shadow_from_world[0][1]". A value that does not exist in one of the trees is
+/// null.
 struct NumberChange {
     std::string path;
     Json expected, actual;

@@ -56,7 +56,7 @@ Status check_report_folder(const fs::path& folder) {
                  "; name another folder with \"report\""};
 }
 
-/// Returns a text for XML, which cannot represent most control characters, invalid UTF-8, or noncharacters.
+/// Escapes a text for XML, which cannot represent most control characters, invalid UTF-8, or noncharacters.
 std::string xml_text(const std::string& text) {
     std::string clean;
     for (std::size_t begin = 0; begin <= text.size();) {

@@ -1,4 +1,5 @@
-// The result of a suite's run: the outcome of each entry with the facts for the report. Converts it to JSON and back.
+// The result of a suite's run: the outcome of each entry with the facts for the report. Also converts it to JSON and
+// back.
 #pragma once
 
 #include <filesystem>
@@ -53,7 +54,7 @@ std::string reasons_in_lines(const EntryResult& entry);
 Json as_json(const EntryResult& entry);
 Json as_json(const RunResult& run);
 
-/// Throws Refusal.
+/// Reads the result of an entry. Throws Refusal if it is invalid.
 EntryResult read_entry_result(const Json& value, const Where& where);
 
 /// Reads report.json in a report's folder. Fails if there is none, or if it is not one of ours.

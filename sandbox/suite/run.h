@@ -1,6 +1,6 @@
 // Runs a suite: distributes its entries to worker processes and collects their results. An entry that crashes or takes
 // too long fails alone; the others continue with a new worker. While there is an EndingNote, a signal ends the run
-// early: workers are ended, and unfinished entries are not drawn.
+// early: it terminates the workers, and unfinished entries count as not drawn.
 #pragma once
 
 #include <functional>
@@ -38,8 +38,8 @@ struct GatheredResults {
 GatheredResults run_entries(const Suite& suite, const RunWish& wish);
 
 /// Returns the entries of shard `index` of `count`, counted from 1. Assigns the entries with the longest times first,
-/// each to the shard with the least work; entries with equal times in the order of the suite. `seconds` contains times
-/// from an earlier run by name; the mean is used for an unknown entry.
+/// each to the shard with the least work, and those with equal times in the order of the suite. `seconds` contains
+/// times from an earlier run by name; the mean is used for an unknown entry.
 std::vector<std::size_t> entries_of_shard(const Suite& suite, int index, int count,
                                           const std::map<std::string, double>& seconds);
 

@@ -21,7 +21,7 @@ struct SuiteStep {
     std::string exercise, course, student;
 };
 
-/// A measurement, and the tolerance of its numbers: absolute, or relative to the expected one.
+/// A measurement, and the tolerance of its numbers: absolute, or relative to the expected number.
 struct SuiteMeasure {
     std::string what;  ///< fighting, visibility, mirror, order
     double tolerance = 0.0;
@@ -34,7 +34,7 @@ struct SuiteEntry {
         file_name;  ///< the name of its reference and results, valid on every file system, without its extension
 
     std::string state;         ///< in the form that commands take; files with full paths
-    std::string inline_state;  ///< JSON that replaces `state`; "": none
+    std::string inline_state;  ///< JSON that replaces `state`; "" if there is none
     std::optional<SuiteStep> step;
     std::vector<std::string> settings;  ///< applied in order
 
@@ -47,7 +47,7 @@ struct SuiteEntry {
     MaskSource mask;                           ///< parts of the picture that are not compared
     std::optional<double> matrices_tolerance;  ///< empty: matrices are not checked
     std::vector<SuiteMeasure> measures;
-    std::vector<std::string> wanted_problems;  ///< parts of sentences; each must occur in that of a reported problem
+    std::vector<std::string> wanted_problems;  ///< parts of sentences; each must occur in a reported problem's sentence
     std::vector<std::string> unwanted_problems;
     bool allows_no_problem = false;
 };

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace form = suite_form;
 using form::each_names, form::measure_names;
 
-/// The keys of the settings of an entry, also allowed in "defaults".
+/// The keys of an entry's settings, which are also allowed in "defaults".
 const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "profile", "worst",
                                             "share", "reach", "masks", "matrices", "measure", "problems"};
 
@@ -146,7 +146,8 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
 
 // ---- subjects ------------------------------------------------------------------------------------------------------
 
-/// Returns the name of a lesson or a state; the name of a file is relative to the suite's folder.
+/// Returns the path of the file with this name, relative to the suite's folder; if there is no such file, the name
+/// itself, which may be that of a built-in lesson or preset.
 std::string found_from(const fs::path& folder, const std::string& name) {
     std::error_code unknown;
     const fs::path file = folder / name;
@@ -253,8 +254,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
 
 // ---- the suite -----------------------------------------------------------------------------------------------------
 
-/// Assigns file names to entries. Two that differ only in case are refused, since on some systems they are the same
-/// file.
+/// Assigns file names to entries. Refuses two that differ only in case, since on some systems they are the same file.
 void name_files(Suite& suite, const std::string& prefix) {
     std::map<std::string, std::string> taken;
     for (SuiteEntry& entry : suite.entries) {
@@ -311,7 +311,7 @@ bool tests_something(const SuiteEntry& entry) {
            !entry.wanted_problems.empty() || !entry.unwanted_problems.empty() || entry.allows_no_problem;
 }
 
-/// Checks that are possible only once defaults, entry and "loosened" are combined.
+/// Makes the checks that are possible only once defaults, entry and "loosened" are combined.
 void check_entry_of(const SuiteEntry& entry, const Where& where) {
     if (const Status fits = check_picture_size(entry.view, entry.size_px); !fits)
         where.refuse(excerpt(entry.name) + ": size: " + fits.error());
@@ -386,7 +386,7 @@ Suite suite_of_folder(const fs::path& folder) {
     return suite;
 }
 
-/// Refuses outputs of run and accept that are also files that the suite reads.
+/// Refuses to let `run` and `accept` overwrite files that the suite reads.
 void check_outputs(const Suite& suite, const Where& where) {
     if (are_same_file(suite.report, suite.references))
         where.key("report").refuse("must not be the folder of the references");

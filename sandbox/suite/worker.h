@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Writes {"renderer": …}, then for each {"entry": 12, "key": "…"} the entry's result, until the input ends. The key in
-/// a request replaces the known key in `wish`.
+/// Writes {"renderer": …}, then answers each request {"entry": 12, "key": "…"} with the entry's result, until the input
+/// ends. The key in a request replaces the known key in `wish`.
 void serve_entries(const Suite& suite, CheckWish wish, Renderer& renderer, gl::DebugLog& log, std::istream& input,
                    std::FILE* output);
 

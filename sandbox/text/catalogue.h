@@ -1,16 +1,16 @@
-// Every text of the window, in the user's language. English is the id of a text and is shown if there is no
+// Every text of the window, in the user's language. A text's English version is its id, and is shown if there is no
 // translation. Command lines, state files, ImGui ids, recorded items and tests stay English.
 //
 //     say("{count} of {all} pixels differ", "count"_a = grouped_number(count), "all"_a = grouped_number(all))
-//                                whole templates with named placeholders, never a sentence joined from halves; numbers
-//                                come as text/numbers.h writes them. The compiler checks that each placeholder has its
+//                                whole templates with named placeholders, never a sentence joined from halves;
+//                                text/numbers.h formats the numbers. The compiler checks that each placeholder has a
 //                                value.
 //     say_count(n, "one node is built", "{count} nodes are built")
 //                                two whole templates, never an appended "s"
 //     tr("Scene")                a text without placeholders that goes straight to ImGui
-//     marked("Scene")            the same text in a table: shown later by tr(), or by a widget, which looks up every
-//                                label, name, tip, title and sentence that it draws. Literals given to a widget need
-//                                nothing.
+//     marked("Scene")            the same text in a table, which tr() or a widget shows later. A widget looks up every
+//                                label, name, tip, title and sentence that it draws, so literals given to a widget
+//                                need no marking.
 //
 // state/person/language.h chooses the language.
 //
@@ -42,10 +42,11 @@ void speak(std::span<const PoEntry> entries);
 /// replaced; placeholders stay. Text that still appears in English never went through the catalog.
 void speak_pseudo(std::span<const PoEntry> entries);
 
-/// Returns all translations of the current language, joined: its fonts must have these characters. "" for English.
+/// Returns all translations of the current language, joined, since the fonts must have all of their characters; "" for
+/// English.
 std::string spoken_texts();
 
-/// Returns "[Þçéñé ååå]" for "Scene".
+/// Returns "[Êçéñé å]" for "Scene".
 std::string pseudo_text(std::string_view english);
 
 // ---- texts -------------------------------------------------------------------------------------------------------
@@ -75,7 +76,7 @@ std::string say(fmt::format_string<Values...> english, Values&&... values) {
 /// The value that say_count inserts for {count}.
 using CountValue = decltype("count"_a = std::declval<const std::string&>());
 
-/// Uses `one` for 1, else `many`; {count} is the count with its digits in groups. `one` may spell the number out.
+/// Uses `one` for 1, otherwise `many`; {count} is the count with its digits in groups. `one` may spell the number out.
 template <typename... Values>
 std::string say_count(std::int64_t count, fmt::format_string<CountValue, Values...> one,
                       fmt::format_string<CountValue, Values...> many, Values&&... values) {

@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Returns the names of all topics, in reading order: "lessons".
+/// Returns the names of all topics, such as "lessons", in reading order.
 std::span<const char* const> manual_topics();
 
 enum class ManualPart { heading, paragraph, item, code, row };
@@ -17,7 +17,7 @@ enum class ManualPart { heading, paragraph, item, code, row };
 /// A heading, a paragraph, an item of a list, one line of code, or one row of a table, as plain text without markup.
 struct ManualBlock {
     ManualPart part = ManualPart::paragraph;
-    std::vector<std::string> cells;  ///< the cells of a row; otherwise one text
+    std::vector<std::string> cells;  ///< the cells of a row; otherwise a single text
 };
 
 /// Splits a Markdown text into blocks: headings (#), paragraphs, lists (- and 1.), fenced code and tables. Removes the

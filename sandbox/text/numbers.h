@@ -14,15 +14,16 @@ namespace viewing {
 
 // ---- for a person --------------------------------------------------------------------------------------------------
 
-/// Fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, or if the decimals would all be
-/// zero, 1.234·10⁶ or 7.5·10⁻⁶; anything below 10⁻⁹ is a rounding residue: 0.000.
+/// Returns a number with fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, or if all
+/// digits would be zero, writes 1.234·10⁶ or 7.5·10⁻⁶. Anything below 10⁻⁹ counts as a rounding residue: 0.000.
 std::string number_text(double value, int decimals);
 
-/// As many significant digits, without zeros at the end, for sentences: "0.25", "−3500", "1.2·10⁻⁷", "∞".
+/// Returns a number with `digits` significant digits, without zeros at the end, for sentences: "0.25", "−3500",
+/// "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
 
-/// Three significant digits with zeros at the end, so that a moving value does not jump: "4.00", "12.5", "12,300",
-/// "1.20·10⁻⁷"; zero is "0".
+/// Returns a number with three significant digits, or all digits before the point if those are more. Keeps zeros at the
+/// end, so that a changing value does not jump: "4.00", "12.5", "12345", "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);
 
 /// A share as "12.5%"; a nonzero share that would round to 0 is "< 0.1%", one below 1 that would round to 1 is ">
@@ -43,7 +44,7 @@ std::string lowered_text(std::initializer_list<std::size_t> indices);
 /// The shortest decimal that reads back to exactly `value`, as in JSON: "0.5", "-0.0", "40000", "1e6".
 std::string format_number(double value);
 
-/// The same as in C, Python and CSV, sometimes with a two-digit exponent: "0.5", "-0", "1e-05", "inf".
+/// The same, but as C, Python and CSV write it, sometimes with a two-digit exponent: "0.5", "-0", "1e-05", "inf".
 std::string shortest_number(double value);
 
 /// A color: "#e4572e".
@@ -61,7 +62,7 @@ std::optional<double> parse_double(std::string_view text);
 
 /// Returns all numbers in a text, in order, whatever is between them: "array([[1., -2e-3], [3, 4]], dtype=float64)",
 /// "[1 2; 3 4]", "1 & 1/3 \\\\". The minus may be a true minus sign; 1/3 is a quotient; digits inside a word do not
-/// count. At most 1000.
+/// count. Returns at most 1000 numbers.
 std::vector<double> numbers_in(std::string_view text);
 
 // ---- where space is short ------------------------------------------------------------------------------------------
@@ -80,7 +81,8 @@ struct NumberChars {
 enum class Tiny { zero, exponent };
 /// Writes the same as number_text, with a choice for tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);
-/// Writes the same in at most `columns` characters: fewer decimals, then no unit, then 1.2·10⁵, then 1.2e5.
+/// Writes the same in at most `columns` characters. To fit, drops decimals, then the unit, then writes 1.2·10⁵, then
+/// 1.2e5.
 NumberChars fitted_number(double value, int decimals, Tiny tiny, std::string_view unit, int columns);
 
 }  // namespace viewing

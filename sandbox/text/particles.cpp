@@ -41,7 +41,7 @@ LastSound sound_of_latin(char letter, bool is_alone) {
     return small == 'm' || small == 'n' ? LastSound::consonant : LastSound::vowel;
 }
 
-/// The last character of UTF-8, as a code point.
+/// Returns the last character of a UTF-8 text as a code point.
 std::uint32_t last_character(std::string_view text) {
     std::size_t begin = text.size() - 1;
     while (begin > 0 && continues_character(text[begin])) --begin;
@@ -52,7 +52,7 @@ std::uint32_t last_character(std::string_view text) {
     return code;
 }
 
-/// The part that is read aloud last: without quotes and brackets at the end, and without a gloss: "평면" of
+/// Returns the part that is read aloud last, without quotes and brackets at its end, and without a gloss: "평면" for
 /// "평면(plane)".
 std::string_view read_aloud(std::string_view text) {
     constexpr std::array<std::string_view, 7> marks{"]", "}", "\"", "'", "’", "”", " "};

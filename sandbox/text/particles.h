@@ -10,12 +10,13 @@ namespace viewing {
 /// How a word ends when it is read aloud.
 enum class LastSound { vowel, l, consonant };
 
-/// The last sound of a text when it is read in Korean. Hangul counts by its final letter; digits, units and single
-/// letters are read by their Korean names ("3" 삼, "%" 퍼센트, "R" 알); Latin words that end in l, m or n end in a
-/// consonant. Brackets and quotes at the end are skipped. Vowel for everything else and for an empty text.
+/// Returns the last sound of a text when it is read in Korean. Hangul counts by its final letter; digits, units and
+/// single letters are read by their Korean names ("3" 삼, "%" 퍼센트, "R" 알); Latin words that end in m or n end in a
+/// consonant, and words that end in l end in l. Skips brackets and quotes at the end. Returns vowel for everything else
+/// and for an empty text.
 LastSound last_sound(std::string_view text);
 
-/// Replaces each "[은/는]", "[이/가]", "[을/를]", "[과/와]" and "[으로/로]" by the form that fits the text before it.
+/// Replaces each "[은/는]", "[이/가]", "[을/를]", "[과/와]" and "[으로/로]" with the form that fits the text before it.
 std::string with_particles(std::string text);
 
 }  // namespace viewing

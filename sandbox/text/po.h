@@ -14,18 +14,18 @@ namespace viewing {
 struct PoEntry {
     std::string english;
     std::string translation;
-    bool is_fuzzy = false;   ///< a translator must review it: counts as not translated
+    bool is_fuzzy = false;   ///< a translator must review it; it counts as not translated
     int line = 0;            ///< where it begins, from 1
     std::string where = {};  ///< the files that show it, as "#:" lists them
 };
 
-/// Returns the entries of a .po file in UTF-8, in order, without its header (the entry with an empty id). Refuses these
-/// with one sentence that names the line: contexts and plural forms (an English text has one translation here; one for
-/// "1" and one for the rest are two texts), unknown keywords or escapes, and repeated ids.
+/// Returns the entries of a .po file in UTF-8, in order, without its header (the entry with an empty id). Refuses
+/// contexts, plural forms, unknown keywords or escapes, and repeated ids, with one sentence that names the line. An
+/// English text has only one translation here; a text for "1" and a text for other numbers are two entries.
 Result<std::vector<PoEntry>> read_po(std::string_view content);
 
 /// Returns the placeholders in braces of a template, in alphabetical order, each once: "{count} of {all}" has "all" and
-/// "count". "{{" and "}}" are literal braces. Fails if a brace is left open.
+/// "count". "{{" and "}}" are literal braces. Fails if a brace has no partner.
 Result<std::vector<std::string>> places_in(std::string_view text);
 
 }  // namespace viewing

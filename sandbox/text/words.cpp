@@ -13,7 +13,7 @@ namespace viewing {
 namespace {
 
 struct Character {
-    std::optional<char32_t> code_point;  ///< none: not UTF-8
+    std::optional<char32_t> code_point;  ///< none if it is not UTF-8
     std::size_t bytes = 1;
 };
 
@@ -32,8 +32,8 @@ Character character_at(std::string_view text) {
     return {code_point, count};
 }
 
-/// Controls of C0 and C1, line separators, characters that change the writing direction, characters without width
-/// (except the two joiners that scripts need), and noncharacters.
+/// Whether a character is a C0 or C1 control, a line separator, a noncharacter, or a character that changes the writing
+/// direction or has no width (except the two joiners that scripts need).
 bool is_deceptive(char32_t c) {
     return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x00ad || c == 0x061c || c == 0x200b || c == 0x200e ||
            c == 0x200f || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x2069) || c == 0xfeff ||

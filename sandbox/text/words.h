@@ -25,8 +25,8 @@ std::size_t character_count(std::string_view text);
 /// Does nothing to an empty text.
 void remove_last_character(std::string& text);
 
-/// Returns a text that is safe to show in a terminal and a window: invalid UTF-8 becomes \xff; control characters, and
-/// those that change the writing direction and so disguise a text, become \u202e.
+/// Returns a text that is safe to show in a terminal and a window: invalid bytes become escapes such as \xff. Control
+/// characters, and characters that disguise a text by changing its writing direction, become escapes such as \u202e.
 std::string printable(std::string_view text);
 
 /// Returns user input for a message: printable, and cut between two characters after at most 200 bytes.
@@ -41,8 +41,8 @@ bool is_utf8(std::string_view text);
 /// Returns a word from a file for a message: printable, at most 20 characters.
 std::string excerpt(std::string_view text);
 
-/// Breaks a text into lines of at most `width` characters where its words allow it, each with a newline. The first
-/// begins with `first`, the others with `indent` blanks. Words are separated by single blanks.
+/// Breaks a text into lines of at most `width` characters where its words allow it, each ending with a newline. The
+/// first begins with `first`, the others with `indent` blanks. Words are separated by single blanks.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
 
 /// Returns the start of a text that should stay on one line: a word, or a formula with blanks around its signs.
@@ -51,7 +51,7 @@ std::string_view unbroken_start(std::string_view text);
 /// Converts ASCII letters to lower case and keeps everything else: for file extensions and searches.
 std::string in_lower_case(std::string text);
 
-/// Returns a byte as in links and safe file names: "%2F".
+/// Returns a byte as links and safe file names write it: "%2F".
 std::string percent_encoded(char byte);
 
 /// Splits at each `sign` outside brackets and quotes; returns at least one part.
@@ -73,7 +73,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// Returns the candidate nearest to a misspelled word, the first on a tie; none if no candidate is near enough.
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 
-/// Returns `; did you mean "less"?` for a misspelled word, "" if nothing is near.
+/// Returns "; did you mean less?" for a misspelled word, "" if nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 /// Whether that many edits still look like a typo in a word of this length; never for a single letter.

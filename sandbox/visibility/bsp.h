@@ -31,7 +31,7 @@ struct BspNode {
     int depth = 1;                              ///< 1 at the root
     int first_fragment = 0, fragment_count = 0; /**< a run of BspTree::fragments: the polygons in the plane, the lowest
                                                      source last, so that it is visible where they overlap */
-    bool sorted = true;                         ///< false: polygons left uncut by the budget, drawn in list order
+    bool sorted = true;                         ///< false if the build had stopped: its polygons are uncut
 
     int splitter_source = 0;  ///< the polygon that defines the plane
     int input_count = 0;      ///< polygons that reached this node
@@ -41,7 +41,7 @@ struct BspNode {
 };
 
 struct BspCounters {
-    std::int64_t plane_tests = 0;  ///< polygons tested against a plane, to choose and to cut
+    std::int64_t plane_tests = 0;  ///< polygons tested against a plane, both to choose a plane and to cut
     int splits = 0;
     int depth = 0;
 };
@@ -58,9 +58,9 @@ struct BspTree {
 /// Builds the tree. If the build stops, every polygon is still in the tree, some in nodes that are not `sorted`.
 BspTree build_bsp(std::span<const Polygon> polygons, const BspOptions& options = {}, WorkProgress* progress = nullptr);
 
-/// A visited node when its own polygons are drawn, and the eye's side of its plane: 1 front, −1 back, 0 in the plane.
-/// The traversal continues from 0 as from 1: neither side can then hide the other, and the node's polygons are seen
-/// edge-on.
+/// A visited node, at the time its own polygons are drawn, and the side of its plane that the eye is on: 1 in front, −1
+/// behind, 0 in the plane. The traversal treats 0 like 1: neither side can then hide the other, and the node's polygons
+/// are seen edge-on.
 struct BspVisit {
     int node;
     int eye_side;

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Planes tried per node, and polygons that each plane is tried on. These limit the time of a choice.
+/// The most planes tried per node, and the most polygons each is tried on. Both limit how long a choice takes.
 constexpr std::size_t max_candidates = 12, max_tried_on = 192;
 
 struct Children {
@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    /// Returns the number of polygons and pieces in the tree; in the pool, one piece replaces the polygon that was cut.
+    /// Returns the number of polygons and pieces so far, in the tree or still waiting; in the pool, one piece replaces
+    /// the polygon that was cut.
     int live_count() const { return static_cast<int>(pool_.size()); }
 
     void grow() {
@@ -92,7 +93,7 @@ private:
         return best;
     }
 
-    /// Returns the cost to minimize, then the tie-breaker.
+    /// Returns the cost to minimize and a tie-breaker.
     std::pair<std::size_t, std::size_t> cost_of(int candidate, const std::vector<int>& list) {
         const std::size_t tried_on = std::min(list.size(), max_tried_on);
         std::size_t front = 0, back = 0, spanning = 0;
@@ -107,7 +108,8 @@ private:
                                                                : std::pair(larger_child, spanning);
     }
 
-    /// A polygon counts as in its own plane, whatever the result of rounding.
+    /// Returns which side of the splitter's plane a polygon is on. A polygon always counts as lying in its own plane,
+    /// even if rounding moves it out.
     PlaneSide side_as_to(int splitter, int polygon) {
         if (splitter == polygon) return PlaneSide::coplanar;
         ++tree_.counters.plane_tests;

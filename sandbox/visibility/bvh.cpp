@@ -1,4 +1,4 @@
-// Builds the hierarchy top down, with cuts where bins estimate the lowest cost. Read bvh_rays.cpp next.
+// Builds the hierarchy top down, cutting where bins estimate the lowest cost. Read bvh_rays.cpp next.
 #include "visibility/bvh.h"
 
 #include <algorithm>
@@ -52,10 +52,10 @@ struct Item {
 
 struct Cut {
     float cost = std::numeric_limits<float>::infinity();  ///< area times count, summed over both sides
-    int axis = -1, last_bin = 0;                          ///< of the left side
+    int axis = -1, last_bin = 0;                          ///< the last bin of the left side
 };
 
-/// The cut never separates items in the same bin; few items need only few bins.
+/// Bins along each axis. A cut never separates items in the same bin; a few items need only a few bins.
 struct Bins {
     Bins(std::size_t item_count, const Box& twice_centers)
         : count(static_cast<int>(std::min<std::size_t>(most_bins, 4 + item_count / 20))), first(twice_centers.least) {
@@ -72,7 +72,7 @@ struct Bins {
     Point first, per_unit{};
 };
 
-/// Finds the cheapest cut of a row of bins, if it costs less than `best`.
+/// Replaces `best` with the cheapest cut of a row of bins, if that cut costs less.
 void cut_bins(std::span<const Bin> bins, int axis, Cut& best) {
     std::array<float, most_bins> right_cost;
     std::array<int, most_bins> right_count;
@@ -178,7 +178,8 @@ private:
         return Point{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z), 0.0F};
     }
 
-    /// Returns no axis if it is best not to cut the range: a leaf is cheaper, or all centers are at one point.
+    /// Returns the cheapest cut. Its axis is −1 if the range should stay whole because a leaf is cheaper or all centers
+    /// are at one point.
     static Cut best_cut(const Range& range) {
         Cut best;
         if (range.items.size() <= 1) return best;

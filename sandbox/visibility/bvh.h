@@ -34,12 +34,12 @@ struct BoundedRay {
     double max_t;
 };
 
-/// The two children of a node are adjacent, at `first` and first + 1. A leaf has its triangles from `first` on.
+/// The two children of a node are adjacent, at `first` and first + 1. A leaf's triangles begin at `first`.
 struct BvhNode {
     /// The lowest and the highest coordinates of the box, relative to the root's middle, in units of its half diagonal.
     std::array<glm::vec3, 2> corners{};
     int first = 0;
-    int content = 0;  ///< above 0: the number of triangles; else an inner node, cut across the axis −content
+    int content = 0;  ///< above 0: a leaf's number of triangles; else an inner node is cut across the axis −content
 
     bool is_leaf() const { return content > 0; }
     int triangle_count() const { return is_leaf() ? content : 0; }
@@ -56,14 +56,14 @@ public:
     explicit Bvh(std::span<const Polygon> polygons, WorkProgress* progress = nullptr);
 
     /// Returns the nearest hit with 0 ≤ t ≤ max_t, from either side, edges included. Of hits that agree to 1e−11 of the
-    /// scene's size, returns the one with the lower source: coplanar polygons do not fight.
+    /// scene's size, returns the one with the lower source, so that coplanar polygons do not fight.
     RayHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
-    /// Does the same for several rays; `hits` must have room for as many. Faster if neighbors take the same path.
-    /// Counters count the tests of each ray, however many rays are traced together.
+    /// Does the same for several rays; `hits` must be at least as long as `rays`. This is faster if neighboring rays
+    /// take the same path. The counters count each ray's tests separately, however many rays are traced together.
     void nearest(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
 
-    /// Returns every polygon that the ray meets with 0 ≤ t ≤ max_t, nearest first, then by source; each once.
+    /// Returns every polygon that the ray meets with 0 ≤ t ≤ max_t, each of them once, sorted by t and then by source.
     std::vector<RayHit> all(const Ray& ray, double max_t, RayCounters& counters) const;
 
     std::span<const BvhNode> nodes() const { return nodes_; }
@@ -82,9 +82,9 @@ private:
 
     std::vector<BvhNode> nodes_;  ///< the root first; empty without polygons
     std::vector<Triangle> triangles_;
-    glm::dvec3 middle_{0.0};      ///< of the root
-    double half_diagonal_ = 1.0;  ///< of the root, or 1 if it is a point
-    double same_t_ = 0.0;         ///< world units
+    glm::dvec3 middle_{0.0};      ///< the middle of the root's box
+    double half_diagonal_ = 1.0;  ///< half the diagonal of the root's box, or 1 if it is a point
+    double same_t_ = 0.0;         ///< hits closer together than this are ties; world units
 };
 
 }  // namespace viewing

@@ -1,6 +1,6 @@
-// Traces rays through the hierarchy, as many together as fit in a register, the nearer child first. Tests boxes in
-// single precision, slightly enlarged, and triangles in double precision. Read curved.cpp next. Source: Wald,
-// Slusallek, Benthin and Wagner 2001; Ize 2013 for boxes that no rounding error may miss.
+// Traces rays through the hierarchy, as many at a time as fit in a register, and visits the nearer child first. Tests
+// boxes in single precision, slightly enlarged, and triangles in double precision. Read curved.cpp next. Source: Wald,
+// Slusallek, Benthin and Wagner 2001; Ize 2013 for boxes that rays do not miss through rounding errors.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,7 +12,7 @@
 #include <emmintrin.h>
 #endif
 
-#define VIEWING_INLINE inline __attribute__((always_inline))  // a function with register arguments exists only inlined
+#define VIEWING_INLINE inline __attribute__((always_inline))  // functions with register arguments must be inlined
 
 namespace viewing {
 namespace {
@@ -63,7 +63,7 @@ VIEWING_INLINE int count_of(unsigned bits) {
 template <typename Number>
 using Three = std::array<Number, 3>;
 
-// The same sums as in glm::cross and glm::dot, so that a ray has the same hits alone and in a group.
+// These compute the same sums as glm::cross and glm::dot, so that a ray has the same hits alone and in a group.
 template <typename A, typename B>
 VIEWING_INLINE auto cross(const A& a, const B& b) {
     return Three<std::decay_t<decltype(a[1] * b[2])>>{a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0],
@@ -82,11 +82,11 @@ struct Bvh::Together {
     using Double = typename Lanes::Double;
     static constexpr std::size_t count = Lanes::count, half = Lanes::half;
 
-    // In the nodes' units, along the direction as a unit vector.
+    // In the nodes' units, as if the direction were a unit vector.
     Three<Float> near_origin, far_origin;  ///< shifted so that boxes appear slightly enlarged
     Three<Float> inverse;
     Float limit;
-    Three<std::size_t> near_corner;  ///< the corner that the rays pass first, by axis
+    Three<std::size_t> near_corner;  ///< per axis, the corner that the rays pass first
 
     // In world units, as given.
     std::array<Three<Double>, 2> origin, direction;
@@ -124,15 +124,15 @@ struct Bvh::Together {
             const Double size = from_middle[axis] < 0.0 ? -from_middle[axis] : from_middle[axis];
             away = size > away ? size : away;
         }
-        // Sixteen times the rounding error of single precision at such distances, twice the largest total error of the
-        // steps below.
+        // This is sixteen times the rounding error of single precision at such distances, and twice the largest total
+        // error of the steps below.
         const Double room = away * 0x1p-20;
         const auto put = [part](Float& to, const Double& from) {
             for (std::size_t lane = 0; lane < half; ++lane) to[part * half + lane] = static_cast<float>(from[lane]);
         };
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Double along = direction[part][axis];
-            // Large instead of infinite: on the face of a box, 0 times this is 0, not NaN.
+            // The inverse is large instead of infinite, so that on the face of a box 0 times it is 0, not NaN.
             const Double slow = length * 1e-30;
             const Double one = along < 0.0 ? Double{} - 1.0 : Double{} + 1.0;
             put(inverse[axis], length / (one * along > slow ? along : one * slow));
@@ -154,8 +154,8 @@ struct Bvh::Together {
         limit[lane] = in_units(lane, t);
     }
 
-    /// Returns which rays in one half of the group hit the triangle, as bits, and their t; like intersect_triangle in
-    /// geometry/.
+    /// Returns, as bits, which rays in one half of the group hit the triangle, and stores their t. Computes the hits
+    /// like intersect_triangle in geometry/.
     VIEWING_INLINE unsigned meet(const Triangle& triangle, std::size_t part, Double& t) const {
         const Three<Double>& d = direction[part];
         const Three<double> ab{triangle.ab.x, triangle.ab.y, triangle.ab.z},
@@ -173,8 +173,8 @@ struct Bvh::Together {
         return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
     }
 
-    /// Calls visit(triangles, lanes as bits) for every leaf whose box some rays hit before they end; the call may make
-    /// the rays end earlier.
+    /// Calls visit(triangles, lanes as bits) for every leaf whose box some rays hit before those rays end; the call may
+    /// make rays end earlier.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
         struct Waiting {

@@ -12,7 +12,7 @@ Facing facing_of(double signed_measure, double tolerance, FrontFace front) {
     return (signed_measure > 0.0) == (front == FrontFace::ccw) ? Facing::towards : Facing::away;
 }
 
-/// Returns the part in front of the near plane, divided by w: corners in normalized device coordinates.
+/// Returns the corners of the part in front of the near plane, in normalized device coordinates.
 std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm::dmat4& clip_from_world) {
     std::vector<glm::dvec2> corners;
     const std::size_t count = polygon.vertices.size();
@@ -45,7 +45,7 @@ ScreenArea screen_area(const std::vector<glm::dvec2>& corners) {
     return result;
 }
 
-/// Decides by the eye's side of a polygon's plane.
+/// Decides by which side of a polygon's plane the eye is on.
 class PlaneFacing {
 public:
     PlaneFacing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front)

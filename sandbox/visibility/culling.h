@@ -1,6 +1,6 @@
 // Back-face culling, the cheapest step before any of the methods: polygons that face away are not drawn. There are two
-// ways to decide: by the eye's side of the plane, in world space, or by the sign of the area on the screen, like GL.
-// Read painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
+// ways to decide: by which side of the plane the eye is on, in world space, or by the sign of the area on the screen,
+// like GL. Read painter.h next. Source: lecture, Hidden Surface Removal; OpenGL 3.3, 2.18.1 and 3.6.1.
 #pragma once
 
 #include <span>
@@ -12,21 +12,22 @@
 
 namespace viewing {
 
-/// The visible side of a polygon; `neither` if the eye is in its plane, or if nothing of the polygon is in view.
+/// Which way a polygon faces; `neither` if the eye is in its plane, or if no part of the polygon is in view.
 enum class Facing : char { towards, away, neither };
 
-/// Decides by the eye's side of each plane, in the polygons' order. The eye counts as in the plane (neither) within
-/// default_epsilon() of it or, for an orthographic camera, below a sine of 1e−12.
+/// Decides by which side of each plane the eye is on; the results are in the polygons' order. The eye counts as in the
+/// plane (neither) if it is within default_epsilon() of it or, for an orthographic camera, if the sine of the angle
+/// between the view direction and the plane is at most 1e−12.
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                     FrontFace front = FrontFace::ccw);
 
-/// Decides by the sign of the screen area of the part in front of the near plane. Neither: all of it is clipped, or its
-/// area is at most 1e−12 of the square of its size there. A mirrored view swaps clockwise and counterclockwise on the
-/// screen: then pass the other winding, as for GL.
+/// Decides by the sign of the screen area of the part in front of the near plane. The result is `neither` if all of the
+/// polygon is clipped, or if twice its area is at most 1e−12 of the square of its size there. A mirrored view swaps
+/// clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      FrontFace front = FrontFace::ccw);
 
-/// Counts of polygons by facing, decided by the plane and as in GL; each group of three adds up to `input`.
+/// Counts of polygons by facing, decided once by the plane and once as in GL; each group of three adds up to `input`.
 struct CullCounts {
     int input = 0;
     int facing_towards = 0, facing_away = 0, edge_on = 0;
@@ -38,9 +39,9 @@ struct CullCounts {
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front = FrontFace::ccw,
                         const WorkProgress* progress = nullptr);
 
-/// Returns the polygons left after culling by the plane's side, in the same order. A polygon seen edge-on is neither
-/// front-facing nor back-facing: it stays, and covers no pixel. front_and_back leaves nothing. If canceled, considers
-/// only the first polygons.
+/// Returns the polygons left after culling by the side of the plane, in the same order. A polygon seen edge-on is
+/// neither front-facing nor back-facing: it stays, and covers no pixel. front_and_back leaves nothing. If canceled,
+/// considers only the first polygons.
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
                             FrontFace front = FrontFace::ccw, const WorkProgress* progress = nullptr);
 

@@ -126,8 +126,8 @@ struct DepressedQuartic {
 };
 
 /// Calls `found` with each zero between −limit and limit where the sign changes, in order. Between two neighboring
-/// zeros of the derivative there is at most one; the derivative's zeros are found the same way, from its own
-/// derivative's.
+/// zeros of the derivative there is at most one such zero. The derivative's zeros are found in the same way, from the
+/// zeros of the second derivative.
 template <typename Found>
 void for_each_zero(const DepressedQuartic& quartic, double limit, Found found) {
     const auto value = [&](double t) { return quartic.value(t); };
@@ -150,9 +150,9 @@ void for_each_zero(const DepressedQuartic& quartic, double limit, Found found) {
     }
 }
 
-/// Measured from the ray's point nearest to the center, with a unit direction, the torus is a quartic without a cubic
-/// term whose zeros are inside the bounding sphere: all coefficients are of the order of the torus's size, however far
-/// away the ray starts.
+/// With a unit direction, and with t measured from the ray's point nearest to the center, the torus gives a quartic
+/// that has no cubic term and whose zeros are inside the bounding sphere. All its coefficients are therefore of the
+/// order of the torus's size, however far away the ray starts.
 CurvedHits intersect_torus(const Ray& ray) {
     CurvedHits hits;
     const double length = glm::length(ray.direction);

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// In model space, as geometry/shapes.h makes them: sphere of radius 1; cylinder and cone of radius 1 from y = −1 to 1,
-/// closed, the cone's tip up; torus with radii 0.9 and 0.34 about y.
+/// In model space, as geometry/shapes.h makes them: a sphere of radius 1; a closed cylinder and a closed cone of radius
+/// 1 from y = −1 to 1, the cone's tip up; a torus with radii 0.9 and 0.34 about y.
 enum class CurvedKind { sphere, cylinder, cone, torus };
 
 /// The points where a ray crosses a surface: at most four, nearest first, t ≥ 0 in units of the ray's direction.

@@ -14,7 +14,7 @@ struct IdDifference {
     std::int64_t compared = 0;            ///< pixels
     std::int64_t different = 0;           ///< pixels whose ID the reference does not show within a pixel of them
     std::int64_t different_at_edges = 0;  ///< all other differing pixels: rounding alone may cause them
-    std::vector<std::uint8_t> differs;    ///< 1 where `different` counts; row by row from the top
+    std::vector<std::uint8_t> differs;    ///< 1 for each pixel that `different` counts; row by row from the top
 };
 
 /// Compares IDs. Both images must have the same size.
@@ -22,9 +22,9 @@ IdDifference difference(const IdImage& reference, const IdImage& image);
 
 /// The pair of polygons with the most wrong pixels, where the hidden one was drawn over the visible one.
 struct WrongPair {
-    int seen = -1, drawn = -1;    ///< sources: visible in the reference, and drawn there instead
-    std::int64_t pixels = 0;      ///< of this pair
-    std::int64_t all_pixels = 0;  ///< of all pairs
+    int seen = -1, drawn = -1;    ///< sources: the one visible in the reference, and the one drawn there instead
+    std::int64_t pixels = 0;      ///< wrong pixels of this pair
+    std::int64_t all_pixels = 0;  ///< wrong pixels of all pairs
     std::int64_t compared = 0;    ///< pixels of the picture that were compared
     double x = 0.0, y = 0.0;      ///< the center of the pair's pixels, as fractions of the picture from the top left
 };

@@ -1,4 +1,4 @@
-// A coarse scan of the orbit, then small steps from the worst view. Read bsp_build.cpp next.
+// Scans the orbit coarsely, then takes small steps from the worst view. Read bsp_build.cpp next.
 #include "visibility/failure_search.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Measures every method on more and more polygons; a time budget stops each row. Read growth_bench.h next.
+// Measures every method on more and more polygons; a time budget limits each row. Read growth_bench.h next.
 #include "visibility/growth.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ WorkProgress::Clock::time_point in_ms(double ms) {
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(ms));
 }
 
-/// A row's share of the total progress: from `begin` on, `size` long.
+/// A row's share of the total progress: it starts at `begin` and is `size` long.
 struct Share {
     double begin, size;
 };

@@ -1,5 +1,6 @@
 // Measures how costs grow: every method on more and more polygons, with its time and the count of its most frequent
-// operation. After the comparison of ten algorithms by Sutherland, Sproull and Schumacker 1974. Read growth.cpp next.
+// operation. Modeled on the comparison of ten algorithms by Sutherland, Sproull and Schumacker 1974. Read growth.cpp
+// next.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +18,30 @@
 
 namespace viewing {
 
-/// In the order of measurement. A BSP tree is built independently of the eye and then traversed for one eye.
+/// The methods, in the order in which they are measured. A BSP tree is built independently of the eye and then
+/// traversed for one eye.
 enum class GrowthMethod { painter, newell, bsp_build, bsp_walk, z_buffer, ray_casting };
 inline constexpr std::size_t growth_method_count = 6;
 
-/// Returns the name for the middle of a sentence: "the software z-buffer". The name is in English: use tr_part() to
-/// show it.
+/// Returns the method's name as used in the middle of a sentence: "the software z-buffer". The name is in English: use
+/// tr_part() to show it.
 std::string_view growth_method_name(GrowthMethod method);
 
 /// Returns the name of the method's most frequent operation, in the plural: "pixels tested".
 std::string_view growth_operation_name(GrowthMethod method);
 
-/// Random triangles in a cube of side 2, determined by `seed` on every platform: small ones have their corners on a
-/// sphere whose diameter is 2.5 % of the side; large ones have them anywhere in the cube, so that nearly all intersect
-/// one another.
+/// Random triangles in a cube of side 2, or the scene's own polygons. On every platform, `seed` determines the
+/// triangles. Small ones have their corners on a sphere whose diameter is 2.5 % of the side; large ones have them
+/// anywhere in the cube, so that nearly all intersect one another.
 enum class GrowthScene { small_triangles, large_triangles, own_polygons };
 
 struct GrowthRequest {
     GrowthScene scene = GrowthScene::small_triangles;
-    std::vector<Polygon> own_polygons{};  ///< for own_polygons: evenly spaced ones are used, up to the measured count
+    std::vector<Polygon> own_polygons{};  ///< for own_polygons; a measurement uses evenly spaced ones, up to its count
     std::vector<int> counts{10, 30, 100, 300, 1'000, 3'000, 10'000, 30'000, 100'000};
     int width = 320, height = 240;         ///< of the picture, pixels; at least 1
-    std::optional<Viewpoint> viewpoint{};  ///< none: one with the whole scene in view
-    double time_budget_ms = 4000.0;        ///< per row; infinite: only the two limits below stop a method
+    std::optional<Viewpoint> viewpoint{};  ///< if none, the view contains the whole scene
+    double time_budget_ms = 4000.0;        ///< per row; if infinite, only the two limits below stop a method
     int max_fragments = 1'000'000;         ///< of a BSP tree and of Newell's sort
     std::int64_t max_pairs = std::numeric_limits<std::int64_t>::max();  ///< compared by Newell's sort
     unsigned seed = 1;
@@ -49,39 +51,40 @@ struct GrowthRequest {
 struct GrowthRow {
     GrowthMethod method = GrowthMethod::painter;
     int polygons = 0;
-    double time_ms = 0.0;  ///< to the finished picture; for bsp_build to the finished tree. The median of some runs
+    double time_ms = 0.0;  ///< until the picture (for bsp_build: the tree) is finished; the median of the runs
     std::string_view operation_name{};
     std::int64_t operations = 0;
-    std::int64_t pixels_painted = 0;  ///< in the order that the method found; 0 if it finds none
+    std::int64_t pixels_painted = 0;  ///< painted in the order that the method found; 0 if it finds none
     std::string problem{};            ///< a sentence if a budget stopped the method, or if it is no longer tried
     double painting_ms = 0.0;         ///< part of time_ms: painting in the order that the method found
     double build_ms = 0.0;            ///< part of time_ms: building the hierarchy for the rays
-    double time_least_ms = 0.0, time_most_ms = 0.0;  ///< of all runs
+    double time_least_ms = 0.0, time_most_ms = 0.0;  ///< shortest and longest of all runs
     int runs = 0;
 
     /// Returns the work by which methods are compared; it is repeatable, unlike times. Every operation counts as one.
     std::int64_t work() const { return operations + pixels_painted; }
 };
 
-/// Returns the polygons for a given count: `count` random triangles, which are also the first ones of any larger count;
-/// or up to `count` of the scene's own polygons.
+/// Returns the polygons for a given count: `count` random triangles, which also come first for any larger count; or up
+/// to `count` of the scene's own polygons.
 std::vector<Polygon> growth_polygons(const GrowthRequest& request, int count);
 
 /// Measures all methods at the lowest count, then at the next one, and so on; calls `on_row` with each row as it is
 /// added. Sorts the counts, drops those below 1 and duplicates, and limits them to a million and to the number of own
-/// polygons. Runs each method three times, or more often if that is quick. A method that a budget stopped, or that
-/// exceeded its time, is not tried again: it gets one more row, at the next count, whose `problem` says so. A row's
-/// operations depend on time only if time stopped it. If canceled, returns the finished rows.
+/// polygons. Runs each method three times: more often if it is quick, less often if another run would exceed the
+/// budget. A method that a budget stopped, or that exceeded its time, is not tried again: it gets one more row, at the
+/// next count, whose `problem` says so. A row's number of operations depends on time only if the time budget stopped
+/// the method. If canceled, returns the finished rows.
 std::vector<GrowthRow> measure_growth(const GrowthRequest& request, WorkProgress* progress = nullptr,
                                       const std::function<void(const GrowthRow&)>& on_row = {});
 
-/// Returns comma-separated values with a header, as in RFC 4180: lines end in CR LF. Without times, they are the same
-/// everywhere.
+/// Returns comma-separated values with a header, as in RFC 4180: lines end in CR LF. Without times, the values are the
+/// same on every machine, unless the time budget stopped a method.
 std::string growth_csv(std::span<const GrowthRow> rows, bool with_times = true);
 
 /// Returns the method with the least work for a finished picture of `polygons` polygons, among those that are correct
-/// for every scene, which excludes the painter's algorithm. The BSP tree counts as built beforehand. None if all of
-/// their rows have a problem.
+/// for every scene, which excludes the painter's algorithm. The BSP tree counts as built beforehand. Returns none if
+/// all of their rows have a problem.
 std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int polygons);
 
 /// Says in two or three sentences which method does the least work for which counts, and how work grows at the end of

@@ -23,7 +23,8 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
-/// Returns a view from outside, slightly above: the sphere around the bounds touches the nearer edges of the picture.
+/// Returns a view from outside and slightly above, in which the sphere around the bounds touches the nearer edges of
+/// the picture.
 Viewpoint viewpoint_of_all(std::span<const Polygon> polygons, double aspect) {
     const Bounds bounds = bounds_of(polygons);
     const double radius = bounds.empty() ? 1.0 : std::max(0.5 * glm::length(bounds.size()), 1e-6);

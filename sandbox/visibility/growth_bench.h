@@ -1,4 +1,4 @@
-// Internal to growth.cpp: runs of methods on a given number of polygons. Read growth_report.cpp next.
+// Internal to growth.cpp: runs the methods on a given number of polygons. Read growth_report.cpp next.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace viewing {
 
 class GrowthBench {
 public:
-    /// The request must outlive it.
+    /// The request must outlive this object.
     GrowthBench(const GrowthRequest& request, int count);
 
     /// Runs one method. bsp_walk traverses the tree that bsp_build built.

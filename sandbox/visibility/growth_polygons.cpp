@@ -9,9 +9,9 @@
 namespace viewing {
 namespace {
 
-constexpr double small_radius = 0.025;  ///< of the sphere: its diameter is 2.5 % of the cube's side of 2
+constexpr double small_radius = 0.025;  ///< radius of the sphere, whose diameter is 2.5 % of the cube's side of 2
 
-/// std::uniform_real_distribution may differ between standard libraries; this does not.
+/// std::uniform_real_distribution may differ between standard libraries; this class does not.
 class Chance {
 public:
     explicit Chance(unsigned seed) : engine_(seed) {}

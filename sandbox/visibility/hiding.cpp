@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// The visible part of a polygon.
+/// The part of a polygon that is in front of the eye and the near plane.
 struct Seen {
     int index;
     Polygon polygon;
@@ -139,7 +139,7 @@ WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     }
     if (static_cast<int>(found.order.size()) == count) return found;
 
-    // The rest contains a cycle or follows one: use the shortest of the first few found.
+    // Each remaining item is in a cycle or comes after one: use the shortest of the first few cycles found.
     constexpr int tried = 64;
     found.order.clear();
     int tries = 0;

@@ -1,5 +1,5 @@
-// Finds which polygons must be painted before which, and whether an order of whole polygons can satisfy all these
-// pairs. The painter's algorithm is judged by this; newell.h finds an order by cutting. Read painter.h first. Source:
+// Finds which polygons must be painted before which others, and whether an order of whole polygons can satisfy all
+// these pairs. This judges the painter's algorithm; newell.h finds an order by cutting. Read painter.h first. Source:
 // Newell, Newell and Sancha 1972 for the test of a pair; Kahn 1962 for the order.
 #pragma once
 
@@ -23,20 +23,20 @@ struct HidingPair {
 
 /// Returns, sorted, all pairs in which one polygon hides a part of the other in this view. Clips polygons at the near
 /// plane. Two polygons that intersect appear in both orders; among coplanar ones, the one with the lowest source counts
-/// as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it suits
-/// thousands of polygons, not more. Stops soon after finding more than `most` pairs; the result is then incomplete.
+/// as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it suits at most
+/// thousands of polygons. Stops soon after finding more than `most` pairs; the result is then incomplete.
 std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      std::optional<double> epsilon = std::nullopt,
                                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// Converts pairs of items to pairs of groups: sorted, each once, without pairs inside a group. `group_of` has the
-/// group of each item.
+/// Converts pairs of items to pairs of groups, sorted and without duplicates; drops pairs within a group. `group_of`
+/// holds the group of each item.
 std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<const int> group_of);
 
 /// Items from 0 to count − 1, back to front.
 struct WholeOrder {
     std::vector<int> order;  ///< satisfies every pair, the lowest item first where several fit; empty if impossible
-    std::vector<int> cycle;  ///< in that case: each must come before the next, the last before the first; short
+    std::vector<int> cycle;  ///< else a short cycle: each item must come before the next, the last before the first
 };
 WholeOrder whole_order(int count, std::span<const HidingPair> pairs);
 

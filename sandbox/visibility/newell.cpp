@@ -1,4 +1,4 @@
-// Keeps the list sorted by farthest vertex; P can be anywhere in it, and is the farthest at first. A Q that must be
+// Keeps the list sorted by farthest vertex; P can be anywhere in it, but at first it is the farthest. A Q that must be
 // drawn first becomes P; if that leads back to an earlier P, something is cut. A P that becomes P again continues at
 // the Q where it stopped: it has passed its tests against everything farther, and its pieces pass them too. Read
 // software_zbuffer.cpp next.
@@ -59,7 +59,7 @@ private:
         NewellTest swap_test = NewellTest::none;
     };
 
-    /// Returns the part in front of a plane, if any; counts the rest.
+    /// Returns the part in front of a plane, if any; adds the area of the rest to clipped_area.
     std::optional<Polygon> clipped(const Polygon& polygon, const glm::dvec4& plane, double epsilon) {
         switch (side_of_plane(polygon, plane, epsilon)) {
             case PlaneSide::front:
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// Decides about the last fragment of the chain: it is drawn, another one goes first, or something is cut.
+    /// Decides what happens to the chain's last fragment: it is drawn, another one goes first, or something is cut.
     void advance() {
         if (is_canceled(progress_)) return stop_canceled();
         if (chain_.empty()) join_chain(list_.back());
@@ -206,7 +206,7 @@ private:
         return result_.fragments[fragment].source > result_.fragments[other].source;
     }
 
-    /// Cuts P by Q's plane or Q by P's. In some cycles neither is possible: then cuts one of them along the other's
+    /// Cuts P by Q's plane or Q by P's. In some cycles, neither is possible; it then cuts one of them along the other's
     /// outline. Returns false if nothing is left to cut.
     bool cut_one_of(int p, int q) {
         if (cut(p, q, p, plane_towards_eye(q)) || cut(p, q, q, plane_towards_eye(p))) return true;
@@ -267,7 +267,7 @@ private:
     const WorkProgress* const progress_;
     const double epsilon_;
     std::vector<Projected> projected_;   ///< per fragment
-    std::vector<double> let_go_beyond_;  ///< per fragment as P: passed against every Q with a farther farthest vertex
+    std::vector<double> let_go_beyond_;  ///< per fragment, as P: it passed against every Q that reaches beyond this
     std::vector<bool> is_in_chain_;      ///< by fragment
     std::vector<int> list_;              ///< not yet drawn; the next one is last
     std::vector<int> chain_;             ///< P is last, after those that wait for it

@@ -18,9 +18,9 @@ namespace viewing {
 
 /// P is about to be drawn, Q later, as in the paper; the screen calls them A and B, because P is the projection there.
 /// If one of the first six tests passes, in this order, P may be drawn before Q; if one of the next two passes, Q may
-/// be drawn before P instead. Planes have their front toward the eye.
+/// be drawn before P instead. The front of each plane faces the eye.
 enum class NewellTest {
-    depth_extents,         ///< Q's farthest is no farther than P's nearest
+    depth_extents,         ///< Q's farthest vertex is no farther than P's nearest
     x_extents,             ///< apart on the screen's x axis
     y_extents,             ///< apart on the screen's y axis
     p_behind_q,            ///< P is entirely behind Q's plane
@@ -55,7 +55,7 @@ struct NewellOptions {
     std::optional<double> epsilon{};  ///< tolerance for points on a plane; default_epsilon() if none
     int max_fragments = 100'000;
     std::int64_t max_pairs = 400'000'000;
-    std::size_t max_steps = 200'000;  ///< limit of recorded steps; all others are only counted
+    std::size_t max_steps = 200'000;  ///< limit on recorded steps; all others are only counted
 };
 
 struct NewellCounters {
@@ -72,7 +72,7 @@ struct NewellOrder {
     std::int64_t steps_left_out = 0;
     NewellCounters counters;
     /// A sentence if the sort stopped at a budget or was canceled: the rest is sorted by farthest vertex. If it was
-    /// canceled before the first comparison, all but 32,768 polygons are left out.
+    /// canceled while clipping, which is possible only with more than 32,768 polygons, nothing is drawn.
     std::string problem;
 };
 

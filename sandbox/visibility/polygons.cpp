@@ -9,7 +9,7 @@ namespace {
 
 constexpr double relative_epsilon = 1e-9;
 
-/// Returns the normal whose length is twice the area. Differences from one corner keep distant objects exact.
+/// Returns the normal whose length is twice the area. Differences from one corner keep it exact for distant objects.
 glm::dvec3 twice_area_normal(const std::vector<glm::dvec3>& corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -130,8 +130,8 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, const glm::dvec4& plan
         const bool leaves = here_distance > epsilon && next_distance < -epsilon;
         const bool enters = here_distance < -epsilon && next_distance > epsilon;
         if (leaves || enters) {
-            // Always from the front end to the back end, since a neighbor traverses this edge in the opposite
-            // direction.
+            // Always compute the cut from the front end to the back end, since a neighbor traverses this edge in the
+            // opposite direction.
             const glm::dvec3& from = leaves ? here : next;
             const glm::dvec3& to = leaves ? next : here;
             const double from_distance = leaves ? here_distance : next_distance;

@@ -1,5 +1,5 @@
-// Convex polygons in world space, which the object-space methods sort and cut. Made from triangles; every piece keeps
-// the plane and the number of its triangle. Read viewpoint.h next.
+// Convex polygons in world space, which the object-space methods sort and cut. They are made from triangles, and every
+// piece keeps its triangle's plane and number. Read viewpoint.h next.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,14 +21,14 @@ struct Polygon {
     int source = 0;                    ///< number of the input triangle, as in ID images
 };
 
-/// A direction counts as parallel to a plane if the sine of its angle with the plane is smaller than this.
+/// A direction counts as parallel to a plane if the sine of its angle with the plane is at most this.
 inline constexpr double parallel_sine = 1e-12;
-/// An area counts as zero if twice the area, divided by the square of the longest edge, is smaller than this.
+/// An area counts as zero if twice the area, divided by the square of the longest edge, is at most this.
 inline constexpr double smallest_relative_area = 1e-12;
 
 /// Returns the polygon with these corners, or none if it has no area: fewer than three corners, twice the area at most
-/// 1e−12 of the squared longest edge, or a corner that is not finite. Corners slightly out of plane get the mean plane,
-/// which has the normal of the area and passes through the mean of the corners.
+/// 1e−12 of the squared longest edge, or a corner that is not finite. If the corners are slightly out of plane, the
+/// polygon gets their mean plane, which has the normal of the area and passes through the mean of the corners.
 std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int object, int source);
 
 /// A placed mesh. It must outlive the call it is passed to.
@@ -42,12 +42,12 @@ struct PolygonSet {
     int dropped = 0;  ///< triangles without area; their numbers stay unused
 };
 
-/// Returns every triangle of every mesh; `object` is the index in `instances`, `source` counts triangles over all of
-/// them. The winding is the mesh's, even under a mirroring world_from_model, as in GL. If canceled, returns only the
-/// first triangles.
+/// Returns every triangle of every mesh; `object` is the index in `instances`, and `source` numbers the triangles
+/// across all of them. The winding is the mesh's, even under a mirroring world_from_model, as in GL. If canceled,
+/// returns only the first triangles.
 PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgress* progress = nullptr);
 
-/// Returns the default tolerance for points on a plane: 1e−9 of the diagonal of the bounds, or of 1 without extent.
+/// Returns the default tolerance for points on a plane: 1e−9 of the bounds' diagonal, or 1e−9 if it is 0.
 double default_epsilon(std::span<const Polygon> polygons);
 
 Bounds bounds_of(std::span<const Polygon> polygons);
@@ -57,7 +57,7 @@ glm::dvec3 centroid(const Polygon& polygon);  ///< of the area
 
 enum class PlaneSide { coplanar, front, back, spanning };
 
-/// Returns a polygon's position relative to a unit plane. Corners within `epsilon` are on the plane and fit either
+/// Returns a polygon's position relative to a unit plane. Corners within `epsilon` count as on the plane and fit either
 /// side.
 PlaneSide side_of_plane(const Polygon& polygon, const glm::dvec4& plane, double epsilon);
 

@@ -90,7 +90,7 @@ BoundedRay PixelRays::through(int x, int y) const {
 
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress) {
-    // Neighboring rays meet mostly the same boxes: blocks of four by two are traced together.
+    // Neighboring rays mostly meet the same boxes, so blocks of four by two are traced together.
     constexpr int across = 4, down = 2;
     RayCastResult result;
     result.image = IdImage(options.width, options.height);

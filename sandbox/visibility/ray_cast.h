@@ -25,7 +25,7 @@ struct CurvedShape {
 
 /// A ray's hit: a polygon or a curved shape.
 struct RayCastHit {
-    double t = 0.0;    ///< world units from the near plane
+    double t = 0.0;    ///< world units from the ray's origin
     int polygon = -1;  ///< index into the polygons, or −1
     int curved = -1;   ///< index into the curved shapes, or −1
     int source = -1;
@@ -41,7 +41,7 @@ public:
     /// Returns the first hit with 0 ≤ t ≤ max_t; source −1 if there is none. The ray's direction must be unit.
     RayCastHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
-    /// Does the same for several rays; `hits` must have room for as many. Faster if they are neighbors.
+    /// Does the same for several rays; `hits` must be at least as long as `rays`. Neighboring rays are faster.
     void nearest(std::span<const BoundedRay> rays, std::span<RayCastHit> hits, RayCounters& counters) const;
 
     /// Returns all hits with 0 ≤ t ≤ max_t, nearest first.

@@ -11,7 +11,8 @@
 namespace viewing {
 namespace {
 
-/// Depths closer together than this are one surface: far below a step of any stored format, above rounding errors.
+/// Depths closer together than this count as one surface. This is far below a step of any stored format, but above
+/// rounding errors.
 constexpr double same_depth = 1e-12;
 
 /// Returns the first pixel whose center is at or beyond `position`, within 0 … limit.

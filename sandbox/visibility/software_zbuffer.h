@@ -46,7 +46,7 @@ struct RasterTouch {
 struct RasterCounters {
     std::int64_t polygons = 0;  ///< those with a part between near and far
     std::int64_t pixels_tested = 0, pixels_written = 0;
-    std::int64_t pixels_covered = 0;  ///< with an ID at the end
+    std::int64_t pixels_covered = 0;  ///< pixels with an ID at the end
 
     /// Returns the fragments per covered pixel; 0 for an empty picture.
     double overdraw() const {
@@ -59,7 +59,7 @@ struct RasterResult {
     RasterCounters counters;
     RasterStep last;                               ///< the last fragment tested
     std::vector<std::uint32_t> written_per_pixel;  ///< overdraw view; empty unless requested
-    std::vector<std::int64_t> tested_after;        ///< pixels_tested after each polygon in the order so far
+    std::vector<std::int64_t> tested_after;        ///< the value of pixels_tested after each polygon drawn so far
     std::vector<RasterTouch> touches;              ///< in the order in which they were tested
 };
 

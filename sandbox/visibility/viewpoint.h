@@ -20,11 +20,11 @@ struct Viewpoint {
     /// dot product with a unit plane is positive if the plane's front is visible, 0 if the plane is seen edge-on.
     glm::dvec4 eye_world() const;
 
-    /// Returns the plane on which clip z = −w, unit, in world space; visible points are on its positive side.
+    /// Returns the unit plane in world space on which clip z = −w; visible points are on its positive side.
     glm::dvec4 near_plane_world() const;
 
-    /// Returns the plane just in front of a perspective eye, perpendicular to its view direction, unit; none if
-    /// orthographic.
+    /// Returns the unit plane just in front of a perspective eye, perpendicular to its view direction; none for an
+    /// orthographic camera.
     std::optional<glm::dvec4> eye_plane_world() const;
 
     bool operator==(const Viewpoint&) const = default;

@@ -15,7 +15,7 @@ namespace {
 constexpr int width = 1280;
 constexpr int height = 720;
 
-/// Like a rendered scene: a plain background, a shaded ball, a checkered floor.
+/// Makes an image like a rendered scene: a plain background, a shaded ball, a checkered floor.
 Image picture() {
     Image image{width, height, {}};
     image.rgba.resize(image.row_bytes() * height);
@@ -37,7 +37,7 @@ Image picture() {
     return image;
 }
 
-/// Every byte is random: no two rows are equal, and every pixel exceeds the threshold.
+/// Makes an image of random bytes: no two rows are equal, and every pixel exceeds the threshold.
 Image noise() {
     std::mt19937 random(1);
     Image image = picture();
@@ -45,7 +45,7 @@ Image noise() {
     return image;
 }
 
-/// A dot every 18 pixels, for the maximum number of boxes.
+/// Makes an image with a dot every 18 pixels, which gives the maximum number of boxes.
 Image dotted() {
     Image image = picture();
     for (int y = 0; y < height; y += 18)

@@ -3,7 +3,7 @@
 // floor is the sandbox's own.
 //
 // bench-floor OUT.png [MESH.obj]
-//     one 1280 × 720 picture, like those of `viewing-sandbox snapshot`; with MESH.obj, of that mesh, read by
+//     one 1280 × 720 picture, like those of `viewing-sandbox snapshot`; with MESH.obj, it shows that mesh, read by
 //     tinyobjloader. Each corner must use the same index for position and normal
 // bench-floor --count N WxH read|png [shaded|dense]
 //     N pictures in one process, each rotated a bit more, read back (and encoded); prints pictures per second and CPU
@@ -102,7 +102,8 @@ void main() {
     color = vec4(mix(12.92 * sum, curve, greaterThan(sum, vec3(0.0031308))), 1);
 })";
 
-/// One directional light; the shader itself rotates the torus by `turn` and moves it back, tilted by 40°.
+/// Uses a program with one directional light; its vertex shader rotates the torus by `turn`, moves it back and projects
+/// it with a fovy of 40°.
 void use_program(const char* fragment_source) {
     const GLuint program = glCreateProgram();
     glAttachShader(program, compiled(GL_VERTEX_SHADER, R"(#version 330 core
@@ -128,7 +129,7 @@ void main() {
     glUseProgram(program);
 }
 
-/// Interleaved positions and normals; returns the number of indices.
+/// Uploads interleaved positions and normals with their indices; returns the number of indices.
 GLsizei upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& indices) {
     GLuint array = 0;
     std::array<GLuint, 2> buffers{};
@@ -166,7 +167,7 @@ GLsizei upload_file(const char* path) {
     return upload(vertices, indices);
 }
 
-/// A torus (radii 0.9 and 0.34) of around × across quads.
+/// Uploads a torus (radii 0.9 and 0.34) of around × across quads; returns the number of indices.
 GLsizei upload_torus(std::uint32_t around, std::uint32_t across) {
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;

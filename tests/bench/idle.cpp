@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A child process that is terminated with its owner unless it has ended by itself.
+/// A child process that the destructor terminates.
 class Running {
 public:
     explicit Running(const Command& command) : started_(start(command)) {}
@@ -29,7 +29,7 @@ public:
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
 
-    /// User and system time so far.
+    /// Returns the user and system time spent so far.
     double cpu_ms() const {
         clockid_t clock{};
         timespec spent{};

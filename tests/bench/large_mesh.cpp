@@ -1,6 +1,6 @@
 // Measures the cost that a million-triangle mesh adds to a frame in our own code, compared with an empty scene:
-// numbers, plan, problems and the requests of the other views, while the camera or the light moves. Reports, never
-// fails.
+// numbers, plan, problems and the requests of the other views, while the camera or the light moves. It only reports and
+// never fails.
 #include <benchmark/benchmark.h>
 
 #include "frame/depth/near_advice.h"
@@ -56,7 +56,7 @@ void think(const Params& params, const Scene& scene) {
     benchmark::DoNotOptimize(find_problems(params, derived, scene, made));
 }
 
-/// Adds the requests of the precision view.
+/// Computes what the precision view requests.
 void advise(const Params& params, const Scene& scene) {
     benchmark::DoNotOptimize(near_advice(params, derive(params, scene, viewport), scene));
 }

@@ -16,7 +16,7 @@ struct Started {
     int output = -1;
 };
 
-/// Ends this program with a message if the command cannot be started. Standard error is shared.
+/// Starts the command; if that fails, this program ends with a message. Both programs share standard error.
 Started start(const Command& command);
 
 struct Measured {

@@ -152,7 +152,7 @@ void compare_starts(const Programs& programs, const fs::path& scratch, int round
     for (const Kind& kind : {kinds[1], kinds[2]}) {
         for (const auto& [heat, start] : {std::pair("warm", &Kind::warm), std::pair("cold", &Kind::cold)}) {
             const Start &ours = kind.*start, &least = floor.*start;
-            // The opening state has five passes: its warm time is reported, its cold time is judged.
+            // The opening state has five passes: only its cold time is judged; its warm time is just reported.
             const bool is_cold = start == &Kind::cold;
             const double most = kind.bound ? 1.3 : 1.5;
             print({std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
@@ -233,7 +233,7 @@ void compare_depth_views(const Programs& programs, int rounds) {
 
 // ---- a mesh of a million triangles -------------------------------------------------------------------
 
-/// The output of bench-mesh.
+/// The numbers that bench-mesh prints.
 struct Reading {
     Samples wall_ms, cpu_ms, arrays_mb, grown_mb;
 

@@ -12,7 +12,7 @@
 
 namespace viewing::bench {
 
-/// Asserts success; a benchmark with a broken state has nothing to measure.
+/// Returns the value or throws the error, since a benchmark with a broken state has nothing to measure.
 template <typename T>
 T value_of(Result<T> result) {
     if (!result) throw std::runtime_error(result.error());

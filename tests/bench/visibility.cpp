@@ -1,5 +1,5 @@
-// Measures the speed of the hidden-surface methods on one core, in CPU time, against their targets. Reports, never
-// fails.
+// Measures the speed of the hidden-surface methods on one core, in CPU time, against their targets. It only reports and
+// never fails.
 //
 // visibility-bench              a table in Google Benchmark's form and with its flags; compares ray casting with
 //                               Embree's single rays through the same pixels, its hierarchy with Embree's, and the
@@ -43,7 +43,7 @@ std::vector<Polygon> polygons_of(const Mesh& mesh) {
     return viewing::polygons_of(std::span(&instance, 1)).polygons;
 }
 
-/// At fovy 40° the shapes, of size 2 about the origin, fill the picture's height.
+/// With a fovy of 40°, the shapes, of size 2 around the origin, fill the picture's height.
 Viewpoint viewpoint(const glm::dvec3& target = glm::dvec3(0.0), double fovy_deg = 40.0) {
     const glm::dvec3 eye(1.0, 1.4, 3.0);
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))),
@@ -100,7 +100,7 @@ void z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     state.counters["pixels_each"] = static_cast<double>(counters.pixels_tested) / static_cast<double>(polygons.size());
 }
 
-/// 100 large squares one behind the other, the nearest drawn last.
+/// Makes 100 large squares one behind the other; the nearest is drawn last.
 std::vector<Polygon> squares() {
     std::vector<Polygon> polygons;
     for (int i = 0; i < 100; ++i) {
@@ -120,7 +120,8 @@ const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0)
 
 // ---- the z-buffer in llvmpipe ------------------------------------------------------------------------
 
-/// Draws the same triangles with GL's depth test, transformed and identified by number; keeps uploads.
+/// Draws the same triangles with GL's depth test; the shaders transform them and write their numbers. Measures only
+/// drawing, since the triangles are uploaded once.
 void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) return state.SkipWithError(context.error().c_str());
@@ -220,7 +221,7 @@ public:
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
 
-    /// The number of the triangle, or IdImage::background.
+    /// Returns the number of the nearest triangle, or IdImage::background if the ray hits none.
     int nearest(const Ray& ray, double max_t) const {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);

@@ -1,5 +1,5 @@
-// state --bundle: a folder that draws the same picture even after its sources are gone. Also, `state` keeps given names
-// and titles.
+// state --bundle writes a folder that draws the same picture even after its sources are gone. Also, `state` keeps
+// given names and titles.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -29,7 +29,7 @@ struct Pair {
 
 class CompareTableSlowTest : public Program {
 protected:
-    /// A camera view at 640 x 360 with 4 samples, unless `more` says otherwise.
+    /// Draws a camera view at 640 x 360 with 4 samples, unless `more` says otherwise.
     Image drawn(const Words& more) const {
         const auto says = [&more](const char* name) { return std::find(more.begin(), more.end(), name) != more.end(); };
         Words words{"snapshot", "--view", "camera", "-o", "drawn.png"};
@@ -48,7 +48,7 @@ protected:
                               {"4 samples against none", opening, single},
                               {"16 samples against 4", fine, opening},
                               {"yaw +0.001°", with("camera.yaw=30.601"), opening}};
-        // In the middle of the shadow, 5 x 4 pixels.
+        // An area of 5 x 4 pixels in the middle of the shadow.
         const Area hole = inside_of_difference(opening, with("shadow.enabled=false"), 20, 5, 4, 6);
         EXPECT_NE(hole, Area());
         for (const int levels : {28, 6})

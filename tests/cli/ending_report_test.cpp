@@ -20,7 +20,7 @@ protected:
     }
     static Words small(const Words& more) { return with({"snapshot", "--view", "camera", "--size", "96x64"}, more); }
 
-    /// Expects the run to end with this status, and its report in FILE to say the same as standard error.
+    /// Expects the run to end with this status and its report to say the same as standard error; returns the report.
     Json told(int status, const Words& arguments, const Surroundings& surroundings = {}) const {
         const Ended ended = run(with(arguments, {"--json", "report.json"}), surroundings);
         EXPECT_EQ(ended.status, status) << ended.told();
@@ -133,7 +133,7 @@ TEST_F(EndingReport, OfAProcessWithoutMemory) {
                 {.environment = {{"MESA_SHADER_CACHE_DISABLE", "1"}}, .limits = {{RLIMIT_AS, megabytes << 20U}}});
         if (ended.err.find("ReserveShadowMemoryRange") != std::string::npos)
             GTEST_SKIP() << "the address sanitizer needs terabytes of address space for itself";
-        if (ended.err.find("shared libraries") != std::string::npos) continue;  // before the program starts
+        if (ended.err.find("shared libraries") != std::string::npos) continue;  // the program did not start
         ASSERT_TRUE(exists("report.json")) << ended.told();
         EXPECT_EQ(Json::parse(read("report.json")).at("status"), ended.status) << ended.told();
         fs::remove(folder() / "report.json");

@@ -1,4 +1,5 @@
-// Commands ended from outside leave nothing unfinished and no child; a suite leaves its report.
+// Commands that are cut short from outside leave no unfinished file and no child process; a suite still leaves its
+// report.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 class Ending : public Program {
 protected:
-    /// Everything below the folder.
+    /// Returns the paths of everything below the folder.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
         std::error_code gone;  // files may disappear while we look
@@ -106,7 +107,7 @@ TEST_F(Ending, OfASuiteByTimeoutLeavesItsReport) {
     EXPECT_TRUE(has(report()["entries"][7]["reasons"][0], "--timeout"));
 }
 
-/// Entries not drawn because of an early end keep their keys.
+/// If a suite ends early, the entries that it has not drawn keep their cache keys.
 TEST_F(Ending, OfASuiteKeepsKnownResults) {
     write_suite(6);
     run({"suite", "run", "suite.json", "--cache"});

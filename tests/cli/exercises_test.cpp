@@ -1,4 +1,4 @@
-// Exercises on the command line: the list, a student's sheet, their tests, and an exercise as a picture.
+// Exercises on the command line: the list, a student's sheet, the exercises' tests, and an exercise as a picture.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -18,7 +18,7 @@ bool has_hangul(const std::string& text) {
     });
 }
 
-/// An exercise about z-far, which is 40; `wrong` is listed as a wrong answer.
+/// Returns an exercise about z-far, which is 40; it lists `wrong` as a wrong answer.
 std::string exercise_with(const std::string& wrong, const std::string& near_list = "[0.5, 0.7]") {
     return R"({"exercise": 1, "id": "N01-far", "title": "Far", "sets": ["camera"], "points": 2,
         "tags": {"T10": "ten"}, "pick": {"n": )" +

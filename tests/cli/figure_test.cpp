@@ -17,7 +17,7 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
-    /// Returns the sentence of a refusal; expects that nothing was written.
+    /// Expects that the program refuses the command and writes nothing; returns its message.
     std::string refused(const Words& words) {
         const Ended run = expect(2, words);
         EXPECT_FALSE(std::filesystem::exists(folder() / "no.png"));
@@ -56,7 +56,7 @@ TEST_F(Figure, CarriesItsState) {
     EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
 }
 
-/// The state's names take two bytes per character in a file, and its omitted fields are written in full.
+/// In a file, each character of these names takes two bytes, and fields that the state omits are written in full.
 TEST_F(Figure, AStateTooLongToReadBackIsLeftOutWithAMessage) {
     const std::string quotes(2 * 950, '\\');  // 950 characters, each escaped
     std::string objects;

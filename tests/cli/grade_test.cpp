@@ -34,7 +34,7 @@ constexpr const char* near_exercise =
                      "wrong": [{"when": "projection.near < 1", "try": {"projection.near": 0.6}, "points": 1,
                                 "say": "Nearer than that."}]}}})";
 
-// The plane is y = 0, the light (1, 4, 1, 1): S = (P·L) I − L Pᵀ.
+// For the plane y = 0 and the light (1, 4, 1, 1): S = (P·L) I − L Pᵀ.
 constexpr const char* shadow_matrix = "[[4, -1, 0, 0], [0, 0, 0, 0], [0, -1, 4, 0], [0, -1, 0, 4]]";
 constexpr const char* transposed_matrix = "[[4, 0, 0, 0], [-1, 0, -1, -1], [0, 0, 4, 0], [0, 0, 0, 4]]";
 
@@ -85,7 +85,7 @@ protected:
         return probe["students"][0]["items"][0]["variant"];
     }
 
-    /// Returns right answers to everything, given at these times.
+    /// Returns a right answer to each exercise; `at` begins the times of the answers.
     std::string right_items(const std::string& student, const std::string& at = "2026-11-21T10:") const {
         return item("N01-far", variant_of(student), answer("40", at + "03:12")) + "," +
                item("M02-shadow", 0, answer(shadow_matrix, at + "07:40")) + "," +

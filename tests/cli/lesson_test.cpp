@@ -9,7 +9,7 @@ namespace {
 
 class LessonCommand : public Program {};
 
-/// A lesson of one step; `claim` must hold after its answer.
+/// Returns a lesson of one step; `claim` must hold after its answer.
 std::string lesson_with(const std::string& claim, const std::string& wrong_try = "10") {
     return R"({"lesson": 1, "id": "mine", "title": "Mine", "tags": {"T": "ten"}, "steps": [{"id": "one", "say": "Look.",
         "ask": {"kind": "number", "question": "How far is z-far?", "expect": "projection.far", "tol": 0.1,
@@ -59,7 +59,7 @@ TEST_F(LessonCommand, HiddenFunctionsInExpressionsAreRefused) {
     }
 }
 
-/// One call costs as much as its scene, whatever else the expression does.
+/// The cost of one call grows with its scene, whatever else the expression does.
 TEST_F(LessonCommand, MeasuringALargeSceneIsRefusedBeforeItBegins) {
     std::string spheres;
     for (int i = 0; i < 200; ++i)

@@ -1,4 +1,4 @@
-// Limits of the system and of time: the exit status is still a documented one.
+// When the program runs into limits of the system or of time, its exit status is still a documented one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

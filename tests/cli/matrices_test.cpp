@@ -98,7 +98,7 @@ TEST_F(ChosenMatrices, HaveTheSymbolsOfTheWindow) {
               "+2ab");
 }
 
-/// Python computes the symbols of S, R and P with the state's numbers and compares them with the matrices.
+/// Python evaluates the symbols of S, R and P with the state's numbers and compares the results with the matrices.
 TEST_F(ChosenMatrices, SymbolsMeanTheNumbers) {
     if (std::system("python3 -c ''") != 0) GTEST_SKIP() << "no python3";
     const Words state{"--set", "plane.equation=[0.36,0.48,0.8,-0.25]", "--set", "light.position=[2,5,1,0.5]"};

@@ -54,7 +54,7 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    // GL draws these and rounds their corners; only software_depth_buffer is drawn pixel by pixel.
+    // GL draws these and rounds the positions of their corners; software_depth_buffer alone is drawn pixel by pixel.
     EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
     EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
@@ -107,7 +107,7 @@ TEST_F(Measure, OrderExistsForSeparateBoxes) {
               std::string::npos);
 }
 
-/// Squares one behind the other: each hides all that come after it.
+/// Uses triangles one behind the other, each of which hides all that come after it.
 TEST_F(Measure, OrderListsAtMostAMillionPairs) {
     const auto write_squares = [this](int count) {
         std::string mesh;
@@ -212,7 +212,7 @@ TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {
         SCOPED_TRACE(pair.dump());
         const double z = pair["distance"], gap = pair["gap"];
         EXPECT_NEAR(gap, 0.01, 0.0002);
-        // Facts: z² (f − n) / (f n (2¹⁶ − 1)).
+        // The step according to the facts: z² (f − n) / (f n (2¹⁶ − 1)).
         EXPECT_NEAR(pair["step"], z * z * 999.5 / (1000.0 * 0.5 * 65535.0), 1e-6);
         EXPECT_NEAR(pair["predicted_onset_gap"], pair["quantisation"].get<double>() + pair["arithmetic"].get<double>(),
                     1e-12);

@@ -9,7 +9,7 @@
 
 namespace cli_tests {
 
-/// A rectangle of pixels, never empty, completely inside the picture.
+/// A rectangle of pixels, completely inside the picture; empty only where a search finds none.
 struct Area {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const Area&) const = default;
@@ -17,15 +17,15 @@ struct Area {
 
 Area all_of(const viewing::Image& image);
 
-/// Applies `change`, which takes channel and level, to each channel except alpha of the area's pixels; clamps to 0 …
-/// 255.
+/// Applies `change`, which takes a channel and its level, to each channel except alpha of the area's pixels; clamps the
+/// results to 0 … 255.
 viewing::Image changed(viewing::Image image, const Area& area, const std::function<double(int, double)>& change);
 /// Moves the area's content one pixel to the right; its first column stays.
 viewing::Image shifted(viewing::Image image, const Area& area);
 /// Adds noise of at most ±`levels` to each channel.
 viewing::Image noisy(const viewing::Image& image, int levels, unsigned seed);
 viewing::Image with_gamma(const viewing::Image& image, double gamma);
-/// Averages each k × k pixels as light, like a resolve. The sides are multiples of k.
+/// Averages each block of k × k pixels in linear light, as a resolve does. The picture's sides must be multiples of k.
 viewing::Image resolved(const viewing::Image& image, int k);
 /// Returns an area of this size in the middle of the pixels that differ by more than `worst`, such that all pixels in a
 /// margin around it differ too; an empty area if there is none.

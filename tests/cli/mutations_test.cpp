@@ -1,5 +1,5 @@
-// Compares pictures with hundreds of deliberately changed ones, all of which must be detected, and with equal ones in
-// other kinds of PNG files, none of which may be.
+// Compares pictures with hundreds of deliberately changed ones, all of which must be found different, and with equal
+// ones in other kinds of PNG files, none of which may be found different.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -80,7 +80,8 @@ private:
         const double levels = (room_in(image_, where).second ? 1 : -1) * from(8, 60);
         return changed(image_, where, [levels](int, double level) { return level + levels; });
     }
-    /// Moves an edge by at least two pixels: at least 40 levels high in at least half of the rows, if one can be found.
+    /// Moves an edge by at least two pixels. The edge is at least 40 levels high in at least half of the rows, if the
+    /// picture has such an edge.
     Image edge() {
         for (;;) {
             const Area where = area(24, 40);
@@ -142,7 +143,7 @@ protected:
         return *viewing::read_png(folder() / "drawn.png");
     }
 
-    /// A picture of another state.
+    /// Returns pictures of other states: another yaw, no shadow, a missing object.
     std::vector<Mutation> drawn_otherwise(const std::string& preset) const {
         const Json state = expect(0, {"state", preset}).json();
         const auto yaw = [&](double more) {
@@ -205,7 +206,8 @@ int channels_of(int color_type) {
                                                      : 1;
 }
 
-/// Returns the pixels as stored in a file of this kind. For a palette these are indices; `palette` is filled.
+/// Returns the pixels as stored in a file of this kind. With a palette these are indices, and `palette` receives the
+/// colors.
 std::vector<png_byte> raw_of(const Image& image, const Kind& kind, std::vector<png_color>& palette) {
     std::map<std::array<std::uint8_t, 3>, png_byte> index;
     std::vector<png_byte> raw;
@@ -251,7 +253,8 @@ void write_kind(const std::filesystem::path& path, const Image& image, const Kin
     std::fclose(file);
 }
 
-/// Reduces the picture to gray or to 5 levels per channel, so that a file of this kind can store all colors.
+/// Reduces the picture to gray, which a gray file can store. The next function reduces it to 5 levels per channel,
+/// whose colors fit a palette.
 Image grey(const Image& image) {
     Image result = image;
     for (std::size_t i = 0; i < result.rgba.size(); i += 4) result.rgba[i + 1] = result.rgba[i + 2] = result.rgba[i];

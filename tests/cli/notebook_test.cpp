@@ -52,7 +52,7 @@ TEST_F(Notebook, LinesOfTheManualRun) {
                   "assert json.loads(told) == state\n");
 }
 
-/// Pillow rejects a text chunk of more than 1 MiB, and such a state has several MiB.
+/// Pillow rejects a text chunk of more than 1 MiB, but such a state takes several MiB.
 TEST_F(Notebook, TheLinesRunWithAStateOfManyTriangles) {
     nlohmann::json objects = nlohmann::json::array();
     for (int i = 0; i < 4000; ++i) {

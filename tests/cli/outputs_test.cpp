@@ -27,7 +27,8 @@ protected:
         EXPECT_EQ(contents(), before);
     }
 
-    /// reference.png and state.json, each also as a hard and a symbolic link, and a scene with its mesh.
+    /// Writes reference.png, state.json and a scene with its mesh, each also as a hard and a symbolic link, and a
+    /// folder with a link to it.
     void write_files() const {
         write("state.json", R"({"scene": "room.json"})");
         write("room.json", R"({"objects": [{"name": "it", "shape": "mesh", "file": "it.obj"}]})");
@@ -41,7 +42,7 @@ protected:
         fs::create_directory_symlink("in", folder() / "link");
     }
 
-    /// Other names of the same file.
+    /// Returns the file's name and other names for the same file.
     static Words names_of(const std::string& name) {
         return {name, "./" + name, "in/../" + name, "hard-" + name, "soft-" + name};
     }

@@ -287,7 +287,7 @@ TEST_F(Inspect, HasTheDocumentedFields) {
         EXPECT_TRUE(depth.at(name).is_number()) << name;
     EXPECT_EQ(depth.at("bits"), 24);
     EXPECT_NEAR(depth.at("stored").get<double>(), depth.at("window").get<double>() * 16777215.0, 1.0);
-    // Window depth of an eye distance: d = f/(f−n) − f n/((f−n) z) with near 0.5 and far 40.
+    // The window depth at eye distance z is d = f/(f−n) − f n/((f−n) z), with near 0.5 and far 40.
     const double distance = -depth.at("eye_z").get<double>();
     EXPECT_NEAR(depth.at("window").get<double>(), 40.0 / 39.5 - 40.0 * 0.5 / (39.5 * distance), 1e-6);
     EXPECT_TRUE(report.at("stencil").is_number_integer());
@@ -297,7 +297,7 @@ TEST_F(Inspect, HasTheDocumentedFields) {
 }
 
 TEST_F(Inspect, ListsTheFragmentsInDrawingOrder) {
-    // The torus is in front of the patch there and shows a front and a back face.
+    // At this pixel the torus is in front of the patch and shows a front and a back face.
     const auto report = nlohmann::ordered_json::parse(expect(0, {"inspect", "--pixel", "640,360"}).out);
     EXPECT_EQ(std::next(report.end(), -1).key(), "fragments");
     const auto& fragments = report.at("fragments");
@@ -470,7 +470,7 @@ TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {
     EXPECT_EQ(json.json().at("fine"), false);
 }
 
-/// A step of `doctor --json`.
+/// Returns a step from the output of `doctor --json`.
 Json step_of(const Ended& doctor, const std::string& name) {
     const Json report = doctor.json();
     for (const Json& step : report.at("steps"))

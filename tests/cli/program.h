@@ -26,7 +26,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// A mesh file.
+/// The text of a mesh file.
 inline constexpr const char* tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 /// How a run ended: exit status (128 + signal if killed), standard output, standard error, peak memory.
@@ -42,14 +42,14 @@ struct Ended {
 
 struct Surroundings {
     std::string input = {};                               ///< standard input
-    std::filesystem::path folder = {};                    ///< working directory; empty: the test's own
+    std::filesystem::path folder = {};                    ///< working directory; the test's own if empty
     std::map<std::string, std::string> environment = {};  ///< set in addition to the test's
-    std::vector<std::string> without = {};                ///< variables removed
+    std::vector<std::string> without = {};                ///< environment variables to remove
     bool input_stays_open = false;                        ///< standard input is a pipe without a writer
     std::string output = {};                              ///< standard output goes to this file
-    std::map<int, unsigned long> limits = {};             ///< of the process: RLIMIT_… and its value
+    std::map<int, unsigned long> limits = {};             ///< limits of the process: RLIMIT_… and value
     bool output_has_no_reader = false;                    ///< standard output is a pipe whose other end is closed
-    int signal = 0;                                       ///< sent as soon as `signal_when` says so; 0: none
+    int signal = 0;                                       ///< sent as soon as `signal_when` is true; 0: none
     std::function<bool()> signal_when = {};
 };
 
@@ -66,7 +66,7 @@ protected:
     void write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
     bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-    std::size_t files() const;  ///< their number in the folder
+    std::size_t files() const;  ///< the number of files in the folder
 
     /// Runs the program and expects this status, and one line on stderr unless the status is 0.
     Ended expect(int status, const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) const;

@@ -15,7 +15,7 @@ using Words = std::vector<std::string>;
 
 class Schema : public Program {
 protected:
-    /// Returns which of the files are valid, such as "yes no yes".
+    /// Returns whether each of the files is valid, for example "yes no yes".
     std::string valid(const std::string& schema, const Words& names) const {
         write("valid.py", R"(
 import json, sys, jsonschema

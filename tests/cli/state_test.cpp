@@ -191,7 +191,7 @@ TEST_F(State, PresetsAreListedOnePerLine) {
             {.environment = {{"VIEWING_SANDBOX_ASSETS", "/nowhere"}}});
 }
 
-/// Rows of the mathematical matrix times a column.
+/// Multiplies the mathematical matrix, given by its rows, by a column.
 std::vector<double> times(const Json& rows, const std::vector<double>& column) {
     std::vector<double> result;
     for (const Json& row : rows) {
@@ -245,7 +245,7 @@ TEST_F(Matrices, MatchWorkedShadowExamples) {
                  {0, 10, 0, 1}, {-6, 0, 0});
     expect_point(expect(0, {"matrices", "--set", "light.position=[12,20,0,1]"}).json()["shadow_from_world"],
                  {0, 10, 0, 1}, {-12, 0, 0});
-    // Plane (1,1,1)/√3 with d = −2; given with the length √3, so d = −2√3.
+    // The plane (1,1,1)/√3 with d = −2; it is given with a normal of length √3, so d = −2√3.
     const std::vector<std::string> tilted{"matrices", "--set", "plane.equation=[1,1,1,-3.4641016151377544]", "--set",
                                           "light.position=[5,9,7,1]"};
     expect_point(expect(0, tilted).json()["shadow_from_world"], {1, 2, 3, 1}, {0.323760, 0.816581, 2.323760});
@@ -283,7 +283,7 @@ TEST_F(Matrices, CoverEveryPlaneAndLight) {
     const Json& wall = json["planes"][1];  // z + 3 = 0
     expect_point(wall["mirror_from_world"], {1, 2, 3, 1}, {1, 2, -9, 1});
     ASSERT_EQ(wall["shadows"].size(), 2U);
-    // From (1, 4, 2) through (1, 3, 1) to z = −3: four units farther.
+    // The ray from (1, 4, 2) through (1, 3, 1) meets z = −3 four units farther in z.
     expect_point(wall["shadows"][1]["shadow_from_world"], {1, 3, 1, 1}, {1, -1, -3});
     EXPECT_EQ(wall["shadows"][1]["shadow_sign"], 1);
 }

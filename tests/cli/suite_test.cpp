@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class SuiteCommand : public Program {
 protected:
-    /// Two pictures and the numbers of one; `settings` apply to all.
+    /// Writes a suite of two pictures and the matrices of one; `settings` apply to all entries.
     void write_suite(const std::string& settings = "{}", const std::string& more = "") const {
         write("suite.json", R"({"suite": 1, "title": "Two", "defaults": {"size": [160, 90], "samples": 0, "set": )" +
                                 settings + R"(},

@@ -1,4 +1,4 @@
-// sweep: the same pictures as snapshot, and a table with known numbers.
+// sweep draws the same pictures as snapshot, and its table has known numbers.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,7 +31,7 @@ TEST_F(Sweep, DrawsTheSameAsSnapshot) {
     EXPECT_FALSE(exists("frames/0006.png"));
 }
 
-/// P · L of the floor is the light's height, and that is S's first entry.
+/// For the floor, P · L is the light's height, which is also S's first entry.
 TEST_F(Sweep, WritesATableOfExpressions) {
     const std::string table = expect(0, {"sweep", "--vary", "light.position[1]=1:4:4", "--csv", "-", "--value",
                                          "facts.plane_dot_light", "--value", "S[0][0]"})

@@ -102,7 +102,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
-/// Results name their inputs and are UTF-8: a name that is not UTF-8 could only appear wrongly.
+/// Results name their inputs and are UTF-8, so a name that is not UTF-8 could not appear correctly.
 TEST_F(Usage, InvalidUtf8IsRefusedWithItsPosition) {
     write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     refused({"state", "caf\xe9.obj"}, {"argument 2: caf\\xe9.obj: not UTF-8"});

@@ -1,4 +1,4 @@
-// Shared by the fuzz targets: a condition that ends the fuzzer, and a file in memory for readers that take a name.
+// Shared by the fuzz targets: a condition that ends the fuzzer, and a file in memory for readers that take a file name.
 #pragma once
 
 #include <sys/mman.h>

@@ -1,5 +1,5 @@
-// libFuzzer: any text as an exercise. An accepted exercise has combinations or reports why not, and each of its first
-// variants becomes a step or reports why not. Nothing is measured.
+// libFuzzer: any text as an exercise. It has combinations or an error that says why not. Each of the first variants of
+// an accepted exercise becomes a step or reports why it does not. Nothing is measured.
 #include "fuzz.h"
 #include "lesson/exercise.h"
 #include "state/file/json.h"

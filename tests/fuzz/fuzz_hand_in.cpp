@@ -1,5 +1,5 @@
-// libFuzzer: any text as a student's hand-in. Accepted answers must read back after writing, be written the same again,
-// and merge with themselves. Only the first write may change the form of a setting's number.
+// libFuzzer: any text as a student's hand-in. Accepted answers must read back after writing, give the same text when
+// they are written again, and merge with themselves. Only the first write may change the form of a setting's number.
 #include "fuzz.h"
 #include "lesson/hand_in.h"
 

@@ -29,7 +29,7 @@ protected:
         return probe;
     }
 
-    /// A renderer without the ability to read depth and stencil.
+    /// Returns a renderer that lacks the ability to read depth and stencil.
     static Renderer without_reading() {
         gl::Capabilities capabilities = renderer().capabilities();
         EXPECT_TRUE(capabilities.read_depth_stencil);
@@ -105,7 +105,7 @@ TEST_F(BufferRead, IsTheSameWithoutReadingDepthAndStencil) {
 }
 
 TEST_F(BufferRead, StencilIsReadByItsBits) {
-    // Marks from 1 to 255 side by side, read by GL's own stencil reads and gathered bit by bit.
+    // Marks from 0 to 255, side by side, are read by GL's own stencil reads and gathered bit by bit.
     Renderer without = without_reading();
     Scene scene = testing::scene_of({});
     for (int i = 0; i < 16; ++i) {
@@ -178,7 +178,7 @@ TEST_F(BufferRead, CountsMatchTheBlocks) {
                     ++expected[static_cast<std::size_t>(std::clamp(value * 128.0, 0.0, 127.0))];
                 }
                 EXPECT_EQ(counts.unwritten, unwritten);
-                int moved = 0;  // float32 may differ at a bin's edge, with few bits for many pixels
+                int moved = 0;  // at a bin's edge float32 may decide otherwise, with few bits for many pixels
                 for (std::size_t bin = 0; bin < expected.size(); ++bin)
                     moved += std::max(expected[bin] - static_cast<int>(counts.counts[bin]), 0);
                 EXPECT_LE(moved, 20) << scale << " " << mapping << " " << format;

@@ -1,6 +1,6 @@
-// The codes in the depth buffer, read back, against the formulas of depth: a square at known distances, over near, far,
-// format and mapping. The formulas are written out here, not taken from the program. VIEWING_LONG_TESTS=N measures N
-// times as many.
+// Compares the codes read back from the depth buffer with the depth formulas, for a square at known distances and for
+// many values of near, far, format and mapping. The formulas are written out here, not taken from the program.
+// VIEWING_LONG_TESTS=N measures N times as many.
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -20,7 +20,7 @@ constexpr glm::ivec2 codes_px(8, 8);
 
 using Exact = long double;
 
-/// Window depth at a distance z in front of the eye (facts, Depth).
+/// Returns the window depth at a distance z in front of the eye (facts, Depth).
 Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     if (mapping == DepthMapping::logarithmic) return std::log(z / n) / std::log(f / n);
     if (orthographic) return mapping == DepthMapping::reversed ? (f - z) / (f - n) : (z - n) / (f - n);
@@ -28,7 +28,7 @@ Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z
     return f / (f - n) - f * n / ((f - n) * z);
 }
 
-/// The change in window depth when z changes by a relative 2⁻²⁴, the precision of eye depth in float32.
+/// Returns the change in window depth when z changes by a relative 2⁻²⁴, the precision of eye depth in float32.
 Exact change_with_a_place_of_z(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     const Exact place = std::exp2(Exact(-24));
     if (mapping == DepthMapping::logarithmic) return place / std::log(f / n);
@@ -54,14 +54,14 @@ Params at_origin() {
                                  "reflection.enabled=false", "plane.equation=[0,1,0,1000000]", "plane.extent=0.001"});
 }
 
-/// The permitted distance of a code from the exact value (facts): ±1 at 16 bits and ±4 at 24, since float32 arithmetic
+/// Returns how far a code may be from the exact value (facts): ±1 at 16 bits and ±4 at 24, since float32 arithmetic
 /// adds to GL's rounding. Where the arithmetic error exceeds one code, in a short logarithmic range, the test
-/// multiplies by that error. Fewer bits are made in the shader, which rounds to the nearest code.
+/// multiplies by that error. The shader produces codes of fewer bits, and it rounds to the nearest code.
 Exact allowed_codes(int bits) {
     return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
 }
 
-/// The unit in the last place of a float's 24 bits at this depth.
+/// Returns the unit in the last place of a float's 24 bits at this depth.
 Exact last_place(Exact depth) {
     return std::exp2(std::floor(std::log2(std::max(depth, std::exp2(Exact(-126))))) - 23);
 }
@@ -74,7 +74,7 @@ std::string describe(const Params& params, double z) {
            std::to_string(projection.near) + " far " + std::to_string(projection.far) + " z " + std::to_string(z);
 }
 
-/// A state to measure, and its expected code.
+/// A state to measure, with the square's distance and its expected depth.
 struct Sample {
     Params params;
     double distance = 1.0;
@@ -97,8 +97,8 @@ struct Sample {
 
     bool orthographic() const { return params.projection.type == ProjectionType::orthographic; }
 
-    /// The error that float32 arithmetic may cause in this depth before it is stored: eye depth has 24 bits, and so has
-    /// the sum that maps −1 … 1 to 0 … 1 in the standard mapping. See the facts' footnote.
+    /// Returns the error that float32 arithmetic may cause in this depth before it is stored: eye depth has 24 bits,
+    /// and so has the sum that maps −1 … 1 to 0 … 1 in the standard mapping. See the facts' footnote.
     Exact arithmetic() const {
         const DepthMapping mapping = params.depth.mapping;
         const Exact sum = mapping == DepthMapping::standard ? std::exp2(Exact(-24)) : 0.0L;
@@ -109,7 +109,7 @@ struct Sample {
 
 /// The worst deviation for one kind of depth.
 struct Worst {
-    Exact off = 0.0;            ///< in codes, or last places of float32
+    Exact off = 0.0;            ///< in codes, or in last places of float32
     Exact by_arithmetic = 0.0;  ///< as a multiple of the arithmetic error, where that exceeds a last place
     Exact places = 0.0;         ///< the same in last places
 };
@@ -157,7 +157,7 @@ TEST_F(DepthCodes, MatchTheFormula) {
 }
 
 TEST_F(DepthCodes, ReproduceTheDistance) {
-    // The status bar computes eye z from the code: it is within the width of a few codes, as given by the formula.
+    // The status bar computes eye z from the code, so eye z is accurate to a few codes' width, which a formula gives.
     Random random(seed);
     for (int trial = 0; trial < 40; ++trial) {
         Params params = at_origin();
@@ -226,7 +226,7 @@ TEST_F(DepthCodes, ProbeNamesTheSurface) {
     const PixelReport box = report_at({1.4, 1.3, -0.65});
     EXPECT_EQ(box.object, "box");
     EXPECT_TRUE(box.front_facing);
-    EXPECT_EQ(box.stencil, 0);  // the patch does not reach behind its top
+    EXPECT_EQ(box.stencil, 0);  // the patch does not extend behind the box's top
     EXPECT_NEAR(box.world.y, 1.3, 0.02);
     const PixelReport ground = report_at({0.0, 0.0, 2.5});
     EXPECT_EQ(ground.object, "plane");

@@ -32,14 +32,14 @@ protected:
     }
 };
 
-/// Window depth, written out.
+/// Returns the window depth by a formula that is written out here.
 double depth_at(const std::string& mapping, double z) {
     if (mapping == "logarithmic") return std::log(z / near) / std::log(far / near);
     const double standard = far / (far - near) - far * near / ((far - near) * z);
     return mapping == "reversed" ? 1.0 - standard : standard;
 }
 
-/// The position of the square's depth between two others on a scale, from 0 to 1.
+/// Returns the position of z's depth on a scale from the depth of `first` (0) to that of `last` (1).
 double share(const std::string& mapping, bool linear, double z, double first, double last) {
     if (linear) return (z - first) / (last - first);
     return (depth_at(mapping, z) - depth_at(mapping, first)) / (depth_at(mapping, last) - depth_at(mapping, first));
@@ -121,7 +121,7 @@ TEST_F(DepthPicture, AnEmptyRangeIsAStep) {
         }
 }
 
-/// CIE 1976 L*, from 0 to 100.
+/// Returns CIE 1976 L*, from 0 to 100.
 double lightness(const Color& color) {
     const auto linear = [](int value) {
         const double v = value / 255.0;

@@ -1,5 +1,5 @@
-// A frame that stops at a draw call equals a frame with nothing more to draw; depths that are not cleared because the
-// mask is off.
+// A frame that stops at a draw call equals a frame with nothing more to draw, and depths are not cleared while the
+// depth mask is off.
 #include "frame/draw_calls.h"
 #include "gl_test.h"
 #include "unit/geometry/random.h"

@@ -40,7 +40,7 @@ protected:
         const Scene scene = scene_for(params);
         return draw(plan_of(params, scene), scene, effect_px);
     }
-    /// Whether the change is visible in the camera's picture.
+    /// Returns whether the change is visible in the camera's picture.
     static bool has_effect(const Params& before, const Params& after) {
         const Scene scene = scene_for(before), scene_after = scene_for(after);
         const FramePlan a = plan_of(before, scene), b = plan_of(after, scene_after);
@@ -48,8 +48,8 @@ protected:
     }
 };
 
-/// Other values of a field: each value of an enumeration, both of a switch, three numbers; none for fields with their
-/// own widget.
+/// Returns states with other values of the field: each other value of an enumeration, the opposite of a switch, or
+/// three numbers or colors; none for fields with their own widget.
 std::vector<Params> with_other_values(const Params& params, const Field& field) {
     std::vector<Params> others;
     const auto other = [&](const auto& change) {

@@ -14,7 +14,7 @@ struct Place {
     Scene scene;
 };
 
-/// The opening state moved by `offset`.
+/// Returns the opening state moved by `offset`.
 Place moved_by(const glm::dvec3& offset) {
     Place made{testing::params_with({"view.samples=0"}), testing::scene_named("torus-and-boxes")};
     made.params.camera.position += offset;
@@ -33,7 +33,7 @@ TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
     const Place here = moved_by(glm::dvec3(0.0));
     const Image expected = draw(here.params, here.scene, far_away_px);
     for (const double far_away : {1e5, 9e5}) {
-        // Along the plane and across it; the patch is centered on the plane's point nearest to the origin.
+        // The move is perpendicular to the plane: the patch is centered on the plane's point nearest to the origin.
         const Place there = moved_by({0.0, far_away, 0.0});
         const Image picture = draw(there.params, there.scene, far_away_px);
         EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";

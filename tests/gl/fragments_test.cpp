@@ -1,4 +1,4 @@
-// The computed fragments of a pixel against GL's buffers: the last drawn fragment equals the values read back.
+// Compares the computed fragments of a pixel with GL's buffers: the last drawn fragment equals the values read back.
 // VIEWING_LONG_TESTS=N checks N times as many states.
 #include <bit>
 #include <cmath>
@@ -23,7 +23,7 @@ using testing::trials;
 
 constexpr glm::ivec2 fragments_px(160, 90);
 
-/// The permitted distance of GL's depth from the exact one before it is stored: four codes of 24 bits, 12 places of a
+/// Returns how far GL's depth may be from the exact one before it is stored: 4.5 codes of 24 bits, or 12 places of a
 /// float near 1.
 double arithmetic(const DepthPrecision& precision) {
     return (precision.is_float ? 12.0 : 4.5) / 16777216.0;
@@ -45,7 +45,7 @@ bool in_known_order(const Codes& a, const Codes& b) {
     return is_one || a.greatest < b.least || b.greatest < a.least;
 }
 
-/// Whether float32 arithmetic cannot change any comparison among the fragments or with the cleared value.
+/// Returns whether float32 arithmetic cannot change any comparison among the fragments or with the cleared value.
 bool is_decided(const std::vector<Fragment>& fragments, double cleared, const DepthPrecision& precision) {
     const std::int64_t cleared_code = code_of(cleared, precision);
     std::vector<Codes> codes{{cleared_code, cleared_code}};
@@ -162,7 +162,7 @@ protected:
     }
 };
 
-/// The opening scene with a decal in the plane of the patch.
+/// Returns the opening scene with a decal in the plane of the patch.
 Scene scene_with_decal() {
     Scene scene = scene_named("torus-and-boxes");
     SceneObject decal = object("decal", quad_mesh(), {1.2, 0.0, 1.6}, {1.3, 1.0, 0.9});
@@ -315,7 +315,7 @@ TEST_F(Fragments, StopAtTheDrawCall) {
     Random random(seed + 4);
     Seen seen;
     for (int trial = 0; trial < trials(40); ++trial) {
-        // Mirror mask, mirror image, patch, shadow and objects: up to 14 calls with four objects.
+        // Mirror mask, mirror image, patch, shadow and objects make up to 14 calls with four objects.
         const std::vector<std::string> settings{
             "view.call=" + std::to_string(static_cast<int>(random.number(0, 16))),
             "view.triangle=" + std::to_string(static_cast<int>(random.number(-1, 14))),

@@ -30,7 +30,7 @@ inline int worst_channel(const Rgb& a, const Rgb& b) {
     return std::max({difference.r, difference.g, difference.b});
 }
 
-/// The number of pixels that differ by more than `worst` in some channel.
+/// Returns the number of pixels that differ by more than `worst` in some channel.
 inline int pixels_beyond(const Image& a, const Image& b, int worst) {
     int count = 0;
     for (int y = 0; y < a.height; ++y)
@@ -45,7 +45,7 @@ inline glm::ivec2 pixel_of(const glm::dvec3& point, const Derived& derived, glm:
     return glm::ivec2(glm::floor((ndc * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(size_px)));
 }
 
-/// Returns a setting such as "depth.format=d24", as params_with() takes it.
+/// Returns a setting such as "depth.format=d24", in the form that params_with() takes.
 inline std::string setting(const std::string& path, std::string_view value) {
     return path + "=" + std::string(value);
 }

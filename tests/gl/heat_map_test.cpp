@@ -14,8 +14,8 @@ constexpr double heat_near = 0.5, heat_far = 200.0, fovy_deg = 40.0;
 
 class HeatMapPicture : public testing::GlTest {
 protected:
-    /// Quads that face the camera, `gap` apart, and a single one beside them. The camera looks from the origin along
-    /// −z.
+    /// Returns two quads that face the camera, `gap` apart, and a single box beside them. The camera looks from the
+    /// origin along −z.
     static Scene facing_pair(double distance, double gap) {
         const auto quad = [](const char* name, const glm::dvec3& at, double side) {
             SceneObject made = testing::object(name, quad_mesh(), at);
@@ -38,7 +38,7 @@ protected:
     }
 };
 
-/// The legend's color; between two legend colors it is interpolated.
+/// Returns the legend's color for a ratio, interpolated between two legend colors.
 Rgb expected(double ratio) {
     const glm::dvec3 stops[] = {{0x8e, 0x1b, 0x12}, {0xc0, 0x36, 0x1e}, {0xe4, 0x57, 0x2e},
                                 {0xee, 0xa2, 0x4a}, {0xf3, 0xcb, 0x85}, {0xc3, 0xe0, 0xf0}};
@@ -51,7 +51,7 @@ Rgb expected(double ratio) {
 
 TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
     // With 16 bits the step is one code, to within a hundredth. Seen from the front, the gap in eye distance equals the
-    // gap along the normal at every pixel; the slant of its view ray does not lengthen it.
+    // gap along the normal at every pixel; the slant of a pixel's view ray does not lengthen it.
     const Params params = params_for("d16");
     for (const double distance : {5.0, 20.0, 60.0}) {
         const double step = distance * distance * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);
@@ -66,8 +66,8 @@ TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
 }
 
 TEST_F(HeatMapPicture, UsesTheGapAlongTheRay) {
-    // Rotated by 60° about the vertical axis, the gap in eye distance is twice as wide at the picture's center; at
-    // other pixels the ray determines it.
+    // When the quads are rotated by 60° about the vertical axis, the gap in eye distance is twice as wide at the
+    // picture's center; at other pixels it depends on the ray.
     const double distance = 20.0, turn = glm::radians(60.0), gap = 0.012;
     Scene scene = facing_pair(distance, 0.0);
     const glm::dvec3 normal(std::sin(turn), 0.0, std::cos(turn));

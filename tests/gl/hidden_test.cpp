@@ -1,5 +1,5 @@
-// Hidden surfaces as GL draws them: its depth buffer and the orders found in software against ray casting, on random
-// scenes. Shading, mirror image and overdraw do not depend on the method.
+// Compares GL's pictures of hidden surfaces, drawn with its depth buffer or in the orders found in software, with ray
+// casting on random scenes. Shading, mirror image and overdraw do not depend on the method.
 #include <algorithm>
 #include <iostream>
 
@@ -86,9 +86,9 @@ double edge_distance_px(const HiddenResult& result, const std::vector<int>& sour
     return nearest;
 }
 
-/// Where two pictures differ away from edges. GL rounds screen positions to 1/256 of a pixel, so a pixel center closer
-/// than `rounding_px` to an edge may fall on either side of it. This yields slivers that the reference shows nowhere
-/// within a pixel.
+/// The number of pixels at which two pictures differ. GL rounds screen positions to 1/256 of a pixel, so a pixel center
+/// closer than `rounding_px` to an edge may fall on either side of it. This yields slivers that the reference shows
+/// nowhere within a pixel.
 struct Disagreement {
     static constexpr double rounding_px = 1.0 / 64.0;
     int at_slivers = 0, unexplained = 0;
@@ -128,15 +128,15 @@ TEST_F(Hidden, GlAgreesWithRayCastingOnRandomScenes) {
             covered += static_cast<int>(std::ranges::count_if(reference.ids, [](int id) { return id >= 0; }));
         }
         std::cout << slivers << " pixels at slivers and " << unexplained << " others of " << covered << "\n";
-        // In 3000 scenes one pixel remains whose two depths are closer than 24 bits can distinguish; in the first 300
-        // none.
+        // In 3000 scenes, a single pixel remains, whose two depths are closer than 24 bits can distinguish; in the
+        // first 300, none remains.
         EXPECT_LE(unexplained, count / 1000);
         EXPECT_LE(slivers, count / 8) << "28 were measured in 300 scenes";
         EXPECT_GT(covered, count * 500);
     }
 }
 
-/// Whether the color jumps within a pixel: at an outline, a face's edge or a shadow's edge.
+/// Returns whether the color jumps between a pixel and a neighbor, as at an outline, a face's edge or a shadow's edge.
 bool is_outline(const Image& image, glm::ivec2 pixel) {
     for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, image.height - 1); ++y)
         for (int x = std::max(pixel.x - 1, 0); x <= std::min(pixel.x + 1, image.width - 1); ++x)
@@ -277,7 +277,7 @@ TEST_F(Hidden, GlCountsOverdrawAsSoftwareDoes) {
         const Scene scene = random_scene(random);
         Params params = random_view(random);
         params.view.shows = Shows::overdraw;
-        const bool divided = run % 2 == 1;  // by the patch, whose plane then cuts the counted polygons
+        const bool divided = run % 2 == 1;  // the patch's plane then cuts the counted polygons
         if (!divided) params.planes.front().equation = {0.0, 1.0, 0.0, 20.0};
         for (const VisibilityMethod method : software_methods) {
             params.visibility.method = method;

@@ -1,5 +1,5 @@
-// The per-vertex logarithm against the per-fragment one: a large triangle bends according to its vertices' logarithms,
-// interpolated in screen space; small triangles hardly bend. The formulas are written out here.
+// Compares the per-vertex logarithm with the per-fragment one: a large triangle bends according to its vertices'
+// logarithms, interpolated in screen space; small triangles hardly bend. The formulas are written out here.
 #include <array>
 #include <cmath>
 
@@ -21,7 +21,7 @@ double logarithm(double distance) {
     return std::log(distance / log_near) / std::log(log_far / log_near);
 }
 
-/// The weights of the vertices at a screen point.
+/// Returns the weights of the vertices at a screen point.
 glm::dvec3 weights_at(const Corners& corners, const glm::dvec2& point) {
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
     const glm::dvec2 a(corners[0]), b(corners[1]), c(corners[2]);

@@ -1,4 +1,4 @@
-// Owners of GL objects, targets, programs and contexts: freed in time, empty without a context.
+// Owners of GL objects, targets, programs and contexts: they free them in time, and without a context they are empty.
 #include <type_traits>
 
 #include "geometry/shapes.h"

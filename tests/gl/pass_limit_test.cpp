@@ -39,7 +39,7 @@ protected:
     }
 };
 
-/// Shadows, mirrors and depth in all their modes, seen from nearby.
+/// Returns a random state that mixes modes of shadow, mirror and depth, seen from nearby.
 Params random_state(Random& random) {
     const auto one_of = [&random](int count) { return static_cast<int>(random.number(0, count)); };
     const auto chance = [&random] { return random.number(0, 1) < 0.5; };

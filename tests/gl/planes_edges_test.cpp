@@ -1,5 +1,5 @@
-// Degenerate planes, lights and eyes: a defined picture, finite numbers, no GL error, and a sentence that names the
-// problem. planes_switches_test.cpp has the states that are broken on purpose.
+// Degenerate planes, lights and eyes still yield a defined picture, finite numbers, no GL error, and a sentence that
+// names the problem. planes_switches_test.cpp has the states that are broken on purpose.
 #include <cmath>
 
 #include "geometry/shapes.h"
@@ -138,7 +138,8 @@ TEST_F(Extremes, InTheLightShowNoShadow) {
     }
 }
 
-/// A square of side 1 under the light casts a shadow of side 5 / gap: over the whole patch, however small the gap.
+/// A square of side 1 under the light casts a shadow of side 5 / gap, which covers the whole patch however small the
+/// gap is.
 TEST_F(Extremes, WithALightCloseToItsCasterDarkenTheWholePatch) {
     const auto picture = [&](double gap) {
         const Scene scene =

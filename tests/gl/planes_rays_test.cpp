@@ -22,8 +22,8 @@ int class_of_patch(int patch, unsigned missing) {
     return first_patch + 16 * patch + static_cast<int>(missing);
 }
 
-/// Patches and shadows get distinct flat colors: full blue, which no solid has; green encodes the lights, red the
-/// patch.
+/// Patches and shadows get distinct flat colors: full blue, which no solid has, marks them; green encodes the missing
+/// lights and red the patch.
 glm::dvec3 color_of_patch(std::size_t patch, int missing) {
     return {(60.0 * static_cast<double>(patch) + 20.0) / 255.0, (16.0 * missing + 7.0) / 255.0, 1.0};
 }
@@ -234,7 +234,7 @@ TEST_F(PlanesRays, AgreeInEveryRoom) {
         EXPECT_LE(pinholes_, 1);
     }
     tally_.print();
-    // The comparison must not have been empty.
+    // The comparison must have had something to compare.
     const auto each = static_cast<int>(count);
     EXPECT_GT(tally_.compared, 3000 * each);
     EXPECT_GT(tally_.stencil_shadow, 100 * each);

@@ -20,12 +20,12 @@ struct Room {
     Scene scene;
 };
 
-/// The number of rooms that a test draws.
+/// Returns the number of rooms that a test draws.
 inline unsigned rooms(int usual) {
     return static_cast<unsigned>(trials(usual));
 }
 
-/// Makes one room; the number decides its contents, the seed their placement.
+/// Makes one room; its number decides its contents and seeds their placement.
 class RoomMaker {
 public:
     explicit RoomMaker(unsigned number) : number_(number), random_(number) {}
@@ -46,7 +46,7 @@ private:
         return *(choices.begin() + static_cast<std::ptrdiff_t>(random_.number(0, static_cast<double>(choices.size()))));
     }
 
-    /// In red, green and yellow, without any blue.
+    /// Adds a red, a green and a yellow solid; none of the colors contains blue.
     void add_solids() {
         const Color colors[] = {{255, 0, 0}, {0, 255, 0}, {255, 255, 0}};
         std::vector<SceneObject> objects;
@@ -70,13 +70,13 @@ private:
         room_.scene = scene_of(std::move(objects));
     }
 
-    /// A floor, a ceiling facing it, and two walls, all tilted, in a rotated room.
+    /// Adds up to four planes of a rotated room: a floor, a ceiling facing it and two walls, usually tilted.
     void add_planes() {
         const glm::dvec3 inwards[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
         const Angles turn = random_.angles();
         const glm::dmat3 turned = rotation_of(turn.yaw_deg, turn.pitch_deg, turn.roll_deg);
         const double tilt = number_ % 5 == 0 ? 0.0 : random_.number(0.0, 0.5);
-        const bool in_a_row = chance(0.5);  // otherwise with the ceiling first
+        const bool in_a_row = chance(0.5);  // otherwise with the walls first
         for (unsigned i = 0; i < 1 + number_ % 4; ++i) {
             const glm::dvec3 normal = turned * glm::normalize(inwards[in_a_row ? i : (i + 2) % 4] + random_.vec3(tilt));
             room_.oracle.planes.push_back({.equation = {normal, random_.number(0.8, 2.4)},

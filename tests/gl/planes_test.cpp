@@ -19,8 +19,8 @@ using testing::worst_channel;
 constexpr glm::ivec2 planes_px(96, 54);
 constexpr unsigned first_room = 62000;
 
-/// A realistic room with semitransparent mirrors and shadows. One depth format and at most two lights, because a
-/// software renderer takes long to compile shaders for more.
+/// Returns a realistic room with semitransparent mirrors and shadows. It has one depth format and at most two lights,
+/// because a software renderer takes long to compile shaders for more.
 Room lived_in(unsigned number) {
     Room room = testing::room(number);
     Random random(number);
@@ -76,7 +76,7 @@ TEST_F(Planes, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         const Room room = lived_in(number);
         const Image picture = draw(room.params, room.scene, planes_px);
-        constexpr double all_factors[][2] = {{-1.0, -1.0}, {2.0, 2.0}, {1.0, -2.0}};  // for every second plane
+        constexpr double all_factors[][2] = {{-1.0, -1.0}, {2.0, 2.0}, {1.0, -2.0}};  // used by the planes in turn
         for (const auto& factors : all_factors) {
             Params same = room.params;
             for (std::size_t i = 0; i < same.planes.size(); ++i) same.planes[i].equation *= factors[i % 2];
@@ -126,7 +126,7 @@ TEST_F(Planes, TheOrderOfPlanesAndLightsDoesNotMatter) {
     }
 }
 
-/// Convex solids that touch neither each other nor a plane, on three planes that do not meet.
+/// Returns convex solids that touch neither each other nor the three planes of the test below, which do not meet.
 Scene floating() {
     return scene_of({object("box", box_mesh(), {-1.3, 1.1, -0.2}, {0.6, 0.5, 0.7}),
                      object("ball", sphere_mesh(), {1.2, 1.0, 0.6}, glm::dvec3(0.7)),

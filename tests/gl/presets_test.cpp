@@ -1,4 +1,4 @@
-// The presets that show an artifact show it clearly: much of it, and unobstructed.
+// The presets that show an artifact show it clearly: much of it is visible, and nothing obstructs it.
 #include "state/presets.h"
 #include "gl/gl_test.h"
 
@@ -21,7 +21,7 @@ protected:
     }
 };
 
-/// The number of transitions between orange and blue, from left to right and from top to bottom.
+/// Counts the transitions between orange and blue, from left to right and from top to bottom.
 int meetings(const Image& image) {
     const auto blueness = [&image](int x, int y) {
         const auto rgb = testing::rgb_at(image, {x, y});

@@ -24,7 +24,7 @@ using testing::scene_named;
 constexpr Shading all_shadings[] = {Shading::lit,  Shading::unlit,    Shading::flat,     Shading::facing,
                                     Shading::heat, Shading::caster_w, Shading::identity, Shading::polygon_identity};
 
-/// Programs of every kind: plain ones, and ones with every combinable feature.
+/// Returns programs of every kind: plain ones, and ones with every combinable feature.
 std::vector<SurfaceKind> surface_kinds() {
     using Source = SurfaceKind::Source;
     std::vector<SurfaceKind> kinds;
@@ -47,10 +47,10 @@ std::vector<SurfaceKind> surface_kinds() {
     return kinds;
 }
 
-/// The tables of one kind of program, and the active uniforms found in it.
+/// The active uniforms found in a program, by name, with their sizes.
 using Found = std::map<std::string, GLint>;
 
-/// Checks a linked program, or one of its separate stages.
+/// Compares a linked program, or one of its separate stages, with the program's table of uniforms.
 void expect_agreement(const ShaderProgram& program, GLuint part, Found& found) {
     const GLuint stage = program.programs().size() > 1 ? part : 0;
     GLint active = 0;
@@ -162,11 +162,11 @@ TEST(ShaderConstants, AppearInNoShaderAndAllAreUsed) {
     EXPECT_EQ(used, known);
 }
 
-/// An OpenGL ES 3.0 context without a surface, current during its lifetime; empty if unavailable.
+/// An OpenGL ES 3.0 context without a surface, current during its lifetime. If it is unavailable, trouble() says why.
 class EsContext {
 public:
     EsContext() {
-        // The GL loader ends the program if it finds no entry points of GL ES.
+        // The GL loader terminates the program if it finds no entry points of GL ES.
         if (!library_) return;
         display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) return;
@@ -183,7 +183,7 @@ public:
         eglDestroyContext(display_, context_);
         eglBindAPI(EGL_OPENGL_API);
     }
-    /// Why there is no context; "" if there is one.
+    /// Returns why there is no context; "" if there is one.
     const char* trouble() const {
         if (!library_) return "no libGLESv2.so.2 (Debian's package libgles2)";
         return context_ == EGL_NO_CONTEXT ? "no OpenGL ES 3.0 context from EGL" : "";
@@ -198,7 +198,7 @@ private:
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// The number of programs in this context.
+/// Returns the number of programs in this context.
 int program_count() {
     constexpr GLuint beyond_all_names = 5000;
     int count = 0;
@@ -206,7 +206,7 @@ int program_count() {
     return count;
 }
 
-/// The number of programs that a picture needs, in its own renderer.
+/// Returns the number of programs that a picture needs, drawn by a renderer of its own.
 int programs_for(const Params& params, const Scene& scene, const gl::Capabilities& capabilities) {
     const int before = program_count();
     Result<Renderer> made = Renderer::make(capabilities);
@@ -278,7 +278,7 @@ TEST(ProgramsInEs, CompileWithTheSameTables) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// Pictures of the opening scene by a renderer of the current context that uses only features common to GL and GL ES.
+/// Returns pictures of the opening scene, drawn in the current context with only the features that GL and GL ES share.
 std::vector<Image> pictures_in_common() {
     Result<Renderer> renderer = Renderer::make(gl::Capabilities{});
     EXPECT_TRUE(renderer) << renderer.error();

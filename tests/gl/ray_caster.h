@@ -1,7 +1,7 @@
 // An oracle that shares nothing with the code under test: it finds the content of each pixel by rays alone. A pixel is
 // an object, a patch without the lights whose shadow rays hit a caster, or a mirror that shows what the reflected ray
-// hits, and so on from mirror to mirror. Spheres and boxes are intersected by formula, without meshes, matrices of the
-// program, or buffers. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
+// hits, and so on from mirror to mirror. Spheres and boxes are intersected by formula, without meshes, the program's
+// matrices, or buffers. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
 #pragma once
 
 #include <cmath>
@@ -20,14 +20,14 @@ inline glm::dmat3 rotation_of(double yaw_deg, double pitch_deg, double roll_deg)
                       glm::rotate(one, glm::radians(roll_deg), {0, 0, 1}));
 }
 
-/// A sphere or a box of half-size 1, then scaled, rotated and translated.
+/// A sphere or a box of half-size 1 that is then scaled, rotated and translated.
 struct Solid {
     bool is_sphere = true;
     glm::dvec3 position{0.0};
     glm::dmat3 rotation{1.0};
     glm::dvec3 scale{1.0};  ///< all equal for a sphere
 
-    /// The smallest t in (from, to) at which the line origin + t · direction hits the surface.
+    /// Returns the smallest t in (from, to) at which the line origin + t · direction hits the surface; empty if none.
     std::optional<double> first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double from,
                                     double to) const {
         const glm::dvec3 o = glm::transpose(rotation) * (origin - position) / scale;
@@ -65,9 +65,9 @@ struct OraclePlane {
 struct OracleScene {
     std::vector<Solid> solids;
     std::vector<OraclePlane> planes;
-    std::vector<glm::dvec4> lights;  ///< w from 0, a direction, to 1
+    std::vector<glm::dvec4> lights;  ///< w is from 0 (a direction) to 1
     bool casts = true;
-    int bounces = 1;  ///< after this many mirrors, another one is a plain patch
+    int bounces = 1;  ///< after this many mirrors, a further one is a plain patch
 };
 
 struct OracleCamera {
@@ -88,7 +88,7 @@ struct Met {
 /// visible.
 struct Sight {
     std::vector<Met> met;
-    std::size_t mirrors = 0;  ///< the first members of `met`
+    std::size_t mirrors = 0;  ///< how many of `met`, from the first, are mirrors
     bool operator==(const Sight&) const = default;
 
     bool ends_in_background() const { return met.size() == mirrors; }
@@ -107,7 +107,7 @@ public:
         return seen(ray.origin, ray.direction);
     }
 
-    /// The patch that would be visible without solids: its index, and the lights missing there.
+    /// Returns the patch that would be visible without solids, with the lights missing there.
     Met patch_at(double x, double y, int width, int height) const {
         const Ray ray = line_of_sight(x, y, width, height);
         double t = camera_.far;
@@ -128,7 +128,7 @@ private:
         return {camera_.position, -axes_[2] + aside * std::tan(glm::radians(camera_.fovy_deg) * 0.5)};
     }
 
-    /// Finds the solid that is hit first, and where; −1 for none.
+    /// Returns the solid that is hit first and moves `to` to the hit; returns −1 if none is hit.
     int nearest_solid(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to) const {
         int found = -1;
         for (std::size_t i = 0; i < scene_.solids.size(); ++i) {
@@ -170,7 +170,7 @@ private:
         return missing;
     }
 
-    /// Finds the patch that is hit first, except the one at which the ray starts, and where.
+    /// Returns the patch that is hit first and moves `to` to the hit; ignores the patch `start`, where the ray begins.
     Met nearest_patch(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to, int start) const {
         Met found;
         for (std::size_t i = 0; i < scene_.planes.size(); ++i) {

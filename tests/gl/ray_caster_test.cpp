@@ -1,6 +1,6 @@
-// Whole pictures against the oracle of ray_caster.h: random planes, lights, cameras and solids, checked point by point
-// for the right object, patch, shadow or mirror image. Pixels beside an edge of the oracle's picture are skipped.
-// VIEWING_LONG_TESTS=N draws N times as many.
+// Compares whole pictures with the oracle of ray_caster.h: random planes, lights, cameras and solids are checked point
+// by point for the right object, patch, shadow or mirror image. Pixels beside an edge of the oracle's picture are
+// skipped. VIEWING_LONG_TESTS=N draws N times as many.
 #include "ray_caster.h"
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ constexpr glm::ivec2 cast_px(160, 120);
 /// The content of a pixel: 0, 1, 2 … for a solid, or one of these.
 constexpr int shows_nothing = -1, shows_patch = -2, shows_shadow = -3, shows_unknown = -9;
 
-/// A random situation, and the same as parameters and meshes.
+/// A random situation for the oracle, and the same situation as parameters and meshes.
 struct Situation {
     OracleScene oracle;
     OracleCamera camera;
@@ -142,7 +142,7 @@ int class_seen(const Rgb& color, const Rgb& background) {
     return shows_unknown;
 }
 
-/// Shadow is also painted on mirrors.
+/// Returns the class that the oracle expects; shadow is also painted on mirrors.
 int class_seen(const Sight& sight) {
     for (const testing::Met& met : sight.met)
         if (met.missing != 0) return shows_shadow;
@@ -207,8 +207,8 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
     for (unsigned number = first_seed; number < first_seed + count; ++number) {
         const Situation made = situation(number);
         const CastTally tally = tally_of(made);
-        // A rasterizer may leave a pinhole where it clips a triangle: 4 single pixels were seen in 43 million, and 2 in
-        // 2 million with the other compiler, whose scenes differ in their last bits.
+        // A rasterizer may leave a pinhole where it clips a triangle: there were 4 single pixels in 43 million, and 2
+        // in 2 million with the other compiler, whose scenes differ in their last bits.
         EXPECT_LE(tally.wrong, 1) << "seed " << number << ": " << tally.first_wrong;
         sum.wrong += tally.wrong;
         EXPECT_GT(tally.compared, cast_px.x * cast_px.y / 2) << "seed " << number;
@@ -223,7 +223,7 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
         }
     }
     EXPECT_LE(sum.wrong, 3 + sum.compared / 5'000'000);
-    // The comparison must not have been empty.
+    // The comparison must have had something to compare.
     const auto each = static_cast<int>(count);
     std::printf("%d pixels, %d wrong: %d shadow, %d patch, %d mirror image\n", sum.compared, sum.wrong, sum.shadow,
                 sum.patch, mirrored);
@@ -233,7 +233,7 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
 }
 
 TEST_F(RayCasterTest, DetectsWrongMatrices) {
-    // Given pictures with other matrices instead of S and R, the oracle must object.
+    // When pictures use other matrices instead of S and R, the oracle must disagree with them.
     Situation made = situation(52002);
     ASSERT_TRUE(made.oracle.casts);
     ASSERT_EQ(tally_of(made).wrong, 0);

@@ -20,8 +20,8 @@ class Reconcile : public testing::GlTest {
 protected:
     struct Seen {
         int surfaces = 0;      ///< pixels that show a surface
-        int other_winner = 0;  ///< of these, where the computed list has another winner
-        int blamed = 0;        ///< of these, where rounding is reported to decide some fragment
+        int other_winner = 0;  ///< pixels where the computed list has another winner
+        int blamed = 0;        ///< pixels where rounding is reported to decide some fragment
         double worst = 0.0;    ///< difference between the computed and read-back depth in codes, for the same winner
     };
 
@@ -32,8 +32,8 @@ protected:
         return last;
     }
 
-    /// Calls visit(report, fragments, clears_depth) for this many pixels of the state's picture, with the values read
-    /// back and computed.
+    /// Calls visit(report, fragments, clears_depth) for `pixels` random pixels of the state's picture. The report holds
+    /// the values read back, the fragments hold the computed ones.
     template <typename Visit>
     static void for_pixels_of(const Params& params, const Scene& scene, const Visit& visit) {
         const Derived derived = derive_for(params, scene, reconciled_px);
@@ -104,7 +104,7 @@ TEST_F(Reconcile, ComparesWithThePreviousFramesDepth) {
             reconcile(fragments, report, clears);
             for (const Fragment& fragment : fragments) {
                 ++compared;
-                // Both frames draw the same picture: the first leaves the code that is read back after the second.
+                // Both frames draw the same picture, so the first leaves the code that is read back after the second.
                 EXPECT_EQ(fragment.compared_with, report.stored) << fragment.object;
                 blamed += fragment.decided_by_rounding ? 1 : 0;
             }

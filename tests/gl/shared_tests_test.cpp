@@ -1,5 +1,5 @@
-// Unified stencil tests pass the same fragments as the original ones: for every value that the stencil can hold, found
-// by enumeration, and in the passes of every preset.
+// Unified stencil tests pass the same fragments as the original ones, for every value that the stencil can hold. The
+// values are found by enumeration, and the passes of every preset are checked.
 #include "render/shared_tests.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ int left_by(const StencilState& state, int value, int reference) {
     return (value & ~state.write_bits) | (after & state.write_bits);
 }
 
-/// Returns the number of changed tests. A pass may touch a pixel never, once or repeatedly.
+/// Expects that the unified tests pass the same fragments, and returns how many tests they change. A pass may touch a
+/// pixel never, once or repeatedly.
 int expect_the_same_fragments(std::span<const Pass> passes) {
     const std::vector<StencilState> tests = shared_stencil_tests(passes);
     EXPECT_EQ(tests.size(), passes.size());
@@ -122,7 +123,7 @@ TEST(SharedTests, PassTheSameFragmentsForPassesOfEveryKind) {
     EXPECT_GT(changed, 200);
 }
 
-/// A software renderer then needs one shader for both.
+/// If only the reference differs, a software renderer needs just one shader for both.
 TEST(SharedTests, MirrorImageAndObjectsDifferOnlyInTheReference) {
     const std::vector<Pass> passes = passes_of("opening");
     std::vector<StencilState> of_objects;

@@ -10,7 +10,8 @@
 namespace viewing {
 namespace {
 
-/// What GL keeps: points between both pairs of sides and in front of every clip plane.
+/// Returns whether GL keeps a point, that is, whether the point lies between both pairs of the frustum's sides and in
+/// front of every clip plane.
 bool is_kept(const glm::dvec3& point_model, const Pass& pass, const glm::dmat4& world_from_model) {
     const glm::dvec4 scene = world_from_model * glm::dvec4(point_model, 1.0);
     for (const ClipPlane& plane : pass.clip_planes)
@@ -56,7 +57,7 @@ TEST(Sight, BoxesAtTheEdgeAndEmptyBoxesAreDrawn) {
     EXPECT_FALSE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
 }
 
-/// Vertices decide when there are few, because a box extends beyond its mesh.
+/// If a mesh has few vertices, they decide, because the box extends beyond its mesh.
 TEST(Sight, APlaneCutsAnObjectIfAVertexIsBehindIt) {
     SCOPED_TRACE("seed 8");
     Random random(8);

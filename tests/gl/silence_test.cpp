@@ -1,6 +1,6 @@
-// No silence and no alarm: a switch that changes the picture is named by a sentence, and the fix of a sentence changes
-// a picture. Over presets, and over seeded states with several mistakes; all presets and more seeds with
-// VIEWING_LONG_TESTS.
+// Neither silence nor false alarms: if a switch changes the picture, a sentence names it, and the fix that a sentence
+// offers changes a picture. The tests run over presets and over seeded states with several mistakes; with
+// VIEWING_LONG_TESTS, over all presets and more seeds.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Changes that are choices, not mistakes, with the reason: a field, or one of its values.
+/// A change that is a choice and not a mistake: a field or one of its values, with the reason.
 struct Choice {
     std::string_view setting, reason;
 };
@@ -41,7 +41,7 @@ struct Change {
     Params params;
 };
 
-/// What is not said yet, with the reason.
+/// A change that no sentence names yet, with the reason.
 struct Unsaid {
     std::string_view preset, setting, reason;
 };
@@ -51,7 +51,7 @@ constexpr Unsaid unsaid[] = {
     {"mirror-plus-2ab", "reflection.stencil=false", "the image leaves the mirror inside a triangle"},
 };
 
-/// Sentences on the order of drawing, which a picture may happen not to need.
+/// Beginnings of sentences on the drawing order; a picture may happen not to depend on it.
 constexpr std::string_view by_chance[] = {"GL_ALWAYS", "GL_NOTEQUAL", "the shadow writes its depth",
                                           "the mask writes the mirror's own depth"};
 
@@ -105,7 +105,7 @@ protected:
         return shown;
     }
 
-    /// Whether the fix changes the camera's picture, its depth or its stencil.
+    /// Returns whether the fix changes the camera's picture, its depth, its stencil or its facing.
     static bool fix_shows(const Params& params, const Scene& scene, const std::string& fix) {
         const Result<Params> fixed = apply_settings(params, std::vector<std::string>{fix});
         EXPECT_TRUE(fixed) << fix;
@@ -145,7 +145,7 @@ protected:
     }
 };
 
-/// Presets that GL draws alone, every fifth; all with VIEWING_LONG_TESTS.
+/// Returns the presets that GL draws by itself, in color and without jiggling.
 std::vector<NamedFile> drawn_presets() {
     std::vector<NamedFile> drawn;
     for (const NamedFile& preset : presets()) {
@@ -178,7 +178,7 @@ TEST_F(Silence, SwitchesOfPresetsAreNamed) {
     EXPECT_GT(changed, 50) << "most switches change the picture somewhere";
 }
 
-/// Several mistakes at a time: each further one is named, too.
+/// When a state has several mistakes, each further one is named, too.
 TEST_F(Silence, MistakesAreNamedBesideOthers) {
     constexpr unsigned first_seed = 3700;
     const std::vector<NamedFile> all = drawn_presets();

@@ -28,7 +28,7 @@ GLint bits_of_depth(const View& view) {
 }
 
 /// Convex solids that touch neither each other nor the plane, so 16 bits distinguish what 24 do. The label is in its
-/// board's plane: there the stencil decides, not depth. The mirror shows neither of their fronts.
+/// board's plane: there the stencil decides, not depth. The mirror shows the front of neither.
 Scene floating_with_decal() {
     SceneObject label = object("label", quad_mesh(), {1.0, 0.4, -1.7}, {0.35, 1.0, 0.45});
     label.description.decal = true;

@@ -33,7 +33,7 @@ void expect_default_state(bool has_clip_control) {
         EXPECT_FALSE(glIsEnabled(capability)) << "capability " << capability;
     EXPECT_STATE(GL_DEPTH_FUNC, GL_LESS);
     EXPECT_STATE(GL_DEPTH_WRITEMASK, GL_TRUE);
-    EXPECT_STATE(GL_DEPTH_CLEAR_VALUE, 2147483647);  // 1 as a maximum integer
+    EXPECT_STATE(GL_DEPTH_CLEAR_VALUE, 2147483647);  // a depth of 1, as the largest integer
     EXPECT_STATE(GL_STENCIL_CLEAR_VALUE, 0);
     EXPECT_STATE(GL_CULL_FACE_MODE, GL_BACK);
     EXPECT_STATE(GL_FRONT_FACE, GL_CCW);
@@ -172,7 +172,7 @@ TEST_F(FrameState, FallbacksGiveNearlyTheSamePicture) {
         const Derived without = derive(params, scene, {state_px, plain->capabilities().clip_control});
         EXPECT_FALSE(without.clip_zero_to_one);
         const Image fallback = draw(plan(params, without), scene, state_px, *plain, view);
-        // Clipping per fragment instead of per sample and other depth rounding may change edges.
+        // Clipping per fragment instead of per sample, and different depth rounding, may change edges.
         EXPECT_LE(pixels_beyond(draw(params, scene, state_px), fallback, 3), 120) << what;
         Params unclipped = params;
         unclipped.reflection.clip = MirrorClip::none;
@@ -227,7 +227,7 @@ TEST_F(FrameState, IsDefinedForEveryDegenerateState) {
 }
 
 TEST_F(FrameState, ASingularMirrorMatrixStaysLit) {
-    // Flattened onto y = −1 and seen in the mirror: normals follow although the matrix has no inverse.
+    // The mirror image is flattened onto y = −1; its normals are still right although the matrix has no inverse.
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"overrides.mirror_from_world=[[1,0,0,0],[0,0,0,-1],[0,0,1,0],[0,0,0,1]]",
                                        "reflection.clip=none", "reflection.reflectance=1", "shadow.enabled=false",

@@ -33,7 +33,7 @@ protected:
     }
 };
 
-/// From above at an angle, without samples, reflection or other extras.
+/// Returns settings for a view from above at an angle, without multisampling and reflection, followed by `more`.
 std::vector<std::string> plain(std::vector<std::string> more) {
     std::vector<std::string> all = {"view.samples=0", "reflection.enabled=false", "camera.position=[0,6,8]",
                                     "camera.yaw=0",   "camera.pitch=-36.87",      "light.position=[4,8,0,1]"};
@@ -144,7 +144,7 @@ TEST_F(Technique, ShadowStaysOnItsReceiverOnlyWhileClipped) {
 
 TEST_F(Technique, ObjectsBehindTheReceiverCastFalseShadows) {
     const Scene below = scene_of({object("below", box_mesh(), {0, -3, 0})});
-    // Seen from the light, (0, −2, 0) is behind the point where its ray pierces the ground: (4, 8) + t (−4, −10).
+    // Seen from the light, (0, −2, 0) is behind the point where the ray to it pierces the ground: (4, 8) + t (−4, −10).
     const glm::dvec3 pierced(4.0 - 4.0 * 0.8, 0.0, 0.0);
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), below, pierced);
     EXPECT_EQ(color_at(plain({}), below, pierced), lit);
@@ -164,7 +164,7 @@ TEST_F(Technique, NothingBeyondTheLightCastsAShadow) {
         100);
 }
 
-/// Each vertex's own sign is forced: beyond the light the vertex is negated, in front of it unchanged.
+/// Each vertex's own sign is forced: a vertex beyond the light is negated, one in front of the light is unchanged.
 TEST_F(Technique, ForcedSignCastsAnAntiShadowThroughTheLight) {
     const std::vector<std::string> forced = plain({"shadow.sign=forced", "shadow.clip_at_light=false"});
     const Scene above = scene_of({object("above", box_mesh(), {5, 12, 0})});
@@ -277,7 +277,7 @@ TEST_F(Technique, PlaneTimesAnyFactorGivesTheSamePicture) {
     EXPECT_GE(pictures_with_shadow, 8);
 }
 
-/// A square facing the camera at the origin.
+/// Returns a square that faces a camera at the origin.
 SceneObject facing_quad(const std::string& name, double distance, const Color& color) {
     SceneObject made = object(name, quad_mesh(), {0, 0, -distance});
     made.description.color = color;
@@ -285,7 +285,7 @@ SceneObject facing_quad(const std::string& name, double distance, const Color& c
     return made;
 }
 
-/// The camera at the origin, with the plane out of sight.
+/// Returns settings with the camera at the origin and the plane out of sight, followed by `more`.
 std::vector<std::string> from_origin(std::vector<std::string> more) {
     std::vector<std::string> all = {"view.samples=0",
                                     "reflection.enabled=false",
@@ -349,14 +349,14 @@ TEST_F(Technique, UnclearedDepthHidesLaterObjects) {
                 params_with(from_origin({mapping, clears ? "depth.clear=true" : "depth.clear=false"}));
             const FramePlan frame = plan(params, derive_for(params, near_only, technique_px));
             View view;
-            // A view's first frame has no predecessor: nothing undefined appears.
+            // A view's first frame has no predecessor, and nothing undefined may appear in it.
             draw(frame, near_only, technique_px, renderer(), view);
             const Seen later = seen(draw(frame, far_only, technique_px, renderer(), view));
             EXPECT_EQ(later, clears ? Seen::far_quad : Seen::background);
             View fresh;
             const Seen first = seen(draw(frame, far_only, technique_px, renderer(), fresh));
             EXPECT_EQ(first,
-                      clears ? Seen::far_quad : Seen::background);  // hidden by its own earlier frame: less, not lequal
+                      clears ? Seen::far_quad : Seen::background);  // its own depths hide it: less, not lequal
         }
     }
 }
@@ -396,7 +396,7 @@ TEST_F(Technique, FacingInTheMirrorNeedsTheFlippedWinding) {
         std::vector<std::string> settings = {"reflection.enabled=true", "reflection.reflectance=1",
                                              "shadow.enabled=false", "view.shows=facing"};
         settings.insert(settings.end(), more.begin(), more.end());
-        // The mirror image of the front of the box, at the foot of its front side: (0, −0.5, 1).
+        // A point in the mirror image of the box's front side, near its foot: (0, −0.5, 1).
         return color_at(plain(settings), box_scene(), {0.0, -0.5, 1.0});
     };
     EXPECT_GT(mirrored({}).b, mirrored({}).r + 30);
@@ -452,7 +452,7 @@ TEST_F(Technique, MirroredLightIlluminatesTheMirroredSide) {
     const std::vector<std::string> mirror = {"reflection.enabled=true", "reflection.reflectance=1",
                                              "shadow.enabled=false", "light.position=[0,8,0.5,1]"};
     const Scene floating = scene_of({object("box", box_mesh(), {0, 2.5, 0})});
-    // The image of the underside, y = 1.5, appears at y = −1.5: away from the light in both worlds.
+    // The image of the underside, y = 1.5, appears at y = −1.5. The underside faces away from the light in both worlds.
     const auto color = [&](const char* light, double y_world) {
         std::vector<std::string> settings = mirror;
         settings.emplace_back(light);
@@ -461,11 +461,11 @@ TEST_F(Technique, MirroredLightIlluminatesTheMirroredSide) {
     const Rgb mirrored = color("reflection.reflect_light=true", 1.5),
               not_mirrored = color("reflection.reflect_light=false", 1.5);
     EXPECT_GT(not_mirrored.b,
-              mirrored.b + 40);  // the light itself is above, so the upward side is lit, wrongly
+              mirrored.b + 40);  // the light itself is above, so it wrongly lights the side that faces up
 }
 
 TEST_F(Technique, MirrorImageEqualsTheMirroredCamerasView) {
-    // R · scene with flipped winding, against the scene from the mirrored camera flipped left to right.
+    // Compares R · scene, with flipped winding, with the mirrored camera's picture, flipped left to right.
     Random random(seed);
     const Scene scene = scene_named("torus-and-boxes");
     for (int trial = 0; trial < 10; ++trial) {

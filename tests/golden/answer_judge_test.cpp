@@ -1,5 +1,5 @@
-// The window judges a goal measured in pictures in the background, with the same result as `grade`. No reference
-// pictures.
+// When a goal is measured in pictures, the window judges it in the background, with the same result as `grade`. No
+// reference pictures.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// A window in E14, where decals are to be fixed and pixels are counted.
+/// A window at exercise E14, in which the student fixes decals and the judge counts pixels.
 class AnswerJudgeTest : public testing::GlTest {
 protected:
     void SetUp() override {
@@ -37,7 +37,7 @@ protected:
         GlTest::TearDown();
     }
 
-    /// Returns false if the condition does not hold within a minute.
+    /// Runs frames until the condition holds; returns false if it does not hold within a minute.
     template <typename Done>
     bool frames_until(const Done& done) {
         const auto begun = std::chrono::steady_clock::now();
@@ -82,7 +82,7 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
 TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     set_units(-0.75);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
-    set_units(-40.0);  // before the right one is judged
+    set_units(-40.0);  // before the right answer is judged
     ASSERT_TRUE(frames_until([&] { return !is_checking() && run().verdict().has_value(); }));
     EXPECT_FALSE(run().is_revealed());
     EXPECT_EQ(run().verdict()->tag, "M14");
@@ -99,7 +99,7 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change soon after a save is saved later, and possibly nothing else is due until then.
+/// A change that closely follows a save is saved later, and until then possibly nothing else would wake the window.
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -121,7 +121,7 @@ TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::filesystem::remove_all(folder);
 }
 
-/// A picture does not wait: its strip has the verdict in its first frames.
+/// An offscreen picture does not wait for the judge: its strip shows the verdict in its first frames.
 TEST_F(AnswerJudgeTest, APictureHasTheVerdictImmediately) {
     set_units(-40.0);
     studio_->frame({.size_px = {1280, 720}, .input = {}});

@@ -23,7 +23,7 @@ protected:
     }
 };
 
-/// All text of the drawing, line by line.
+/// Returns the drawing's text, line by line.
 std::string text_in(const Drawing& drawing) {
     std::string text;
     for (const Mark& mark : drawing.marks)
@@ -34,7 +34,7 @@ std::string text_in(const Drawing& drawing) {
     return text;
 }
 
-/// The first text that is partly outside its clip rectangle or the page; "" for none.
+/// Returns the first text that extends beyond its clip rectangle or the page; "" if none does.
 std::string cut_line(const Drawing& drawing) {
     for (const Mark& mark : drawing.marks) {
         const Line* const line = std::get_if<Line>(&mark.what);
@@ -57,7 +57,7 @@ struct Case {
     PictureView view;
     const char* preset;
     std::vector<std::string> settings;
-    const char* says;  ///< one of its texts
+    const char* says;  ///< a text that the figure contains
 };
 
 const std::vector<Case>& cases() {
@@ -121,7 +121,7 @@ TEST_F(FigureTest, EmptyOrTooSmallViewsAreReported) {
               "the view tree has nothing to show: Only the BSP tree method has a tree to show.");
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::pixel, usual_px, std::nullopt})),
               "the view pixel needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]");
-    // The size in the message is correct.
+    // The picture does fit in the size that the message names.
     const std::string small = trouble(image_of(state_with({}), {PictureView::passes, {700, 320}, std::nullopt}));
     const std::string before = "it fits in 700x";
     const std::size_t at = small.find(before);
@@ -167,7 +167,7 @@ TEST_F(FigureTest, ATransparentPictureOverTheBackgroundIsThePicture) {
     }
 }
 
-/// Whether something covers the whole page.
+/// Returns whether a single shape covers the whole page.
 bool has_ground(const Drawing& drawing) {
     return std::any_of(drawing.marks.begin(), drawing.marks.end(), [&](const Mark& mark) {
         const Shape* const shape = std::get_if<Shape>(&mark.what);

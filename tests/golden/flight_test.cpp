@@ -1,5 +1,5 @@
-// A flight's pictures equal those on screen: seeded hands fly the window, each of its camera pictures is kept, and the
-// written file draws the same bytes.
+// A flight's pictures equal those on screen: the test flies with seeded random input, keeps each camera picture, and
+// checks that the written file draws the same bytes.
 #include <random>
 
 #include "app/picture.h"
@@ -14,7 +14,7 @@ class FlightPictures : public testing::GlTest {
 protected:
     struct Recorded {
         Flight flight;
-        std::vector<Image> pictures;  ///< of each frame drawn during the recording
+        std::vector<Image> pictures;  ///< one for each frame drawn during the recording
         std::vector<double> times_s;
     };
 
@@ -75,7 +75,7 @@ TEST_F(FlightPictures, AreByteEqualToTheWindowsPictures) {
         std::optional<Scene> scene;
         for (std::size_t i = 0; i < recorded.pictures.size(); ++i) {
             const Image& shown = recorded.pictures[i];
-            // Times in the file are whole microseconds.
+            // The file stores times in whole microseconds.
             const Result<Params> params = walk.at(recorded.flight.picture_at(recorded.times_s[i] + 1e-6));
             ASSERT_TRUE(params) << params.error();
             LoadedState state;

@@ -1,5 +1,5 @@
-// The permitted cost of one hand-in, and the behavior when time runs out halfway: counted, not timed. No reference
-// pictures.
+// The permitted cost of one hand-in, and the behavior when time runs out halfway. The tests count judged answers and
+// measure no time. No reference pictures.
 #include "report/grading.h"
 
 #include <set>
@@ -65,7 +65,7 @@ TEST_F(GradingTest, AFileStaysWithinItsBudgetAndKeepsItsPoints) {
     std::vector<Attempt> numbers, goals;
     for (int i = 0; i < 1000; ++i) numbers.push_back(number(1000.0 + i, "right"));
     for (int i = 0; i < 1000; ++i) goals.push_back(near_plane(0.5 + 0.001 * i));
-    numbers.front() = number(10);           // wrong, and known
+    numbers.front() = number(10);           // wrong, and a known mistake
     numbers.back() = number(40);            // right in the end
     goals[7] = near_plane(0.125, "right");  // right early, and the file says so
     Grader of_both = grader({number_exercise, measured_exercise});
@@ -104,7 +104,7 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
         hand_in({{"N1", {number(1), number(2), number(40)}}, {"G1", {near_plane(0.5), near_plane(0.6)}}});
     for (int judged = 0; judged <= 5; ++judged) {
         Grader of_both = grader({number_exercise, measured_exercise});
-        int asked = -static_cast<int>(both.items.size());  // the first call for each asks whether to make its exercise
+        int asked = -static_cast<int>(both.items.size());  // first, each item asks whether to make its exercise
         of_both.stop_when([&] { return asked++ >= judged; }, "no time");
         const StudentGrade grade = of_both.grade(both, "f.json", {});
         const ItemGrade &typed = grade.items[0], &goal = grade.items[1];

@@ -1,5 +1,5 @@
-// The status bar over the camera's picture: on screen, where nothing waits for GL, it ends up with the text that an
-// offscreen picture shows immediately. No reference pictures.
+// The status bar while the pointer is over the camera's picture: on screen, where nothing waits for GL, it ends up with
+// the text that an offscreen picture shows immediately. No reference pictures.
 #include <chrono>
 #include <thread>
 
@@ -29,7 +29,7 @@ protected:
         } while (++frames < 3 || (studio.redraw_in_s() >= 0.0 && studio.redraw_in_s() < 0.1 && frames < 5000));
         return frames;
     }
-    /// The status bar without the frame time.
+    /// Returns the pixels of the status bar without the frame time.
     static std::vector<std::uint8_t> status_bar(const Studio& studio) {
         constexpr int height_px = 20, first_px = 84;
         const Image window = studio.read();

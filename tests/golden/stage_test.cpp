@@ -1,5 +1,5 @@
-// Measured tables on stage: tables of pixels and of fighting pairs fit completely at projector sizes, after each
-// answer, and at the smallest size also before it. No reference pictures; the parts without GL are in
+// Measured tables on stage: tables of pixels and of fighting pairs fit completely at projector sizes after each answer,
+// and at the smallest size before it, too. No reference pictures; the parts without GL are in
 // tests/ui/lesson_test.cpp.
 #include "app/resting_window.h"
 #include "gl/gl_test.h"

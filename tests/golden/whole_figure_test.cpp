@@ -24,7 +24,7 @@ struct Shown {
     std::vector<std::string> settings = {};
 };
 
-/// Every view once; tables and the whole window also in the other looks.
+/// Every view once; tables and the whole window appear in the other looks, too.
 const std::vector<Shown>& shown_views() {
     static const std::vector<Shown> all = {
         {PictureView::window},
@@ -75,12 +75,13 @@ std::map<char32_t, int> letters_in(const std::string& text) {
     return counts;
 }
 
-/// The mean colors of squares of this many pixels, about one digit: each program antialiases in its own way.
+/// The side of the squares whose mean colors are compared, about the size of a digit. Single pixels differ because each
+/// program antialiases in its own way.
 constexpr int side_px = 8;
 
 struct Place {
     int x = 0, y = 0;
-    double difference = 0.0;  ///< of the channel that differs most, in levels of 255
+    double difference = 0.0;  ///< in the channel that differs most, in levels of 255
 };
 
 Place worst_place(const Image& a, const Image& b) {

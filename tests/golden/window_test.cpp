@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// A window driven frame by frame until it rests, as the main loop drives it.
+/// The result of driving a window frame by frame until it rests, as the main loop does.
 struct Driven {
     Image window, camera;
     int frames = 0;
@@ -59,7 +59,7 @@ TEST_F(WindowTest, ShowsTheSamePictureAsTheCameraSnapshot) {
     }
 }
 
-/// The picture that F12 writes.
+/// This is the picture that F12 writes.
 TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMaximizedView) {
     const LoadedState state = state_with({"view.layout.big=lower_left"});
     Studio studio(renderer(), Session(state, scene_of(state)));

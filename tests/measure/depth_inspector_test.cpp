@@ -1,4 +1,5 @@
-// Values read for the lower views: the same as from a fresh probe at each step, and never older than the picture.
+// The values read for the lower views are the same as from a fresh probe at each step, and never older than the
+// picture.
 #include "measure/depth_inspector.h"
 
 #include <numeric>
@@ -60,7 +61,7 @@ TEST_F(Inspector, FindsFragmentsOfTheCurrentScene) {
         EXPECT_EQ(fragment.object.find("box"), std::string::npos) << fragment.object;
 }
 
-/// A triangle touches the pixel if it adds a surface on the pixel's ray.
+/// A triangle touches the pixel if it adds a surface on the ray through the pixel.
 TEST_F(Inspector, TouchesAreTrianglesThatSendThePixelAFragment) {
     const glm::ivec2 pixel(77, 48);
     const DepthWishes wishes{.pixel = pixel, .calls = true};
@@ -85,7 +86,7 @@ TEST_F(Inspector, TouchesAreTrianglesThatSendThePixelAFragment) {
     EXPECT_EQ(tell_anew(wishes).touches, expected);
 }
 
-/// At each step the two blocks differ exactly where the fragments say so, cell by cell.
+/// At each step, a cell differs between the two blocks only if the fragment there is drawn.
 TEST_F(Inspector, StepsChangeTheCellsWhoseFragmentsPass) {
     const DepthWishes wishes{.pixel = glm::ivec2(77, 48), .calls = true, .cells = glm::ivec2(9, 7)};
     const std::vector<DrawCall> calls = tell(wishes).calls;

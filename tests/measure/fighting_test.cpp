@@ -1,5 +1,5 @@
-// Depth fighting counted in GL's pictures, against the formulas' predictions: the smallest gap that each format and
-// mapping resolves, and each cure. VIEWING_LONG_TESTS=N searches N times as many.
+// Compares the depth fighting counted in GL's pictures with the formulas' predictions: the smallest gap that each
+// format and mapping resolves, and each cure. VIEWING_LONG_TESTS=N searches N times as many cases.
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -104,7 +104,7 @@ TEST_F(Fighting, DependsOnTheGapInCodes) {
         ASSERT_EQ(counts.pairs.size(), 6U);
         for (const CountedPair& counted : counts.pairs) {
             const double z = 4.0 - counted.pair.center_world.z;  // from the camera, which looks along −z
-            // The gap in codes at the pair's distance: 0.01 over z² (f − n) / (f n (2¹⁶ − 1)).
+            // The gap in codes at the pair's distance: the gap over the width of a code, z² (f − n) / (f n (2¹⁶ − 1)).
             const double gap_codes = counted.pair.gap() / (z * z * (200.0 - near) / (200.0 * near * 65535.0));
             const double share = static_cast<double>(counted.wrong) / static_cast<double>(counted.pixels);
             EXPECT_NEAR(share, std::max(1.0 - gap_codes, 0.0), 0.06) << "near " << near << " z " << z;
@@ -142,7 +142,7 @@ TEST_F(Fighting, OnDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
     ASSERT_EQ(right.pairs.size(), 4U);
     EXPECT_EQ(right.wrong_fraction(), 0.0);
     EXPECT_EQ(right.wrong_elsewhere, 0);
-    // Half a code: rounding removes it at every second pixel.
+    // The offset is half a code, so rounding removes it at every second pixel.
     EXPECT_NEAR(count("fighting-offset-too-little").wrong_fraction(), 0.5, 0.06);
     EXPECT_EQ(count("fighting-offset-too-little").wrong_elsewhere, 0);
     const FightingCounts too_much = count("fighting-offset-too-much");
@@ -206,7 +206,7 @@ TEST_F(Fighting, IsCountedInTheWholeFrameAtEveryStep) {
 }
 
 TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
-    // Every cure and mistake of the presets, with few bits so that rounding plays no part.
+    // Covers the cures and mistakes of the presets, with so few bits that rounding plays no part.
     for (const char* const preset : {"fighting-decals", "fighting-decals-stencil", "fighting-offset-too-little",
                                      "fighting-16-bit", "fighting-reversed", "fighting-logarithmic"}) {
         const Result<LoadedState> state = load_state(preset);
@@ -221,7 +221,7 @@ TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
         ASSERT_TRUE(counts) << counts.error();
         for (const CountedPair& counted : counts->pairs) {
             const auto predicted = predict_pair(counted.pair, params, derived, large_px).wrong_share;
-            if (!predicted) continue;  // too few codes, or the cleared one
+            if (!predicted) continue;  // too few codes, or the code that the buffer was cleared to
             ++said;
             EXPECT_TRUE(predicted->holds(counted.wrong_fraction()))
                 << preset << " z " << counted.pair.center_world.z << ": " << counted.wrong_fraction() << " and "
@@ -242,7 +242,7 @@ TEST_F(Fighting, StaysWithinThePredictionFromEveryCamera) {
         params.depth.func = trial % 5 != 0 ? CompareFunc::less : CompareFunc::lequal;
         params.projection.near = std::exp(random.number(std::log(0.05), std::log(2.0)));
         params.projection.far = random.number(95.0, 400.0);
-        // Around the width of a code at one of the pairs.
+        // The gap is between a tenth of a code and a whole code at a random distance among the pairs.
         const double z = random.number(4.0, 44.0), levels = std::exp2(precision_of(params.depth.format).bits) - 1.0;
         const double code = params.depth.mapping == DepthMapping::logarithmic
                                 ? z * std::log(params.projection.far / params.projection.near) / levels

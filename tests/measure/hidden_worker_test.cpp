@@ -1,4 +1,4 @@
-// Methods computed in the background: the final answer is right, canceled work is reported, and no request stays
+// Methods computed in the background: the final answer is correct, canceled work is reported, and no request stays
 // pending.
 #include "measure/hidden_worker.h"
 
@@ -35,7 +35,8 @@ Scene scene_of(const std::string& name) {
     return *scene;
 }
 
-/// Slow on purpose: many large intersecting triangles, which a BSP tree splits into millions.
+/// Returns a scene that is slow on purpose: it has many large intersecting triangles, which a BSP tree splits into
+/// millions.
 Scene slow_scene() {
     Scene scene = scene_of("interpenetrating");
     auto mesh = std::make_shared<Mesh>();
@@ -107,7 +108,7 @@ TEST(HiddenWorker, CanceledWorkIsReportedAndNotRestarted) {
     EXPECT_FALSE(worker.fraction());
 }
 
-/// The solver under construction lacks part of the scene; the next request gets a complete one.
+/// A canceled solver may lack part of the scene; the next request gets a complete one.
 TEST(HiddenWorker, ARequestAfterACancelGetsTheWholeScene) {
     const Scene scene = slow_scene();
     const HiddenQuestion painter = question_for(params_with({"visibility.method=painter"}), scene);

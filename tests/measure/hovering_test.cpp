@@ -35,7 +35,7 @@ GLenum EPOXY_CALLSPEC slow_fence(GLsync sync, GLbitfield flags, GLuint64 timeout
     return is_slow ? GL_TIMEOUT_EXPIRED : ask_fence(sync, flags, timeout_ns);
 }
 
-/// With GL's own depth and stencil reads, and without them, where they must be drawn first as in the browser.
+/// Runs with GL's own depth and stencil reads, and without them; then both must be drawn first, as in the browser.
 class Hovering : public testing::GlTest, public ::testing::WithParamInterface<bool> {
 protected:
     void SetUp() override {

@@ -68,8 +68,8 @@ TEST_F(MirrorMeasure, DepthsMatchTheirNearPlane) {
     const MirrorWayReport &clipped = of(ways, MirrorWay::clip_distance), &oblique = of(ways, MirrorWay::oblique);
     EXPECT_LT(oblique.first_depth, 0.001);
     EXPECT_LT(oblique.last_depth, 0.5);
-    // Image points are 5 to 15 from the eye; the facts' formula is f/(f−n) − f n/((f−n) z), here with near 0.5 and far
-    // 40.
+    // Image points are 5 to 15 from the eye. The formula of the facts is f/(f−n) − f n/((f−n) z), here with near 0.5
+    // and far 40.
     EXPECT_GT(clipped.first_depth, 40.0 / 39.5 - 20.0 / (39.5 * 5.0));
     EXPECT_LT(clipped.last_depth, 40.0 / 39.5 - 20.0 / (39.5 * 15.0));
     const MirrorWayReport& camera = of(ways, MirrorWay::camera);
@@ -212,9 +212,9 @@ TEST_F(MirrorMeasure, MarksCountedPixelsInRed) {
         << "the first picture is the camera's own";
 }
 
-/// The image's own depths are identified even without a stencil, or with objects drawn before it.
+/// The image's own depths are identified even without a stencil or with objects drawn before the image.
 TEST_F(MirrorMeasure, UsesOnlyTheDepthsOfTheImage) {
-    const char* const small = "plane.extent=1";  // leaves objects beside it in the picture
+    const char* const small = "plane.extent=1";  // leaves objects beside the plane in the picture
     const MirrorWays expected = measure({small}), last = measure({small, "reflection.after_objects=true"});
     const MirrorWayReport &early = of(expected, MirrorWay::clip_distance), &late = of(last, MirrorWay::clip_distance);
     EXPECT_GT(early.image_pixels, 200);
@@ -237,7 +237,7 @@ TEST_F(MirrorMeasure, AgreesOnSeveralPlanesAndMirrorsInMirrors) {
         params.planes = {{}, {.equation = {0.0, 0.0, 1.0, 2.5}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
         const MirrorWays ways = measure(params);
         EXPECT_GT(of(ways, MirrorWay::clip_distance).image_pixels, 1000) << bounces;
-        // Each level's edges may move by a pixel, and parts seen through two levels by two.
+        // Each level's edges may move by a pixel, and parts seen through two levels may move by two.
         const std::int64_t most = bounces == 1 ? 0 : ways.reports[0].compared / 500;
         EXPECT_LE(of(ways, MirrorWay::camera).different, most) << bounces;
         EXPECT_LE(of(ways, MirrorWay::oblique).different, most) << bounces;

@@ -44,7 +44,8 @@ std::vector<PoEntry> read(const char* path) {
     return *std::move(entries);
 }
 
-/// Signs, symbols of formulas and names of axes are not words: a word has two letters in a row.
+/// Returns whether the text has a word, that is, two letters in a row. Signs, symbols of formulas and names of axes are
+/// not words.
 bool has_word(std::string_view text) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -58,7 +59,7 @@ void add(Texts& texts, std::string_view text, Origin origin) {
     if (has_word(shown)) texts.emplace(shown, std::move(origin));
 }
 
-/// Returns the names of a scene's or preset's objects, without the numbers at their ends.
+/// Adds the names of a scene's or preset's objects, without the numbers at their ends.
 void add_objects(Texts& texts, const std::string& file, const std::string& where) {
     std::ifstream stream(file);
     const Json document = Json::parse(stream);
@@ -105,7 +106,7 @@ std::string quote(std::string_view text) {
     return in_quotes + '"';
 }
 
-/// "z" of "z:>7"; nothing for a text without placeholders.
+/// Returns the names of the placeholders, such as "z" for "z:>7"; empty for a text without placeholders.
 std::set<std::string> place_names(const std::string& text) {
     std::set<std::string> names;
     if (const Result<std::vector<std::string>> places = places_in(text))
@@ -113,7 +114,7 @@ std::set<std::string> place_names(const std::string& text) {
     return names;
 }
 
-/// Returns "" if places.h does not describe it.
+/// Returns the meaning of a placeholder, or "" if places.h does not describe it.
 std::string_view meaning_of(std::string_view name) {
     for (const auto& [known, meaning] : place_meanings)
         if (known == name) return meaning;
@@ -140,8 +141,8 @@ int print_all(std::span<const char* const> sources) {
     return 0;
 }
 
-/// In alphabetical order, each with its format: "{z:>7}" differs from "{z}". Empty with a message if braces do not
-/// match.
+/// Returns the placeholders in alphabetical order, each with its format, since "{z:>7}" differs from "{z}". Returns
+/// "none" if there are none, and the error message if braces do not match.
 std::string places_text(const std::string& text) {
     const Result<std::vector<std::string>> places = places_in(text);
     if (!places) return places.error();

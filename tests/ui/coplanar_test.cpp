@@ -9,7 +9,7 @@ protected:
     Desk desk{{1600, 1500}, "depth-fighting"};
     Params& params = desk.session.params;
 
-    /// Distance from the back quad of the first pair to its front quad, along their normal.
+    /// Returns the distance from the back quad of the first pair to its front quad, along their normal.
     double gap() const {
         const std::vector<SceneObject>& objects = desk.session.scene().objects;
         const glm::dmat4& back = objects.at(0).world_from_model;

@@ -51,7 +51,7 @@ protected:
         ui.frames(4);
     }
 
-    /// The middle of the picture, where one surface is behind another.
+    /// Returns a pixel with more than three fragments, at least two of them drawn.
     glm::ivec2 busy_pixel() {
         ui.frame();
         for (int y = 0; y < camera_px.y; ++y)
@@ -75,7 +75,7 @@ protected:
     }
 
 private:
-    /// The contents of a pixel after the fragments, each in its own color.
+    /// Returns the contents of a pixel after these fragments, each of which has its own color.
     BufferCell cell_of(const std::vector<Fragment>& fragments) const {
         BufferCell cell{frame_plan.background, code(frame_plan.clear_depth_value), frame_plan.clear_depth_value};
         for (const Fragment& fragment : fragments) {

@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<DerivationLine>;
 
-/// The number after the last "= " of the last line that starts with `begin`.
+/// Returns the number after the last "= " of the last line that starts with `begin`.
 double last_number(const Lines& lines, const std::string& begin) {
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         if (line->parts.empty() || line->parts.front() != begin || line->parts.size() < 2) continue;

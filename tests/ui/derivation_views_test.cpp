@@ -1,5 +1,5 @@
-// The derivations of shadow and mirror image in use: selected as topics, with l_w under the pointer, and in every
-// special case.
+// The derivations of shadow and mirror image in use: selected as topics, while l_w is dragged, and in every special
+// case.
 #include <algorithm>
 
 #include "desk.h"
@@ -97,7 +97,7 @@ TEST_F(DerivationViews, ALightAtTheOriginStaysAPointLight) {
     EXPECT_GT(params.lights.front().position.w, 0.0);
 }
 
-/// In every state and at every view size the views draw something, and drawing changes no state.
+/// In every state and at every size, the views draw something, and drawing changes no state.
 TEST_F(DerivationViews, DrawInEveryStateAndSize) {
     const glm::dvec4 lights[] = {{2.6, 5.2, 2.2, 1}, {2.6, 5.2, 2.2, 0}, {2.6, 5.2, 2.2, 1e-7}, {0, 5, 0, 1},
                                  {0, -5, 0, 0},      {1, 0, 0, 0},       {1e6, 1e6, 1e6, 1},    {0, 0, 0, 1},

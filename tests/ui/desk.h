@@ -30,7 +30,7 @@ namespace viewing::test {
 
 using widgets::RecordedItem;
 
-/// Returns every text of the program, without translations.
+/// Returns every text of the program, with its Korean translation.
 inline std::vector<PoEntry> catalogue() {
     std::ifstream file(assets_directory() / "text" / "ko.po", std::ios::binary);
     Result<std::vector<PoEntry>> entries = read_po(std::string{std::istreambuf_iterator<char>(file), {}});
@@ -46,7 +46,7 @@ inline Session session_of(const std::string& state) {
     return std::move(*session);
 }
 
-/// How far an area's content extends beyond its edges, so that text is cut off.
+/// An area of the window, and how far its content extends beyond its edges, where it is cut off.
 struct AreaFacts {
     std::string name;
     Rect rect;
@@ -89,7 +89,7 @@ public:
     Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session); }
     const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
 
-    /// Applies fonts, style and language of the state, as the studio does between frames.
+    /// Applies the state's fonts, style and language, as the studio does between frames.
     void apply_looks() {
         const UiParams& looks = session.params.ui;
         widgets::Context& context = workbench.widgets;
@@ -150,7 +150,7 @@ public:
 
     // ---- controls by label, scrolled into view when needed -----------------------------------------------
 
-    /// The area of the window that contains an item; nothing for popups and dialogs.
+    /// Returns the column, panel or matrices, that contains an item; nothing for items elsewhere.
     std::optional<Rect> area_of(const RecordedItem& item) const {
         const Layout now = layout();
         if (item.window == "panel") return now.panel;
@@ -182,7 +182,7 @@ public:
         reveal(label);
         ui.drag(label, dx, dy, steps, from_x);
     }
-    /// Replaces a number by typing.
+    /// Replaces a number by typing another one.
     void enter(std::string_view label, const char* text) {
         reveal(label);
         ui.double_click(label);
@@ -206,7 +206,7 @@ public:
 
     // ---- the views -----------------------------------------------------------------------------------
 
-    /// The position of a world point in the camera's picture.
+    /// Returns the position of a world point in the camera's picture.
     ImVec2 in_camera_view(const glm::dvec3& world) const {
         return place(layout().camera, derived.clip_from_world, world);
     }
@@ -276,7 +276,7 @@ private:
         measure_areas();
     }
 
-    /// The hidden-surface answer for the camera view, computed synchronously.
+    /// Returns the hidden-surface answer for the camera view, computed synchronously.
     std::shared_ptr<const HiddenAnswer> hidden_answer(glm::ivec2 size_px) {
         const std::optional<HiddenQuestion> question = hidden_question(session.params, derived, size_px);
         if (!question) return nullptr;
@@ -317,7 +317,7 @@ inline std::array<PlaneOverrides, most_planes> further_of(std::array<PlaneOverri
     return overrides;
 }
 
-/// The paths of the fields in which two states differ.
+/// Returns the paths of the fields in which two states differ.
 inline std::vector<std::string> differing_fields(Params a, Params b) {
     std::vector<std::string> paths;
     for (const Field& field : fields()) {

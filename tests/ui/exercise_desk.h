@@ -1,4 +1,5 @@
-// A desk with a finished exercise sheet, made as the studio makes it but without pictures: measured parts are left out.
+// A desk with a finished exercise sheet. It is made as in the studio but without pictures, so measured parts are
+// missing.
 #pragma once
 
 #include "desk.h"
@@ -13,7 +14,7 @@ public:
         workbench.exercises.open();
         make();
     }
-    /// Runs until every variant is made; measured variants remain errors.
+    /// Makes every variant; variants that need measurements remain errors.
     void make() {
         ExerciseDesk& desk = workbench.exercises;
         while (const std::optional<std::size_t> next = desk.next_to_make())

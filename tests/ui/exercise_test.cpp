@@ -215,7 +215,8 @@ std::string drawn(const Desk& desk) {
 
 class Practice : public testing::ScratchFolder {};
 
-/// Answers without a student number, then with one: the practice run is mentioned, adopted, and reachable both ways.
+/// The student answers without a student number, then enters one. The page mentions the practice run, imports its
+/// answers, and leads to it and back.
 TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     ExerciseSheetDesk desk({1600, 900}, Student{});
     widgets::test::Harness& ui = desk.ui;

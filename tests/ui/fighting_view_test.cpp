@@ -37,7 +37,7 @@ protected:
         ImGui::End();
     }
 
-    /// The six pairs; a quarter of the last pair's pixels are wrong.
+    /// Makes a report of the six pairs; a quarter of the last pair's pixels are wrong.
     void make_report() {
         const Derived derived = derive(session.params, session.scene(), {});
         FightingCounts counts;
@@ -53,7 +53,7 @@ protected:
         report->minimum_gap->predicted = {0.05, 0.01, true};
         report->minimum_gap->gap = 0.036;
     }
-    /// Whether anything in this color is drawn within the item that contains this text.
+    /// Returns whether anything in this color is drawn within an item whose label contains `part`.
     bool paints(std::string_view part, ImU32 color) const {
         for (const RecordedItem& item : context.recorded) {
             if (item.label.find(part) == std::string::npos) continue;

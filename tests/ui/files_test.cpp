@@ -57,7 +57,7 @@ protected:
         const RecordedItem* item = ui.try_find("file/trouble");
         return item ? item->text : "";
     }
-    /// Picks an entry of the open scene list, scrolling when needed.
+    /// Opens the scene list and picks an entry, scrolling when needed.
     void choose_scene(const std::string& name) {
         const std::string label = "top/" + name;
         desk.click("top/scene");
@@ -160,7 +160,7 @@ TEST_F(FilesTest, ALessonLinkContinuesFromItsStep) {
     EXPECT_EQ(guide.run()->index(), 2U);
     EXPECT_EQ(params, desk.session.in_own_looks(guide.run()->step().start.params));
 
-    // An untouched step is copied by its name; a changed or answered one as its current state.
+    // The link of an untouched step names the step; the link of a changed or answered one holds its current state.
     const auto copied = [&] {
         copy_link(guide, desk.session);
         return desk.clipboard.substr(0, desk.clipboard.find_first_of("#") + 2);
@@ -387,7 +387,7 @@ TEST_F(FilesTest, ALargeMeshShowsProgressAndCanBeCanceled) {
     const float fraction = *desk.session.loading_fraction();
     EXPECT_GE(fraction, 0.0F);
     EXPECT_LE(fraction, 1.0F);
-    EXPECT_EQ(desk.session.scene().objects.size(), 3U);  // the old scene stays until then
+    EXPECT_EQ(desk.session.scene().objects.size(), 3U);  // the old scene stays until the new one is loaded
     desk.session.message = {};
     ui.click("Cancel");
     ui.frames(2);

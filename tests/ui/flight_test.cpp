@@ -22,7 +22,7 @@ protected:
         desk.settle();
     }
     std::vector<fs::path> flights() const { return files_in(folder_, ".json"); }
-    /// The only file that was written.
+    /// Returns the flight from the only file that was written.
     Flight written() {
         desk.session.finish_loading();
         ui.frame();

@@ -1,4 +1,4 @@
-// The texts of the pixel view and the cell view, apart from their drawing: tests in words, numbers in cells, steps.
+// The texts of the pixel view and the cell view, without drawing them: tests in words, numbers in cells, steps.
 #include "ui/depth/fragment_text.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::uint32_t bits_of(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-/// A fragment as FragmentFinder would make it; `with` is the code in the buffer.
+/// Returns a fragment as FragmentFinder would make it; `with` is the code in the buffer.
 Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = CompareFunc::less) {
     Fragment made;
     made.object = "box";

@@ -67,7 +67,7 @@ TEST_F(GrowthView, MeasuringShowsProgressAndCanBeCanceled) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     EXPECT_FALSE(rows().empty()) << "rows appear during the measurement";
-    // Rows are collected whichever view is shown.
+    // Rows are collected no matter which view is shown.
     ui.click("lower/Cancel");
     desk.params().view.lower_right = Topic::depth;
     wait_until_measured();

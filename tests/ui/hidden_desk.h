@@ -29,7 +29,7 @@ protected:
             return std::string_view(item.label).starts_with("lower/" + std::string(start));
         });
     }
-    /// Searches all nodes.
+    /// Returns the node that holds a fragment, found by searching all nodes; −1 if there is none.
     int node_that_holds(int fragment) const {
         const auto& nodes = result().tree->nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i)

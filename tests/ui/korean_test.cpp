@@ -29,7 +29,7 @@ bool shows(const Desk& desk, const char* syllable) {
     return true;
 }
 
-/// Every text of a lesson, in Korean where a translation exists.
+/// Collects every text of a lesson, with its translations.
 void collect(const Lesson& lesson, std::vector<LessonText>& texts) {
     texts.push_back(lesson.title);
     for (const LessonStep& step : lesson.steps) {

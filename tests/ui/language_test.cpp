@@ -17,7 +17,8 @@ bool is_english(ImWchar c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Words that are not text: symbols of formulas, GL and its names, the lecture's functions, and the program's name.
+/// Returns whether a word is not text but a symbol of a formula, GL or one of its names, a function of the lecture, or
+/// the program's name.
 bool is_symbol(const std::string& word) {
     static const std::set<std::string> symbols{"GL",
                                                "BACK",
@@ -51,7 +52,7 @@ bool is_symbol(const std::string& word) {
     return symbols.count(word) > 0 || word.rfind("gl", 0) == 0;
 }
 
-/// Words of at least two English letters.
+/// Returns the words of at least two English letters, without the symbols.
 std::set<std::string> english_words(const std::vector<Letter>& letters) {
     std::set<std::string> words;
     std::string word;
@@ -69,12 +70,12 @@ std::set<std::string> english_words(const std::vector<Letter>& letters) {
     return words;
 }
 
-/// The visible parts of texts that begin but do not end, except those scrolled out at the bottom.
+/// Returns the visible parts of texts that begin but do not end, except those that scroll out at the bottom.
 std::vector<std::string> cut_texts(const std::vector<Letter>& letters, bool scrolls) {
     struct Text {
         std::string shown;
         const Letter* last;
-        bool is_complete = false;  ///< before another one begins
+        bool is_complete = false;  ///< another text has begun after it
     };
     std::vector<Text> open;
     for (const Letter& letter : letters) {

@@ -1,5 +1,5 @@
 // Nothing overlaps and nothing is cut off, at every size, in every theme, preset and view, and with texts 40% longer.
-// Judged by the drawn letters (letters.h) as well as by the items' rectangles.
+// The tests judge by the drawn letters (letters.h) as well as by the items' rectangles.
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -31,7 +31,7 @@ std::string text_of(const RecordedItem& item) {
     return text.str();
 }
 
-/// Handle labels are over a picture; all other items must not overlap.
+/// Expects that items do not overlap. Only pictures may have other items over them, such as the labels of handles.
 void expect_no_overlap(const std::vector<RecordedItem>& items) {
     for (std::size_t a = 0; a < items.size(); ++a)
         for (std::size_t b = a + 1; b < items.size(); ++b) {
@@ -100,7 +100,7 @@ std::ostream& operator<<(std::ostream& out, const Case& shown) {
                << std::array{"", ", longer texts", ", Korean"}[static_cast<std::size_t>(shown.texts)];
 }
 
-/// Each size in each theme, every other one with longer texts; each size and theme also in Korean.
+/// Each size in each theme, about half of them with longer texts; each size and each theme also appears in Korean.
 const Case cases[] = {
     {{1600, 900}, 1.0, Theme::dark, Texts::english},     {{1600, 900}, 1.0, Theme::light, Texts::longer},
     {{1600, 900}, 1.0, Theme::projector, Texts::longer}, {{1280, 720}, 1.0, Theme::dark, Texts::longer},
@@ -126,7 +126,7 @@ protected:
         desk.ui.move_to({-1, -1});
         desk.ui.frames(2);
     }
-    /// Every preset, or every `stride`-th one from `first` on.
+    /// Checks every `stride`-th preset, from `first` on.
     void expect_readable_presets(std::size_t first, std::size_t stride) {
         Desk desk(GetParam().size);
         desk.params().ui = GetParam().looks();
@@ -150,7 +150,7 @@ TEST_P(LayoutTest, PresetsAreReadable) {
     expect_readable_presets(place, std::size(cases));
 }
 
-/// Long; run by hand with --gtest_also_run_disabled_tests.
+/// Takes long; run it by hand with --gtest_also_run_disabled_tests.
 TEST_P(LayoutTest, DISABLED_EveryPresetIsReadable) {
     expect_readable_presets(0, 1);
 }
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest, ::testing::ValuesIn(cases));
 
 // ---- these tests detect cut-off text -------------------------------------------------------------------------------
 
-/// The problems found when a column is `narrower` by this many pixels, with `texts` replacing English ones.
+/// Returns the problems found when a column is narrower by `narrower` pixels and `texts` replace English ones.
 std::vector<std::string> found_where(float Arrangement::*column, float narrower,
                                      const std::vector<PoEntry>& texts = {}) {
     speak(texts);
@@ -216,7 +216,8 @@ std::vector<std::string> found_where(float Arrangement::*column, float narrower,
     return found;
 }
 
-/// Columns give way: take the narrowest width that still fits everything, and 20 pixels less.
+/// Columns tolerate some narrowing. The test narrows a column in steps of 20 pixels until something no longer fits, and
+/// expects the same when it is another 20 pixels narrower.
 TEST(Layout, AColumnTwentyPixelsTooNarrowIsDetected) {
     for (float Arrangement::*const column : {&Arrangement::panel_width, &Arrangement::matrices_width}) {
         float narrower = 0.0F;
@@ -264,7 +265,7 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
                 }
 }
 
-/// The tables below then have the width they need on a projector of 1024×768.
+/// On a projector of 1024×768, the tables below then have the width that they need.
 TEST(Layout, WithFewControlsOnStageTheLowerViewsTakeTheWholeWidth) {
     const ImVec2 room(1024, 768);
     Arrangement arrangement;

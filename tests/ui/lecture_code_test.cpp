@@ -17,7 +17,7 @@ protected:
         ui.frames(3);
     }
 
-    /// The entries of both matrices that are highlighted while the pointer is over an item.
+    /// Returns the entries of both matrices that are highlighted while the pointer is over an item.
     widgets::Links entries_at(const std::string& label) {
         ui.hover(label);
         ui.frames(2);

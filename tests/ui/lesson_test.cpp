@@ -51,7 +51,7 @@ const Room rooms[] = {{{1280, 720}, Theme::dark},
 
 class StageSlowTest : public ::testing::TestWithParam<Room> {
 protected:
-    /// Every `stride`-th step of the lecture from `first` on, before and after its answer.
+    /// Checks every `stride`-th step of the lecture from `first` on, before and after its answer.
     static void expect_readable(std::size_t first, std::size_t stride, bool presents) {
         Desk desk(GetParam().size);
         desk.params().ui.theme = GetParam().theme;
@@ -92,7 +92,7 @@ TEST_P(StageSlowTest, TheWindowIsReadable) {
     expect_readable(place(), std::size(rooms), false);
 }
 
-/// Long; run by hand with --gtest_also_run_disabled_tests.
+/// Takes long; run it by hand with --gtest_also_run_disabled_tests.
 TEST_P(StageSlowTest, DISABLED_EveryStepIsReadable) {
     expect_readable(0, 1, true);
     expect_readable(0, 1, false);
@@ -100,7 +100,8 @@ TEST_P(StageSlowTest, DISABLED_EveryStepIsReadable) {
 
 INSTANTIATE_TEST_SUITE_P(Rooms, StageSlowTest, ::testing::ValuesIn(rooms));
 
-/// Views and matrices have no switches, apart from those that the step names and the number field of a step bar.
+/// Returns the switches in the views and matrices, which should have none. Switches that the step names or offers do
+/// not count, nor does the number field of a step bar.
 std::vector<std::string> switches(const Desk& desk) {
     const Stage& stage = desk.workbench.stage;
     const auto is_named = [&](const std::string& label) {
@@ -116,8 +117,9 @@ std::vector<std::string> switches(const Desk& desk) {
     return found;
 }
 
-/// Whether everything that a step shows is visible. Lists that are gone through line by line may scroll as long as the
-/// current line is in view: GL calls, lines of a derivation or of code, an order of polygons with its tests.
+/// Returns whether everything that a step shows is visible. Lists that the lecturer goes through line by line may
+/// scroll as long as the current line is in view: GL calls, lines of a derivation or of code, an order of polygons with
+/// its tests.
 bool is_all_seen(const Desk& desk) {
     const auto is_list = [&](Topic topic) { return is_shown(desk.session.params, topic); };
     const bool has_list = std::ranges::any_of(std::array{Topic::passes, Topic::lecture_code, Topic::shadow_derivation,
@@ -147,7 +149,7 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     }
 }
 
-/// No button switches between the two.
+/// On stage, no button switches between the two.
 TEST(OnStage, BothLowerViewsAreVisibleOnSquareProjectors) {
     for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
         Desk desk(size);
@@ -165,7 +167,7 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
         begin(desk, lesson_of("depth-fighting"), 0, true);
         const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
         EXPECT_GE(fonts.caption->FontSize, std::floor(room.size.y / 36.0F)) << room;
-        // The font of 16 pixels has a type height of 14; both fit ImGui's line.
+        // A font of 16 pixels gives type of 14 pixels.
         for (const ImFont* font : {fonts.number, fonts.small_number, fonts.note})
             EXPECT_GE(font->FontSize * 14.0F / 16.0F, std::floor(room.size.y / 48.0F)) << room;
     }

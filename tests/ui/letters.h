@@ -1,5 +1,5 @@
 // The letters that ImGui draws, read back from a frame's vertices: each visible character, its position and its clip
-// rectangle. They show what the user sees, independent of the code that drew it.
+// rectangle. They show what the user sees, independently of the code that drew it.
 #pragma once
 
 #include <imgui.h>
@@ -35,13 +35,13 @@ inline std::string utf8(ImWchar c) {
     return {byte(0xE0U | (c >> 12U)), byte(0x80U | ((c >> 6U) & 0x3FU)), byte(0x80U | (c & 0x3FU))};
 }
 
-/// The characters of some fonts in a frame.
+/// Finds the characters of some fonts in a frame.
 class Page {
 public:
     explicit Page(std::initializer_list<const ImFont*> fonts) { add(fonts); }
     explicit Page(const ImVector<ImFont*>& fonts) { add(fonts); }
 
-    /// In drawing order.
+    /// Returns the letters of a draw list in drawing order.
     std::vector<Letter> letters(const ImDrawList& list) const {
         std::vector<Letter> letters;
         for (const ImDrawCmd& command : list.CmdBuffer)
@@ -91,7 +91,7 @@ private:
     std::map<std::pair<float, float>, std::pair<const ImFontGlyph*, const ImFont*>> glyphs_;
 };
 
-/// Whether a letter continues the word or number of the previous one.
+/// Returns whether a letter continues the previous one's text, directly or after a blank.
 inline bool goes_on(const Letter& before, const Letter& letter) {
     const float room = 0.5F * before.line_height;  // a blank between words of one text
     return std::abs(letter.pen.y - before.pen.y) < 0.5F && letter.pen.x > before.end - 1.5F &&
@@ -124,8 +124,8 @@ inline std::vector<Line> lines_of(const std::vector<Letter>& letters) {
     return lines;
 }
 
-/// Texts whose ink is cut by their clip rectangle at the left or right, and also at the top or bottom unless the window
-/// scrolls.
+/// Returns the texts whose ink is cut by their clip rectangle at the left or right or, unless the window scrolls, at
+/// the top or bottom.
 inline std::vector<std::string> cut_lines(const std::vector<Line>& lines, bool scrolls) {
     constexpr float rounding = 1.0F;
     std::vector<std::string> cut;

@@ -50,7 +50,7 @@ protected:
                                   .compared = 14400};
         shown.ways = ways;
     }
-    /// The corners of all letters, without their halos.
+    /// Returns the corners of all letters, without their halos.
     static std::vector<ImVec2> letters() {
         std::vector<ImVec2> corners;
         const ImDrawData& drawn = *ImGui::GetDrawData();
@@ -59,7 +59,7 @@ protected:
                 if (vertex.col == palette().text) corners.push_back(vertex.pos);
         return corners;
     }
-    /// How often this color is painted within a picture.
+    /// Counts the vertices of this color within a picture.
     int painted(std::string_view label, ImU32 color) const {
         const RecordedItem& item = ui.find(label);
         int count = 0;

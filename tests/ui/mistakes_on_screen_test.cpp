@@ -8,7 +8,7 @@ namespace {
 
 class MistakesOnScreenTest : public UiTest {
 protected:
-    /// Whether a text is drawn anywhere.
+    /// Returns whether a text is drawn anywhere.
     bool is_drawn(const std::string& text) {
         ui.frames(2);
         const widgets::Fonts& fonts = desk.workbench.widgets.fonts;

@@ -125,7 +125,7 @@ bool holds_value(const RecordedItem& item) {
            item.label.find("degrees of freedom") == std::string::npos;
 }
 
-/// Operates a control as a user would, so that its value changes; false for a choice that is already selected.
+/// Operates a control as a user would, so that its value changes; returns false for a choice that is already selected.
 bool use(Desk& desk, const RecordedItem& item) {
     if (is_switch(item)) {
         desk.click(item.label);
@@ -274,7 +274,7 @@ TEST_F(PanelTest, FieldsHiddenInTheOpeningStateHaveControls) {
     }
 }
 
-// Both appear only with a plane that they affect.
+// Both are enabled only with a plane that they affect.
 TEST_F(PanelTest, TheMistakesOfRHaveSwitchesIfTheyAffectThePlane) {
     desk.fold_out_all();
     EXPECT_FALSE(ui.find("reflection/+2ab in R").enabled);

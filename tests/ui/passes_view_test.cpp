@@ -32,7 +32,7 @@ protected:
         ui.click(title(pass));
         desk.settle();
     }
-    /// The highest opacity painted within an item, without the scrollbar.
+    /// Returns the highest opacity painted within an item, without the scrollbar.
     int strongest_alpha(std::string_view label) const {
         const RecordedItem& item = ui.find(label);
         int strongest = 0;
@@ -180,7 +180,7 @@ TEST_F(PassesView, APassPastTheLastOneShowsTheWholeFrame) {
     }
 }
 
-/// Their frames are drawn whole, and the view says so.
+/// The frames of these methods are drawn whole, and the view says so.
 TEST_F(PassesView, HiddenSurfaceMethodsHaveNoStops) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                           VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast}) {

@@ -91,7 +91,7 @@ TEST_F(PrecisionView, CodesAreSummarizedInASentence) {
     EXPECT_TRUE(says("One tick every"));
 }
 
-/// In any state, in the smallest view there is.
+/// The views are as small as they get.
 TEST_F(PrecisionView, WorksInSmallViewsAndForAnyLens) {
     ImGui::GetIO().DisplaySize = {700, 480};
     params.view.lower_left = Topic::automatic;  // only one of the two fits

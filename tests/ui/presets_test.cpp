@@ -150,7 +150,7 @@ TEST_F(PresetsTest, NextAndPreviousSkipPresetsThatSetTheLooks) {
     EXPECT_FALSE(ui.find("top/next preset").enabled);
 }
 
-/// After choosing from the list, the projector's looks last as long as its preset is shown.
+/// The looks of the preset `projector` last only as long as it is shown.
 TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     desk.session.open("projector");
     desk.settle();

@@ -1,4 +1,5 @@
-// Whether a drawn frame is readable: finds cut-off letters and overlapping letters in ImGui's draw data.
+// Checks whether a drawn frame is readable: finds cut-off letters, shortened texts and overlapping letters in ImGui's
+// draw data.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +11,14 @@
 
 namespace viewing::test {
 
-/// Whether a window may scroll, so that content may continue below. A child window's name begins with its parent's.
+/// Returns whether a window may scroll, so that content may continue below. A child window's name begins with its
+/// parent's.
 inline bool scrolls(const std::string& window) {
     return window != "top" && window != "status" && window != "views" && window != "lower views" &&
            window != "message" && window != "lesson";
 }
 
-/// Compares the parts left after clipping by a scrolling window.
+/// Returns whether two lines overlap in the parts that remain after a scrolling window clips them.
 inline bool overlap(const Line& a, const Line& b) {
     constexpr float touch = 1.5F;
     const float accents = 0.3F * std::min(a.line_height, b.line_height);  // these reach into the line above
@@ -26,8 +28,8 @@ inline bool overlap(const Line& a, const Line& b) {
            top(b) + accents < bottom(a);
 }
 
-/// Whether a text ends with an ellipsis that is not its own, after a blank or in the catalog. Stretched texts may end
-/// like that when there is too little room.
+/// Returns whether a text ends with an ellipsis that is not its own. An ellipsis is the text's own after a blank or if
+/// the catalog has it. Texts of the pseudo-language, which begin with "[", may be shortened.
 inline bool is_shortened(const std::string& text) {
     if (!text.ends_with("…") || text.ends_with(" …") || text.starts_with('[')) return false;
     static const std::vector<PoEntry> all = catalogue();
@@ -37,7 +39,7 @@ inline bool is_shortened(const std::string& text) {
     });
 }
 
-/// The places where letters are cut, texts are shortened, or letters overlap.
+/// Returns the places where letters are cut off, texts are shortened, or letters overlap.
 inline std::vector<std::string> unreadable(const Desk& desk) {
     const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
     const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};

@@ -1,5 +1,5 @@
-// Whether a figure contains every letter that Dear ImGui draws, once, in its place and color, and nothing else. The
-// letters are read from the latest frame's vertices (letters.h), independent of the recorder's own method.
+// Checks that a figure contains every letter that Dear ImGui draws, once, in its place and color, and no other letter.
+// The letters are read from the latest frame's vertices (letters.h), independently of the recorder's own method.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ inline std::string described(char32_t character, float x, float y) {
     return "'" + utf8(static_cast<ImWchar>(character)) + "' at (" + std::to_string(x) + ", " + std::to_string(y) + ")";
 }
 
-/// Differences between the frame and the recording, in both directions.
+/// Finds letters of the frame that the recording lost, and letters of the recording that the frame does not have.
 class Accounts {
 public:
     Accounts(const std::vector<Letter>& letters, const Drawing& drawing) {
@@ -79,7 +79,7 @@ private:
     std::map<ImWchar, std::vector<LetterOfFrame>> drawn_;
 };
 
-/// The contents of the text elements of an SVG document.
+/// Returns the contents of the text elements of an SVG document.
 inline std::vector<std::string> lines_in(const std::string& svg) {
     std::vector<std::string> texts;
     for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {

@@ -18,7 +18,7 @@ class RecordingTest : public UiTest {
 protected:
     static void expect_whole(const std::string& what) { expect_all_letters(recorded_frame(), what); }
 
-    /// A frame with one window.
+    /// Draws a frame with one window.
     template <typename Draw>
     void frame(const Draw& draw) {
         ImGui::GetIO().DeltaTime = 1.0F / 60.0F;
@@ -33,7 +33,7 @@ protected:
     }
 };
 
-/// Their columns are drawn one after the other, though their vertices were made row by row.
+/// A table's columns are drawn one after the other, although its vertices were made row by row.
 TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     constexpr unsigned seed = 20261126;
     std::mt19937 random(seed);
@@ -77,7 +77,7 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     }
 }
 
-/// Every fifth preset; all of them with VIEWING_LONG_TESTS.
+/// Covers every fifth preset; all of them with VIEWING_LONG_TESTS.
 TEST_F(RecordingTest, TheWindowsOfPresetsAreComplete) {
     const std::size_t step = std::getenv("VIEWING_LONG_TESTS") ? 1 : 5;
     const std::vector<NamedFile> all = presets();

@@ -10,7 +10,7 @@ namespace {
 
 class SmallRaster : public ::testing::Test {
 protected:
-    /// The center of a pixel's square in the window; the squares are as large as the view allows.
+    /// Returns the center of a pixel's square in the window; the squares are as large as the view allows.
     static ImVec2 square(const Desk& desk, glm::ivec2 pixel, glm::ivec2 raster) {
         const Rect view = desk.layout().camera;
         const float side =
@@ -74,7 +74,7 @@ protected:
         return std::to_string(touch + 1) + " " +
                desk.session.scene().objects[static_cast<std::size_t>(object)].description.name;
     }
-    /// The first row with this name: the pixel's fragments come before the order.
+    /// Clicks the first row that starts with this text; the pixel's fragments come before the order.
     void click_row(const std::string& start) {
         for (const RecordedItem& item : desk.recorded())
             if (item.label.starts_with("left/" + start)) {

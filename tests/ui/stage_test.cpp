@@ -1,5 +1,5 @@
 // Lesson covers hide their content everywhere, pointed-out parts are framed and scrolled into view, and marks appear.
-// Judged by the drawn letters (letters.h), the recorded items and the clipboard.
+// The tests judge by the drawn letters (letters.h), the recorded items and the clipboard.
 #include <algorithm>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace viewing::test {
 namespace {
 
-/// Fields without a control so far.
+/// Returns whether a name belongs to a field that has no control so far.
 bool is_new_field(const std::string& name) {
     return name == "control:projection.aspect" || name == "control:depth.buffer" ||
            name == "control:slips.degrees_as_radians" || name == "control:slips.plus_2ab" ||
@@ -38,7 +38,7 @@ protected:
         stage.highlight = std::move(names);
         ui.frames(8);
     }
-    /// Every line of letters on the screen.
+    /// Returns every line of letters on the screen.
     std::string drawn() const {
         const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
         const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number};
@@ -53,7 +53,7 @@ protected:
         return std::ranges::any_of(
             desk.recorded(), [&text](const RecordedItem& item) { return item.text.find(text) != std::string::npos; });
     }
-    /// Hovers over an item long enough for a tooltip to appear; returns its text, or "".
+    /// Hovers over a place long enough for a tooltip to appear; returns its text, or "".
     std::string tooltip_at(ImVec2 place) {
         ui.move_to(place);
         for (int i = 0; i < 4; ++i) ui.frame(1.0F);
@@ -250,7 +250,7 @@ TEST_F(StageTest, UnknownNamesAreIgnored) {
     EXPECT_FALSE(ui.has("highlight"));
 }
 
-/// Except for parts that need a GL context: tables of counted and read-back values.
+/// Parts that need a GL context are exempt: tables of counted and read-back values.
 TEST_F(StageTest, EveryNameOfTheVocabularyExistsOnScreen) {
     std::set<std::string> left;
     for (const std::string& name : target_names()) left.insert(name);

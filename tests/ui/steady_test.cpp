@@ -8,7 +8,7 @@ namespace viewing::test {
 namespace {
 
 struct Steady : UiTest {
-    /// The top of each item in the columns.
+    /// Returns the top of each item in the columns, except texts that may come and go.
     std::map<std::string, float> tops() const {
         std::map<std::string, float> found;
         for (const RecordedItem& item : desk.recorded()) {
@@ -18,7 +18,7 @@ struct Steady : UiTest {
         }
         return found;
     }
-    /// Expects all controls at the same height.
+    /// Expects all controls to be at the same height as before.
     void expect_as_before(const std::map<std::string, float>& before, const std::string& what) const {
         const std::map<std::string, float> now = tops();
         for (const auto& [label, top] : before) {

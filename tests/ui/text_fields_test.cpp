@@ -1,5 +1,5 @@
-// Every text field of the window with every way of leaving it: the typed text becomes its value, however the field is
-// left; only Escape discards it. Fields that act when they are left (the search of the presets) come last.
+// Leaves every text field of the window in every way: the typed text becomes the field's value, and only Escape
+// discards it. The fields of dialogs come last.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -15,15 +15,15 @@
 namespace viewing::test {
 namespace {
 
-/// A window with an editable instance of the field.
+/// A desk on which every field can be edited.
 using FieldDesk = ExerciseSheetDesk;
 
 struct FieldOfText {
     const char* name;
-    std::function<void(FieldDesk&)> begin;  ///< until it has the keyboard focus, with all of its text selected
+    std::function<void(FieldDesk&)> begin;  ///< gives it the keyboard focus and selects its text
     const char* typed;
     std::function<std::string(const FieldDesk&)> value;
-    bool is_on_page = false;  ///< covers the whole window, so keys have nothing beside it to change
+    bool is_on_page = false;  ///< the page covers the window, so keys have nothing beside it to change
 };
 
 void open_page(FieldDesk& desk) {
@@ -161,7 +161,7 @@ TEST(TextFields, EscapeDiscardsTheTypedTextAndNothingElse) {
     }
 }
 
-/// Through three fields and back, as when typing three texts in a row.
+/// The user types three texts in a row with Tab between them, then goes back with Shift+Tab.
 TEST(TextFields, TabFillsThreeFieldsInARow) {
     FieldDesk desk({1600, 900}, Student{});
     open_page(desk);
@@ -196,7 +196,7 @@ TEST(TextFields, LeavingAPageByAClickKeepsTheTypedText) {
     }
 }
 
-/// The fields of dialogs and lists act on their content, which is available immediately.
+/// The fields of dialogs: the dialog can use their text at once, in whatever way they are left.
 class ActingFields : public testing::ScratchFolder {};
 
 TEST_F(ActingFields, AFileNameIsTheTextOfItsField) {

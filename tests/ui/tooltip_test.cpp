@@ -1,5 +1,5 @@
-// The tooltips of the panel: titled with the shown label, with the path that --set takes, and with formulas whose words
-// keep their spaces and whose signs exist in the fonts.
+// The tooltips of the panel: they have the shown label as their title, name the path that --set takes, and contain
+// formulas whose words keep their spaces and whose signs exist in the fonts.
 #include <regex>
 
 #include "desk.h"
@@ -104,7 +104,7 @@ TEST(Tooltips, AreHiddenWhileTyping) {
     EXPECT_TRUE(shown_tooltip(desk));
 }
 
-/// Every disabled control, in states that disable many.
+/// Covers every disabled control outside the panel, in states that disable many.
 TEST(Tooltips, DisabledControlsSayWhy) {
     int greyed = 0;
     for (const char* state : {"opening", "painter-cycle", "depth-cells"}) {
@@ -149,7 +149,7 @@ TEST(Tooltips, WordsInFormulasKeepTheirSpaces) {
     }
 }
 
-/// The characters of a text for which the font has no glyph.
+/// Returns the characters of a text for which the font has no glyph.
 std::string missing_in(ImFont& font, std::string_view text) {
     std::string missing;
     for (std::size_t i = 0; i < text.size();) {

@@ -16,7 +16,7 @@ protected:
     }
     glm::dvec3 light() const { return glm::dvec3(params.lights.front().position); }
 
-    /// The vertex of an object nearest to the eye; visible if the object is convex and nothing is in front of it.
+    /// Returns the object's vertex nearest to the eye; it is visible if the object is convex and nothing hides it.
     glm::dvec3 nearest_vertex(const SceneObject& object) const {
         glm::dvec3 nearest(0.0);
         double distance = 1e300;
@@ -165,7 +165,7 @@ TEST_F(ViewsTest, MaximizingTheObserverReleasesItsHandle) {
     EXPECT_EQ(differing_fields(before, params), (Paths{"observer.yaw", "observer.pitch"}));
 }
 
-/// The position of a point in any camera picture, whatever its aspect ratio: the angle of view is vertical.
+/// Returns the position of a point in any camera picture, whatever its aspect ratio, since fovy is a vertical angle.
 ImVec2 seen_in(const Rect& rect, const Desk& desk, const glm::dvec3& point_world) {
     const glm::dvec3 view = desk.derived.view_from_world * glm::dvec4(point_world, 1.0);
     const double scale =
@@ -419,7 +419,7 @@ TEST_F(ObserverHandles, MoveNearAndFarAlongTheView) {
     EXPECT_GT(params.projection.far, 4.0);
 }
 
-/// The color drawn last over a place of the window; 0 for none.
+/// Returns the color drawn last over a place of the window; 0 if there is none.
 ImU32 color_at(ImVec2 at) {
     const auto side = [&](const ImVec2& a, const ImVec2& b) {
         return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);

@@ -25,7 +25,7 @@ TEST_F(ControlsTest, Toggle) {
     EXPECT_EQ(changes, 3);
 }
 
-/// Otherwise ImGui would apply old undo steps to the current text and crash the program.
+/// If the field kept its undo steps, ImGui would apply them to the current text and crash the program.
 TEST_F(ControlsTest, ATextFieldForgetsItsUndoStepsWhenLeft) {
     std::string text = "a text that is much longer than what comes later";
     start([&] {

@@ -22,7 +22,7 @@ protected:
         curves = {{.name = "current", .color = IM_COL32_WHITE, .points = straight, .emphasized = true}};
         start([this] { return PrecisionChart("chart", curves, near, far, style); });
     }
-    /// The number on the line of a readout that starts with `begin`.
+    /// Returns the number that follows `begin` in a readout, up to the end of that line.
     static double number_behind(const std::string& readout, const std::string& begin) {
         const std::size_t at = readout.find(begin) + begin.size();
         return ParseNumber(readout.substr(at, readout.find('\n', at) - at)).value_or(nan);

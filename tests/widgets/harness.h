@@ -36,7 +36,7 @@ constexpr int first_key = ImGuiKey_NamedKey_BEGIN;
 constexpr int first_key = 0;
 #endif
 
-/// The state of a key, in the harness's own mapping.
+/// Returns a reference to the state of a key, in the harness's own mapping.
 inline bool& key_down(ImGuiKey key) {
     ImGuiIO& io = ImGui::GetIO();
     return io.KeysDown[io.KeyMap[key]];
@@ -85,7 +85,7 @@ public:
         }
         return nullptr;
     }
-    /// Throws if no item has this label, and lists all labels.
+    /// Throws if no item has this label; the message lists all labels.
     const RecordedItem& find(std::string_view label) const {
         if (const RecordedItem* item = try_find(label)) return *item;
         std::string message = "no widget '" + std::string(label) + "' among:";
@@ -145,7 +145,7 @@ public:
         ImGui::GetIO().KeyCtrl = false;
         frames(3);
     }
-    /// Drags from a fraction of the widget's rectangle by (dx, dy) pixels in steps of equal length.
+    /// Drags by (dx, dy) pixels in equal steps, from the fraction `from_x` of the widget's width and half its height.
     void drag(std::string_view label, float dx, float dy = 0.0F, int steps = 5, float from_x = 0.5F) {
         rest();
         hover(label, from_x);
@@ -174,7 +174,7 @@ public:
     }
 
 private:
-    /// Waits so long that the next press is not a double-click.
+    /// Waits long enough that the next press is not a double-click.
     void rest() {
         frame(1.0F);
     }

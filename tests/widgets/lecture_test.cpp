@@ -1,4 +1,5 @@
-// Planes, lights and matrices under real input: never degenerate, rows as on the slides, links in both directions.
+// Planes, lights and matrices under real input: they never become degenerate, matrices show their rows as on the
+// slides, and links work in both directions.
 #include <array>
 
 #include "widget_test.h"
@@ -90,7 +91,7 @@ TEST_F(LectureTest, LightIsNeverAllZero) {
     EXPECT_EQ(light, glm::dvec4(0, 0, 0, 1));
 }
 
-/// Row r, column c holds 10 r + c, counted from 1 as on the slides.
+/// Returns a matrix whose row r, column c holds 10 r + c; both count from 1, as on the slides.
 glm::dmat4 numbered_rows() {
     return glm::transpose(glm::dmat4(11, 12, 13, 14, 21, 22, 23, 24, 31, 32, 33, 34, 41, 42, 43, 44));
 }
@@ -192,7 +193,7 @@ TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndNoSymbols) {
     });
     const auto drew = [](ImU32 color) {
         for (const ImDrawVert& vertex : ImGui::GetDrawData()->CmdLists[0]->VtxBuffer) {
-            // Symbols of zeros are faded, so any opacity counts.
+            // The symbols of zero entries are faded, so any opacity counts.
             if ((vertex.col & ~IM_COL32_A_MASK) == (color & ~IM_COL32_A_MASK)) return true;
         }
         return false;
@@ -289,7 +290,7 @@ TEST_F(LinksTest, ADragKeepsItsHighlight) {
     ui.release();
 }
 
-/// The number of vertices of the last frame with this color, in the windows' draw lists.
+/// Counts the vertices of this color in the windows' draw lists of the last frame.
 int vertices_colored(ImU32 color) {
     int count = 0;
     const ImDrawData& data = *ImGui::GetDrawData();

@@ -102,7 +102,7 @@ TEST_F(NumberTest, DoubleClickTypesAndEnterCommits) {
     EXPECT_EQ(ui.text_of("x"), "−12.50");
 }
 
-/// Otherwise ImGui would apply the undo steps of an earlier edit to another text and crash the program.
+/// If the undo steps of an earlier edit remained, ImGui would apply them to another text and crash the program.
 TEST_F(NumberTest, UndoWhileTypingIgnoresEarlierEdits) {
     double value = 2.0;
     start([&] { return Number("x", value, {.step = 0.02}); });
@@ -353,7 +353,7 @@ TEST_F(NumberTest, ANarrowRowShrinksBeforeItLosesDigits) {
         ImGui::SetNextItemWidth(width);
         return Vec3("n", value, {.decimals = 2});
     });
-    // The narrowest row in which 0.15 is still 0.15, and one as wide as a row of the panel.
+    // From the narrowest row that still shows 0.15 as 0.15 to one as wide as a row of the panel.
     for (width = 150.0F; width < 260.0F; width += 5.0F) {
         ui.frames(2);
         EXPECT_EQ(ui.text_of("n/x"), "0.15") << width;

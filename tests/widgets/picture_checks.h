@@ -1,4 +1,5 @@
-// Checks for any drawn diagram: finite and not too large, boxes that do not overlap, the same in every look.
+// Checks for any drawn diagram: its vertices are finite and not too many, its boxes do not overlap, and checks can run
+// in every look.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@ inline ImVec2 center(const Harness& ui, const std::string& label) {
     return ImVec2(0.5F * (item.min.x + item.max.x), 0.5F * (item.min.y + item.max.y));
 }
 
-/// All vertices are finite, and few enough for 16-bit indices.
+/// Expects that all vertices are finite and few enough for 16-bit indices.
 inline void expect_finite_picture() {
     const ImDrawData& picture = *ImGui::GetDrawData();
     EXPECT_LT(picture.TotalVtxCount, 65'000);

@@ -20,7 +20,7 @@ protected:
     void start_histogram() {
         start([this] { return Histogram("counts", counts, min, max, range, style); });
     }
-    /// Pixels between the lines of a range, per unit of its width.
+    /// Returns the number of pixels between the range's two lines, per unit of the range.
     float unit_px() const {
         return (center(ui, "counts/to").x - center(ui, "counts/from").x) / static_cast<float>(range.y - range.x);
     }
@@ -101,7 +101,7 @@ TEST_F(HistogramTest, ThePointerShowsTheCount) {
     EXPECT_GT(ui.find("counts/unwritten").min.x, left + unit);
 }
 
-/// The height of the bar over a value, from the vertices of filled rectangles in the accent color.
+/// Returns the height of the bar between two x positions, measured from its vertices in the accent color.
 float bar_height(const Context& context, float from_x, float to_x) {
     float top = 1e9F, bottom = -1e9F;
     const ImDrawData& picture = *ImGui::GetDrawData();

@@ -217,7 +217,7 @@ TEST_F(ViewTest, LabelsNeverCoverEachOther) {
     }
 }
 
-/// Where there is room beside the lines. Otherwise the plate keeps the label readable.
+/// This holds where there is space beside the lines; elsewhere, the plate keeps the label readable.
 TEST_F(ViewTest, LabelsKeepOffLines) {
     std::mt19937 random(34);
     std::uniform_real_distribution<float> across(150, 1100), down(150, 650);
@@ -225,7 +225,7 @@ TEST_F(ViewTest, LabelsKeepOffLines) {
     start([&] {
         LabelPlacer placer(ImGui::GetForegroundDrawList(), ImVec2(0, 0), ImVec2(1280, 800));
         placer.AvoidLine(from, to);
-        for (int i = 0; i < 30; ++i) {  // points on the line, too
+        for (int i = 0; i < 30; ++i) {  // some points lie on the line
             const float y = down(random), on_line = from.x + (to.x - from.x) * y / 800.0F;
             placer.Place(ImVec2(i % 2 ? on_line : across(random), y), "near plane", IM_COL32_WHITE);
         }

@@ -13,7 +13,7 @@ void link(std::vector<TreeNode>& nodes, int parent, int child, bool front) {
     nodes[static_cast<std::size_t>(child)].parent = parent;
 }
 
-/// A tree of nodes inserted one after the other at random places.
+/// Returns a tree of nodes that were inserted one after the other at random places.
 std::vector<TreeNode> random_tree(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<TreeNode> nodes(static_cast<std::size_t>(count));
@@ -33,7 +33,7 @@ std::vector<TreeNode> random_tree(int count, unsigned seed) {
     return nodes;
 }
 
-/// A chain of nodes, each on the side of the previous one that `front_at` says.
+/// Returns a chain of nodes; `front_at` decides on which side of the previous node each one hangs.
 template <class FrontAt>
 std::vector<TreeNode> chain(int count, FrontAt front_at) {
     std::vector<TreeNode> nodes(static_cast<std::size_t>(count));

@@ -1,4 +1,4 @@
-// A window around the widgets of one test that counts how often they reported a change.
+// A window around one test's widgets; it counts how often they report a change.
 #pragma once
 
 #include <gtest/gtest.h>

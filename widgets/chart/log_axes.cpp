@@ -1,5 +1,5 @@
 // A chart's axes: ranges of whole decades, a line and a number at each decade, small ticks in between. If decades are
-// dense, only some have a number; if there are few, 2 and 5 have one, too.
+// dense, only some of them have a number; if there are few, the values 2 and 5 have one, too.
 #include <algorithm>
 #include <cmath>
 #include <string>

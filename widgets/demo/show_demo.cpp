@@ -1,6 +1,6 @@
-// Every widget once, each in as few lines as it needs: read this as the library's manual while the demo runs. Left:
-// numbers and switches. Middle: planes, lights, lamps, and labels in a view. Then matrices, and the diagrams of
-// show_diagrams_demo.cpp.
+// Every widget once, each in as few lines as it needs. Read this as the library's manual while the demo runs. Its
+// columns are: numbers and switches; planes, lights, lamps, and labels in a view; matrices; the diagrams of
+// show_diagrams_demo.cpp and show_depth_demo.cpp.
 #include "widgets/demo/show_demo.h"
 
 #include <array>

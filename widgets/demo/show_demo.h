@@ -15,7 +15,7 @@ struct DemoLook {
 void ShowWidgetsDemo(DemoLook& look);
 /// Shows the part with the diagrams: a tree, its steps, costs.
 void ShowDiagramsDemo();
-/// Shows the part on the depth buffer: precision, codes, counts, single pixels, two pictures in one area.
+/// Shows the part about the depth buffer: precision, codes, counts, single pixels, two pictures in one area.
 void ShowDepthDemo();
 
 }  // namespace widgets

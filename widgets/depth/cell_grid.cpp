@@ -68,7 +68,7 @@ bool Fits(const inner::Face& face, std::string_view text, float side) {
     return size.x <= side - Px(5) && size.y <= side - Px(3);
 }
 
-/// Returns the large digits if every text fits in them, otherwise the small ones.
+/// Returns the font with large digits if every text then fits in its cell, otherwise the one with small digits.
 inner::Face FaceFor(std::span<const Cell> cells, float side) {
     const Fonts& fonts = CurrentContext().fonts;
     const inner::Face large = inner::FaceOf(fonts.number);

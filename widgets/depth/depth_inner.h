@@ -29,7 +29,7 @@ struct DragLineUse {
 };
 /// Adds the item of a line from `top` to `bottom`. Moves the cursor.
 DragLineUse UseLine(const DragLine& line, float top, float bottom);
-/// The same for two lines that may coincide: the pointer then grabs the one on its own side.
+/// Does the same for two lines that may coincide: the pointer then grabs the one on its own side.
 struct DragLinesUse {
     DragLineUse low, high;
 };

@@ -99,7 +99,7 @@ void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, 
     inner::RecordRect("unwritten", min, max, std::to_string(style.unwritten));
 }
 
-/// Labels the range under its lines, side by side if these are close; labels the full range if there is space.
+/// Labels the range below its lines, side by side if the lines are close. Also labels the full range if there is space.
 void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     const Palette& palette = CurrentContext().palette;
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);

@@ -1,4 +1,4 @@
-// Interaction of a PrecisionChart: dragging near and far over its axis. precision_drawing.cpp draws it, log_axes.cpp
+// Interaction with a PrecisionChart: dragging near and far along its axis. precision_drawing.cpp draws it, log_axes.cpp
 // draws its axes.
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ Distances UseLines(const ChartPlot& plot, const Distances& before, const Precisi
     return has_near && has_far && !(edited.near < edited.far) ? before : edited;
 }
 
-/// Darkens the ranges that near and far clip.
+/// Dims the ranges that near and far clip away.
 void DrawCutOff(ImDrawList* draw, const ChartPlot& plot, const Distances& distances) {
     const ImU32 shade = Shown(inner::WithAlpha(CurrentContext().palette.ground, 0.6F));
     if (IsDistance(distances.near)) {

@@ -72,7 +72,7 @@ bool CrossesLine(const Box& box, std::span<const LineName> lines) {
                        [&box](const LineName& line) { return line.x > box.min.x && line.x < box.max.x; });
 }
 
-/// A place to the right or left of the line, in the highest free row.
+/// Returns a place to the right or left of the line, in the highest free row.
 std::optional<Box> RoomFor(const ChartPlot& plot, float x, ImVec2 size, std::span<const Box> taken,
                            std::span<const LineName> not_over) {
     const float row = size.y + Px(4), away = Px(7), lowest = plot.min.y + 0.6F * (plot.max.y - plot.min.y);

@@ -25,8 +25,8 @@ struct LineName {
     ImU32 color;
     const char* recorded_as;
 };
-/// Draws names beside their lines, in order: each in the highest free row, over no other line if possible. Omits names
-/// that do not fit. Returns the covered areas.
+/// Draws names beside their lines, in order: each in the highest free row, crossing no other line if possible. Omits
+/// names that do not fit. Returns the covered areas.
 std::vector<Box> DrawLineNames(ImDrawList* draw, const ChartPlot& plot, std::span<const LineName> names);
 
 /// Draws the values of the emphasized curve and of the terms at the pointer.

@@ -1,4 +1,4 @@
-// View of a tree diagram: fitting, zooming, moving, and folding trees too wide to read.
+// The view of a tree diagram: fitting, zooming, moving, and folding trees that are too wide to read.
 #include <algorithm>
 #include <cmath>
 

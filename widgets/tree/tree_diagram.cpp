@@ -1,5 +1,5 @@
-// Mouse interaction of a tree diagram. tree_camera.cpp moves it, tree_drawing.cpp draws it, tree_layout.cpp places its
-// nodes.
+// Mouse interaction with a tree diagram. tree_camera.cpp moves it, tree_drawing.cpp draws it, tree_layout.cpp places
+// its nodes.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -158,7 +158,7 @@ bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
     return true;
 }
 
-/// The four corners of a frame, for "fit everything".
+/// Draws the four corners of a frame, as an icon for "fit everything".
 void DrawFitButton(ImDrawList* draw, ImVec2 min, float side, bool hovered) {
     const Palette& palette = CurrentContext().palette;
     const ImVec2 max(min.x + side, min.y + side);

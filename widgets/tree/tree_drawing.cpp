@@ -83,7 +83,8 @@ private:
         return node;
     }
 
-    /// The part of a level between `first_x` and `last_x` that overlaps the view. Both must increase along the level.
+    /// Returns the part of a level that overlaps the view, if each node's item extends from `first_x` to `last_x`. Both
+    /// must increase along the level.
     template <class First, class Last>
     std::span<const int> InView(int level, double margin, First first_x, Last last_x) const {
         const std::span<const int> all = state_.layout.Level(level);
@@ -213,7 +214,7 @@ private:
         face.Draw(draw_, at, Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
     }
 
-    /// Draws the fold triangle of the hovered node, and always of a folded one, with the number of nodes it hides.
+    /// Draws the fold triangle of the hovered node. A folded node always has one, with the number of nodes it hides.
     void DrawFold(int node, ImVec2 center) {
         const bool is_folded = state_.collapsed.contains(node);
         if (!is_folded && node != state_.hovered) return;

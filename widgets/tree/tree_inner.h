@@ -39,13 +39,13 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
 /// Keeps part of the tree in the view.
 void KeepInView(const TreeCamera& camera, TreeDiagramState& state);
 void ZoomAbout(const TreeCamera& camera, ImVec2 pointer, double factor, TreeDiagramState& state);
-/// Moves by as little as needed to show a node.
+/// Moves by as little as needed to show a node. First zooms in if labels are too small to read.
 void MoveIntoView(const TreeCamera& camera, int node, TreeDiagramState& state);
 
 struct TreeChildren {
     int front = -1, back = -1;
 };
-/// The valid links of `parent`: to later nodes that name it as their parent.
+/// Returns the valid links of `parent`: those to later nodes that name it as their parent.
 TreeChildren ChildrenOf(std::span<const TreeNode> nodes, int parent);
 
 /// Whether the node's subtree, as built so far, has anything to fold.

@@ -44,7 +44,7 @@ double page_now_s();
 /// Queues an event and wakes the page, so that the next frame comes immediately.
 void push(InputEvent event);
 
-/// Returns the text in the form page.js reads. It stays valid until the next call.
+/// Returns the text in the form that page.js reads. It stays valid until the next call.
 const char* given(std::string text);
 
 /// Returns why a text of this size is rejected, as one sentence with the size and the limit; "" if it is accepted.

@@ -137,8 +137,8 @@ bool waits_for_gl() {
 /// Shorter freezes go unnoticed.
 constexpr double noticed_ms = 500.0;
 
-/// Reports a freeze in the frame after the slow one, whose length would otherwise count as the message's time on
-/// screen.
+/// Reports a freeze in the frame after the slow one; otherwise the slow frame's length would count as part of the
+/// message's time on screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();
     Message& message = page->studio.session.message;
@@ -150,8 +150,8 @@ void tell_standstill() {
     page->any = true;
 }
 
-/// Whether the sandbox uses this key when embedded. All keys belong to the host page, with two exceptions: while a
-/// person types or chooses from a list, and the flying keys while the pointer is over the picture.
+/// Whether the sandbox uses this key when embedded. All keys belong to the host page, with two exceptions: any key
+/// while a person types or chooses from a list, and the flying keys while the pointer is over the picture.
 bool uses_embedded(const KeyChanged& change) {
     constexpr std::array flying{Key::w, Key::a, Key::s, Key::d, Key::q, Key::e, Key::r, Key::f};
     const ImGuiIO& io = ImGui::GetIO();
@@ -225,8 +225,8 @@ EMSCRIPTEN_KEEPALIVE int page_is_open() {
     return page ? 1 : 0;
 }
 
-/// Draws a frame of this size in pixels; `scale`: pixels per CSS pixel. Returns the number of seconds until the next
-/// frame is due if no event comes: 0 immediately, negative never.
+/// Draws a frame of this size in pixels; `scale` is the number of pixels per CSS pixel. Returns the number of seconds
+/// until the next frame is due if no event comes; 0 means immediately, and a negative number means never.
 EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale) {
     if (waits_for_gl()) return 0.0;
     constexpr int frames_after_an_event = 3;
@@ -264,17 +264,17 @@ EMSCRIPTEN_KEEPALIVE void page_event() {
     page->any = true;
 }
 
-/// In CSS pixels; `is_inside` 0: the pointer has left.
+/// Moves the pointer. `x` and `y` are in CSS pixels; `is_inside` is 0 if the pointer has left.
 EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
     push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
 }
 
-/// 0 left, 1 right, 2 middle.
+/// Presses or releases a button: 0 is left, 1 right, 2 middle.
 EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }
 
-/// In lines; right and up are positive.
+/// Turns the wheel by a number of lines; left and up are positive.
 EMSCRIPTEN_KEEPALIVE void page_wheel(double x, double y) {
     push(WheelTurned{glm::vec2(x, y)});
 }
@@ -358,7 +358,7 @@ EMSCRIPTEN_KEEPALIVE int page_departs() {
     return departs_from_opened() ? 1 : 0;
 }
 
-/// Return the text to read aloud, in the current language, and the matrices.
+/// Return the text to read aloud, in the current language, and the text of the matrices.
 EMSCRIPTEN_KEEPALIVE const char* page_told() {
     return given(told_text());
 }
@@ -387,13 +387,13 @@ EMSCRIPTEN_KEEPALIVE void page_embed() {
     page->studio.workbench.arrangement.embedded = true;
 }
 
-/// Turns motion off (0) for people who are disturbed by it.
+/// Turns motion on (1), or off (0) for people whom it disturbs.
 EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     page->studio.workbench.guide.moves = moves != 0;
 }
 
-/// For tests: records the rectangles of all controls from the next frame on. page_places() returns them as JSON: name:
-/// [x, y, width, height] in pixels.
+/// For tests: records the rectangles of all controls from the next frame on. page_places() returns them as JSON,
+/// {"name": [x, y, width, height]}, in pixels.
 EMSCRIPTEN_KEEPALIVE void page_note_places() {
     page->studio.workbench.widgets.record = true;
     push(FocusChanged{true});

@@ -1,5 +1,5 @@
-// Requests by name from page.js, for itself and for the host page: getting the state, matrices and pictures; setting
-// fields and opening states. An error is one sentence, and leaves everything unchanged.
+// Serves requests that page.js makes by name, for itself and for the host page: gets the state, matrices and pictures,
+// sets fields, and opens states. An error is one sentence, and leaves everything unchanged.
 #include <emscripten.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace viewing {
 namespace {
 
-/// Loads the state that a message contains: as JSON, as a link, or by a preset's name; never from a file with that
+/// Loads the state that a message contains as JSON, as a link, or as a preset's name; never reads a file with that
 /// name.
 Result<LoadedState> state_to_open(const std::string& text) {
     if (is_link(text)) return state_in_text(text, "open");
@@ -138,7 +138,7 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
-    page->studio.session.take_outcome();  // loading ended in this question: discards that outcome
+    page->studio.session.take_outcome();  // loading ended with this question, so discard its outcome
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // errors stay on screen
 }
@@ -149,7 +149,7 @@ void refuse_what_is_not_there() {
 extern "C" {
 using namespace viewing;
 
-/// Returns the reason, as one sentence, why page.js must not pass a text of this size; "" if it may.
+/// Returns one sentence that says why page.js must not pass a text of this size; "" if it may.
 EMSCRIPTEN_KEEPALIVE const char* page_text_trouble(double bytes) {
     return given(text_trouble(static_cast<std::size_t>(bytes)));
 }
@@ -165,7 +165,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
     return given(page->studio.session.text());
 }
 
-/// Returns the matrices with their properties as JSON, in the format of `viewing-sandbox matrices --json`.
+/// Returns the matrices with their properties as JSON, in the format of `viewing-sandbox matrices`.
 EMSCRIPTEN_KEEPALIVE const char* page_matrices() {
     const ShownFrame& shown = page->studio.shown();
     return given(matrices_as_json(shown.derived, shown.problems).dump());
@@ -204,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
     session.update_scene();
     refuse_what_is_not_there();
     if (session.asks_to_read()) {
-        session.take_outcome();  // loading ended in this question: discards that outcome
+        session.take_outcome();  // loading ended with this question, so discard its outcome
         return given("");
     }
     if (session.loading_fraction()) return given("");
@@ -214,7 +214,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
 }
 
 /// Writes a picture as a PNG file that contains its state, in the page's folder. Returns the file's path, which begins
-/// with "/", or the error. `width` and `height` 0: the view's size; `samples` −1: the state's.
+/// with "/", or the error. If `width` and `height` are 0, the picture has the view's size; if `samples` is −1, it has
+/// the state's number of samples.
 EMSCRIPTEN_KEEPALIVE const char* page_picture(const char* view, double width, double height, double samples) {
     Studio& studio = page->studio;
     const Result<PictureRequest> request = picture_request(view, {width, height}, samples);

@@ -100,7 +100,7 @@ KeyKind kind_of(int glfw_key) {
     return KeyKind::leaves;
 }
 
-/// Whether words are composed from several keys, as in Korean: set by every session that has an input method.
+/// Whether words are composed from several keys, as in Korean. Every session with an input method sets XMODIFIERS.
 bool has_input_method() {
     static const bool has_one = [] {
         const char* const modifiers = std::getenv("XMODIFIERS");
@@ -204,7 +204,8 @@ void Events::queue_now(InputEvent event) {
     queue.push(std::move(event), {heard_since_s_.value_or(now_s), now_s});
 }
 
-/// GLFW reports Enter before the input method commits the syllable that Enter ends, which would then be lost.
+/// Holds an event back. GLFW reports Enter before the input method commits the syllable that Enter ends; without the
+/// delay, that syllable would be lost.
 void Events::hold(InputEvent event) {
     constexpr double patience_s = 2.0;
     if (held_.empty()) {
@@ -243,7 +244,7 @@ void Events::on_key(GLFWwindow* window, int glfw_key, int scancode, int action, 
         push(window, changed);
 }
 
-/// Ignores that the pointer leaves the window during a drag, which continues outside.
+/// Ignores the pointer leaving the window during a drag, since the drag continues outside.
 void Events::on_enter(GLFWwindow* window, int entered) {
     for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
         if (glfwGetMouseButton(window, button) == GLFW_PRESS) return;

@@ -32,7 +32,7 @@ public:
     /// Also collects the keys pressed in this window. Resizing, uncovering or closing it wakes the first window.
     void hear_keys_of(GLFWwindow* window);
 
-    /// Takes pending events; if there are none, waits up to `wait_s` for one; negative: forever.
+    /// Takes pending events. If there are none, waits up to `wait_s` for one, or forever if `wait_s` is negative.
     void take(double wait_s);
 
 private:
@@ -45,8 +45,8 @@ private:
     void hold(InputEvent event);
     void release_held();
 
-    bool composes_ = false;         ///< the input method has keys of which it has not yet made a character
-    std::vector<InputEvent> held_;  ///< a key that ends an entry and all after it, until its last character has arrived
+    bool composes_ = false;         ///< the input method holds keys that it has not yet turned into a character
+    std::vector<InputEvent> held_;  ///< a key that ends an entry and all later events, until the last character arrives
     bool has_committed_ = false;    ///< a character has arrived since then
     double held_until_s_ = 0.0;
     double polled_s_ = 0.0;

@@ -1,5 +1,5 @@
-// Switches the window between its normal position and full screen. If the notes share the only screen, the stage fills
-// the rest of it, so that neither covers the other.
+// Switches the window between its normal position and full screen. If there is only one screen and the notes are on it,
+// too, the stage (the window) fills the rest of it, so that neither covers the other.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ public:
     /// notes window while it is visible, else null.
     void apply(GLFWwindow* window, GLFWwindow* notes);
 
-    /// Returns the window's position and size outside full screen. `before`: those before it was maximized.
+    /// Returns the window's position and size outside full screen. `before` holds those from before it was maximized.
     WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const;
 
 private:

@@ -1,5 +1,5 @@
-// Connects a GLFW window to Dear ImGui: key names, clipboard, and shape of the pointer. ImGui's own GLFW backend is not
-// used: from 1.87 on it has a second input queue, whose pointer runs ahead of the events that our queue still holds.
+// Connects a GLFW window to Dear ImGui: key names, clipboard, and pointer shape. ImGui's own GLFW backend is not used:
+// from 1.87 on it has a second input queue, whose pointer runs ahead of the events that our queue still holds.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ struct GLFWwindow;
 
 namespace viewing {
 
-/// Maps the keys that ImGui itself reads to GLFW's key codes, the indices of io.KeysDown.
+/// Maps the keys that ImGui itself reads to GLFW's key codes, which are the indices into io.KeysDown.
 void map_imgui_keys();
 
 /// Serves the current ImGui context during its lifetime.

@@ -14,14 +14,14 @@ namespace viewing {
 
 class LectureNotes {
 public:
-    /// "terminal", "window", a file's path, or "" for none.
+    /// `target` is "terminal", "window", a file's path, or "" for none.
     explicit LectureNotes(std::string target) : target_(std::move(target)) {}
 
     bool wants_window() const { return target_ == "window"; }
-    /// Null if no window can be made; the notes then do not appear anywhere.
+    /// Takes the notes window; null if none can be made, in which case the notes do not appear anywhere.
     void take(std::unique_ptr<NotesWindow> window) { window_ = std::move(window); }
 
-    /// Null without a window, or after the person has closed it.
+    /// Returns the notes window; null if there is none, or if the person has closed it.
     GLFWwindow* shown_window() const { return window_ && window_->is_shown() ? window_->glfw() : nullptr; }
 
     /// Updates the page if it has changed. An error is one sentence about the file.

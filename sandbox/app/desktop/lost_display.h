@@ -1,4 +1,4 @@
-// Ends the program when the X server goes away under the window.
+// Ends the program when the X server goes away while the window is open.
 #pragma once
 
 namespace viewing {

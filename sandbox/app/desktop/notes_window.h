@@ -1,5 +1,5 @@
-// The lecturer's notes in their own window, on another screen if there is one: large text, nothing to click. Closing
-// hides it; keys pressed in it control the lesson.
+// The lecturer's notes in their own window, on another screen if there is one. It has large text and nothing to click.
+// Closing the window only hides it; keys pressed in it control the lesson.
 //
 // The first window's GL context draws the notes, with a second ImGui context that gets no input, into a texture. The
 // second window's context shares this texture and copies it to its screen. So ImGui's backends know only one context,

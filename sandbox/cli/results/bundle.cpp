@@ -27,8 +27,8 @@ constexpr const char* state_name = "state.json";
     throw Failure(ExitStatus::bad_input, "--bundle: " + what);
 }
 
-/// Returns a file name that is valid on every system: without characters that are special to a system or a shell, and
-/// without unprintable ones.
+/// Returns a file name that is valid on every system. It contains no characters that are special to a system or a
+/// shell, and no unprintable ones.
 std::string safe_name(const fs::path& file) {
     std::string name = printable(file.filename().string());
     const auto is_unsafe = [](char sign) {
@@ -77,8 +77,8 @@ public:
     }
 
 private:
-    /// Returns the subfolder for files from a file's folder: "" for the first such folder, then "2/", "3/", …, so that
-    /// files that belong together stay together.
+    /// Returns the subfolder for files that come from the given file's folder: "" for the first such folder, then "2/",
+    /// "3/", …, so that files that belong together stay together.
     std::string place_of(const fs::path& file) {
         const auto [found, is_new] = places_.try_emplace(file.parent_path(), places_.size() + 1);
         if (found->second == 1) return "";
@@ -97,7 +97,7 @@ private:
         if (error) refuse(from.string() + ": cannot be copied: " + error.message());
     }
 
-    /// Returns the file names after "mtllib" that can stay unchanged; the program itself does not read these files.
+    /// Returns those file names after "mtllib" that can stay unchanged; the program itself does not read these files.
     static std::vector<std::string> material_libraries(const fs::path& mesh) {
         std::vector<std::string> names;
         std::ifstream lines(mesh, std::ios::binary);
@@ -123,7 +123,8 @@ void pack_objects(Packer& packer, SceneDescription& scene, const fs::path& base)
         if (!object.file.empty()) object.file = packer.mesh(resolved(base / object.file));
 }
 
-/// Returns the text of a scene file with the files of its objects packed and renamed, and everything else unchanged.
+/// Packs the files of a scene file's objects. Returns the scene file's text with their new names, and with everything
+/// else unchanged.
 std::string packed_scene_file(Packer& packer, const fs::path& file) {
     const std::string text = value_or_end(read_text_file(file));
     return value_or_end(guarded([&] {

@@ -21,7 +21,7 @@ struct Word {
     std::vector<std::size_t> indices = {};
 };
 
-/// Returns nothing if the word has another form.
+/// Parses a word; returns nothing if it has another form.
 std::optional<Word> parse(const std::string& text) {
     Word word{text};
     const std::size_t bracket = text.find('[');

@@ -20,9 +20,9 @@ struct ChosenMatrix {
     std::string sign_name = {}, sign_key = {};  ///< "shadow_sign"
 };
 
-/// Returns the matrices in `only`, a list such as "V,S[2,1],R" of C, V, P, PV, S, R; S takes the indices of a plane and
-/// a light, R that of a plane; they count from 1 and default to 1. Without `only`, returns these six. Ends the command
-/// for an unknown name.
+/// Returns the matrices in `only`, a list such as "V,S[2,1],R". The names are C, V, P, PV, S and R; S takes the indices
+/// of a plane and a light, and R takes the index of a plane. Indices count from 1 and default to 1. Without `only`,
+/// returns these six. Ends the command for an unknown name.
 std::vector<ChosenMatrix> chosen_matrices(const Options& options, const std::optional<std::string>& only,
                                           const Params& params, const Derived& derived);
 

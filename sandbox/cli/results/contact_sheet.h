@@ -14,7 +14,7 @@ struct SheetPicture {
     std::vector<std::string> captions;  ///< from long to short: the first one that fits is drawn
 };
 
-/// `columns`: 1 or more; the last row may have gaps. `pictures` must not be empty.
+/// Returns the sheet. `columns` must be at least 1; the last row may have gaps. `pictures` must not be empty.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, int columns);
 
 /// Returns the size of the sheet.

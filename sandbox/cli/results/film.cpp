@@ -29,8 +29,8 @@ std::string found_program(const std::string& name) {
     return "";
 }
 
-/// Opens a file without a name, which disappears once no process has it open, however the processes end. Returns −1,
-/// with errno, on failure. A child process inherits the file.
+/// Opens a file without a name, which disappears once no process has it open, however the processes end. On failure,
+/// returns −1 and sets errno. A child process inherits the file.
 int nameless_file() {
     std::string name = (fs::temp_directory_path() / "viewing-sandbox-film-XXXXXX").string();
     const int file = ::mkstemp(name.data());
@@ -38,7 +38,7 @@ int nameless_file() {
     return file;
 }
 
-/// Returns a path for an open file, valid in this process and in ffmpeg.
+/// Returns a path to an open file that is valid in this process and in ffmpeg.
 std::string name_of(int file) {
     return "/proc/self/fd/" + std::to_string(file);
 }

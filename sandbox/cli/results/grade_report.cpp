@@ -153,7 +153,7 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
 
 // ---- exercises -----------------------------------------------------------------------------------------------------
 
-/// A student's result for an exercise, one of the kinds that the bars distinguish.
+/// A student's result in an exercise, as one of the kinds that the bars distinguish.
 enum class AnswerOutcome { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
@@ -246,7 +246,7 @@ std::string names_of_items(const Answer& answer, const Ask& ask) {
     return list;
 }
 
-/// Returns the answer in readable form; as plain numbers if the question is unknown or the answer does not fit it.
+/// Returns the answer in readable form, or as plain numbers if the question is unknown or the answer does not fit it.
 std::string answer_cell(const Attempt& attempt, const Ask* ask) {
     if (attempt.is_goal) {
         std::string lines;
@@ -269,7 +269,7 @@ std::string told_cell(const Verdict& verdict) {
 
 // ---- students ------------------------------------------------------------------------------------------------------
 
-/// Returns the question that was answered; null for another variant, or if no answer was judged.
+/// Returns the question that was answered; null if no answer was judged, as for another student's variant.
 const LessonStep* step_of(Grader& grader, const ItemGrade& item, std::size_t exercise) {
     if (item.judged() == 0) return nullptr;
     const Result<LessonStep>& step = grader.step(exercise, item.variant);
@@ -357,7 +357,7 @@ void collect(Grader& grader, const StudentGrade& grade, std::size_t exercise, Wr
     }
 }
 
-/// Returns the wrong matrices, those of most students first.
+/// Returns the wrong matrices, beginning with those that most students entered.
 std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const std::vector<StudentGrade>& grades) {
     WrongMatrices found;
     for (const StudentGrade* const grade : read_ones(grades))

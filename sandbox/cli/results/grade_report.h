@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Returns the page, in English. `grader` made the grades. Throws Failure if GL fails.
+/// Returns the page in the current language. `grader` is the one that made the grades. Throws Failure if GL fails.
 std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
                          const std::vector<TagCount>& tags, const std::string& files);
 

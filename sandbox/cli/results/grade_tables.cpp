@@ -72,8 +72,8 @@ FileCounts counts_of(const std::vector<StudentGrade>& grades) {
 
 // ---- for a terminal ------------------------------------------------------------------------------------------------
 
-/// Returns the rows with all columns except the first and last right-aligned. A row with one cell is a sentence that
-/// spans the columns.
+/// Returns the rows as text, with all columns right-aligned except the first and the last. A row with one cell is a
+/// sentence that spans the columns.
 std::string aligned(const std::vector<Row>& rows) {
     const std::size_t columns = rows.front().size();
     std::vector<std::size_t> widths(columns, 0);

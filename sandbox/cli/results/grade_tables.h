@@ -16,8 +16,8 @@ std::string grades_as_text(const std::vector<Exercise>& exercises, const std::ve
 /// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% at the last attempt".
 std::string tags_as_text(const std::vector<TagCount>& tags);
 
-/// Follows RFC 4180; an apostrophe precedes text that a spreadsheet would take for a formula. The cell of a missing
-/// answer is empty.
+/// Return comma-separated values (RFC 4180); an apostrophe precedes text that a spreadsheet would take for a formula.
+/// The cell of a missing answer is empty.
 std::string grades_as_csv(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 std::string tags_as_csv(const std::vector<TagCount>& tags);
 

@@ -24,7 +24,7 @@ std::optional<WhySkipped> why_skipped(const fs::directory_entry& entry) {
     return std::nullopt;
 }
 
-/// Keeps pending folders in a list, so that deep nesting needs no stack.
+/// Adds the files in a folder. Keeps pending folders in a list, so that deep nesting needs no recursion.
 void add_folder(const fs::path& root, HandInFiles& found) {
     const auto first = static_cast<std::ptrdiff_t>(found.files.size());
     const std::size_t troubles = found.troubles.size();

@@ -14,7 +14,7 @@ enum class WhySkipped { not_json, link, hidden, no_file };
 const char* name_of(WhySkipped why);
 
 struct HandInFiles {
-    std::vector<std::filesystem::path> files;  ///< in the order of the arguments; those in a folder sorted by path
+    std::vector<std::filesystem::path> files;  ///< in the order of the arguments; sorted by path within a folder
     std::vector<std::pair<std::filesystem::path, WhySkipped>> skipped;
     std::vector<std::string> troubles;  ///< a sentence for each folder that cannot be read or has no hand-in
     bool has_folders = false;

@@ -35,7 +35,7 @@ ol.items { list-style: disc }
 .answer { margin-top: 6mm; padding: 3mm 4mm; background: #eef2f6; border-left: 1mm solid #2f7de1 }
 )";
 
-/// Returns a line for the student's name and number.
+/// Returns a line for the student's number, name and class, and the date.
 std::string person_line() {
     std::string line = "<p class=\"person\">";
     for (const char* what : {marked("Student number"), marked("Name"), marked("Class"), marked("Date")})
@@ -43,7 +43,7 @@ std::string person_line() {
     return line + "</p>\n";
 }
 
-/// Escapes a sentence whose formulas must not be broken at their blanks.
+/// Escapes a sentence, and keeps its formulas from being broken at their blanks.
 std::string prose(const std::string& sentence) {
     std::string page;
     for (std::string_view rest = sentence; !rest.empty();) {

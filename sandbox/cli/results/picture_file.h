@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// Whether the name is that of a vector format: .svg or .pdf.
+/// Whether the name has the ending of a vector format: .svg or .pdf.
 bool is_vector_name(const std::string& target);
 
 /// Pixels or, if there are none, shapes and text.

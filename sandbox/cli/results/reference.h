@@ -1,4 +1,4 @@
-// The reference for snapshot --compare: read before anything is drawn, then compared with the picture.
+// The reference for snapshot --compare, which is read before anything is drawn and then compared with the picture.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,8 +14,8 @@ namespace viewing {
 
 class Reference {
 public:
-    /// A missing file is not an error yet. Throws Failure if the file is not a PNG, or if a mask's size is not that of
-    /// the picture.
+    /// A missing file is not an error yet. Throws Failure if the file is not a PNG, or if a mask does not have the
+    /// picture's size.
     Reference(std::string file, const ThresholdOptions& thresholds, glm::ivec2 size_px);
 
     /// Adds the comparison to the report, and, if `diff` is given, the picture of the differences to the outputs. Adds

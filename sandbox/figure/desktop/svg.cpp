@@ -162,7 +162,7 @@ private:
         add(inset.box, "<g" + attribute("clip-path", "url(#" + id + ")") + ">" + element + "</g>");
     }
 
-    /// Adds an element with a clip path only if it extends beyond its clip.
+    /// Adds an element, and gives it a clip path only if it extends beyond its clip.
     void add(const DrawingBox& box, const std::string& element) {
         const bool fits = box.min.x >= clip_.min.x - 0.5F && box.min.y >= clip_.min.y - 0.5F &&
                           box.max.x <= clip_.max.x + 0.5F && box.max.y <= clip_.max.y + 0.5F;

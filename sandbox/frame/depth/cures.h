@@ -1,5 +1,5 @@
-// The cures for depth fighting, each applied alone: the state with one change, so that wrong pixels can be counted for
-// all cures in the same scene. Pure.
+// The cures for depth fighting. Each is applied alone, as one change to the state, so that wrong pixels can be counted
+// for all cures in the same scene. Pure.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct Cure {
     CureKind kind = CureKind::near;
     std::string name;         ///< short: "near 3.4"
     std::string explanation;  ///< its setting, in a sentence or two
-    Params params;            ///< the state with the cure applied; unchanged if it already has it
+    Params params;            ///< the state with the cure applied; unchanged if the state already has it
 };
 
-/// Returns the cures in the order of CureKind; those for decals only if the scene has decals. The cure that changes
+/// Returns the cures in the order of CureKind, without those for decals if the scene has none. The cure that changes
 /// near uses largest_near(), even if near is already fine; it changes nothing if something reaches up to the eye.
 std::vector<Cure> cures(const Params& params, const Derived& derived, const Scene& scene);
 

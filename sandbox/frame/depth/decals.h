@@ -1,5 +1,5 @@
-// Finds the object under each decal of a scene, and marks both in the stencil buffer. Read plan.cpp for the use of the
-// marks.
+// Finds the object under each decal of a scene, and gives both the same mark for the stencil buffer. Read
+// plan_depth.cpp for the use of the marks.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ namespace viewing {
 
 bool has_decals(const Scene& scene);
 
-/// Returns each object's stencil value: its own value if it has a decal on it, the value of the object below for a
-/// decal, 0 for anything else. A decal lies on the first flat object that is not a decal and nearly coplanar with it
-/// (frame/depth/fighting.h); a decal without such an object has 0. After 252 objects the values repeat.
+/// Returns each object's stencil value: a value of its own for an object under a decal, that object's value for the
+/// decal, and 0 for anything else. A decal lies on the first flat object that is not a decal and is nearly coplanar
+/// with it (frame/depth/fighting.h); a decal without such an object has 0. After 252 such objects, the values repeat.
 std::vector<int> decal_marks(const Scene& scene);
 
 }  // namespace viewing

@@ -8,9 +8,10 @@
 
 namespace viewing {
 
-/// Bands of equal width over the range of a depth picture, near first. Each is as bright as the gray that it replaces.
-/// Lightness rises in equal steps, so the bands are in order even without color; every second band is colored, so
-/// neighbors differ in both. None is bluish, because pixels that were never written are.
+/// Bands of equal width over the range of a depth picture, the nearest first. Each is as bright as the gray that it
+/// replaces. Lightness rises in equal steps, so the order of the bands is visible even without color; every second band
+/// is colored, so neighbors differ in both color and lightness. None is bluish, because that color marks pixels that
+/// were never written.
 inline constexpr std::array<Color, 16> depth_bands = {{{0x18, 0x18, 0x18},
                                                        {0x3d, 0x19, 0x06},
                                                        {0x30, 0x30, 0x30},

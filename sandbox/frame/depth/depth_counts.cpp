@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t bins = 128, block_length = 512;
 
-/// Fractions of the window depth range, 0 … 1, which add up to 1: from near to the depth, and from the depth to far.
+/// Two fractions of the window depth range 0 … 1, which add up to 1: from near to the depth, and from the depth to far.
 /// Each is exact where it is small.
 struct Shares {
     std::array<float, block_length> from_near, to_far;
@@ -124,7 +124,7 @@ public:
 
 private:
     static constexpr std::int32_t last_bin = bins - 1, unwritten = bins;
-    static constexpr std::size_t turns = 4;  // separate counters, so that additions to one bin need not wait
+    static constexpr std::size_t turns = 4;  // separate counters, so that additions to a bin do not wait for each other
 
     std::uint32_t sum_of(std::size_t bin) const {
         return std::accumulate(counts_[bin].begin(), counts_[bin].end(), std::uint32_t{0});

@@ -10,9 +10,10 @@
 
 namespace viewing {
 
-/// Counts depths as read: integer codes, or bits of floats in 0 … 1. The plan's clear value counts as unwritten. Has
-/// 128 bins of equal width on the plan's depth scale: eye distances between near and far, or window depths. Computes in
-/// float32, so a depth within 10⁻⁵ of a bin's edge may be counted in the neighboring bin.
+/// Counts depths as they were read back: integer codes, or the bits of floats in 0 … 1. The plan's clear value counts
+/// as unwritten. The histogram has 128 bins of equal width on the plan's depth scale: eye distances between near and
+/// far, or window depths. Counting uses float32, so a depth within 10⁻⁵ of a bin's edge may be counted in the
+/// neighboring bin.
 DepthCounts count_depths(std::span<const std::uint32_t> stored, const DepthPrecision& read_as, const FramePlan& plan);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Data for the views of the depth buffer, read back from the buffers whenever a view needs them and something has
-// changed. The studio fills in the data; the views only read them.
+// Data for the views of the depth buffer, read back from the buffers whenever a view needs it and something has
+// changed. The studio fills in the data; the views only read it.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ namespace viewing {
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls);
 
 struct DepthData {
-    std::optional<PixelReport> pixel;  ///< the pinned pixel, else the pixel under the pointer, if any
-    std::vector<Fragment> fragments;   ///< on its ray, in drawing order
+    std::optional<PixelReport> pixel;  ///< the pinned pixel or else the pixel under the pointer, if any
+    std::vector<Fragment> fragments;   ///< on that pixel's ray, in drawing order
 
     std::vector<DrawCall> calls;     ///< of the whole frame, in order
     std::vector<DrawLimit> touches;  ///< just after each triangle of the whole frame that sends that pixel a fragment

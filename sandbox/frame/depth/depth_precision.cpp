@@ -56,7 +56,7 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
     for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
             if (format == params.depth.format && mapping == params.depth.mapping) continue;
-            // Shows the other mappings at their best: reversed depth gets the clip range that it needs.
+            // The other mappings are shown at their best: reversed depth gets the clip range that it needs.
             const bool zero_to_one =
                 mapping == DepthMapping::reversed && (mapping != params.depth.mapping || derived.clip_zero_to_one);
             curves.others.push_back(

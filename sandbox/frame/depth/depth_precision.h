@@ -21,7 +21,7 @@ struct StepCurve {
 };
 
 struct PrecisionCurves {
-    StepCurve current;                    ///< of the state: the sum of the next two
+    StepCurve current;                    ///< the state's own: the sum of the next two
     StepPoints quantisation, arithmetic;  ///< fighting_onset()'s terms
     std::vector<StepCurve> others;        ///< 16 bit, 24 bit and float32 with each mapping, except the current one
 };
@@ -33,14 +33,15 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived);
 /// Returns a curve's name: "24 bit", "24 rev", "float log".
 std::string short_name(DepthFormat format, DepthMapping mapping);
 
-/// Codes at equal intervals, up to rounding, from the code of near to that of far.
+/// Codes at intervals that are equal up to rounding, from the code of near to that of far.
 struct DepthCodes {
     std::vector<std::uint32_t> codes;   ///< as stored; for a float format, its bits
     std::vector<double> eye_distances;  ///< the distances they represent
     std::int64_t codes_per_tick = 1;
 };
 
-/// Returns at most `most_ticks` (at least 2) intervals between codes: single codes if they fit, else a power of two.
+/// Returns the codes at the ends of at most `most_ticks` intervals (at least 2): one interval per step between codes if
+/// that many fit, otherwise a power of two.
 DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks);
 
 /// States where half of the codes lie or, for a float format, how many lie in the farther half of the range.

@@ -31,7 +31,7 @@ struct FlatExtent {
     }
 };
 
-/// Whether the scene needs no depth test: a few flat objects, each drawn before those in front of it.
+/// Returns whether the scene needs no depth test: it has few objects, all flat, each drawn before those in front of it.
 bool is_painted_right(const Derived& derived, const Scene& scene) {
     constexpr std::size_t few = 64;
     if (scene.objects.size() > few) return false;
@@ -57,7 +57,7 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
 }
 
 void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, const Scene& scene) {
-    // With two reasons at a time, to fix one of them changes nothing.
+    // If two switches let the last fragment win, fixing one of them changes nothing.
     const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
     if (!depth.buffer) {
         tell.broken(true,
@@ -79,7 +79,7 @@ void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, co
     tell.broken(depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
                 tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
                 alone("depth.func"));
-    // Cleared to the nearest depth, the buffer rejects everything with GL_LESS, too.
+    // A buffer that is cleared to the nearest depth rejects everything with GL_LESS, too.
     const char* const as_usual = clears_to_nearest(depth) ? "" : "depth.func";
     tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
@@ -131,13 +131,14 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
                 "depth.format");
 }
 
-/// Returns the depths that are not distinguished at an eye distance, as a share of the picture's height there.
+/// Returns the gap below which depths are not distinguished at an eye distance, as a share of the picture's height
+/// there.
 double unresolved_share(const Params& params, const Derived& derived, double distance) {
     return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
 }
 
-/// Returns the setting that makes depth fine enough at the things in view: a larger near, or a smaller far if there is
-/// no perspective; "" if neither does.
+/// Returns the setting that makes depth fine enough at the things in view: a larger near or, without perspective, a
+/// smaller far; "" if neither does.
 std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
     Params finer = params;
     std::string setting;

@@ -11,8 +11,8 @@ inline bool is_cleared_to_farthest(const DepthParams& depth) {
            (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
 }
 
-/// Returns whether depth is computed only at the vertices and interpolated, so that it does not follow from the
-/// distance.
+/// Returns whether depth is computed only at the vertices and interpolated in between, where it then does not follow
+/// from the distance.
 inline bool has_bent_depth(const DepthParams& depth) {
     return depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
 }
@@ -22,7 +22,7 @@ inline bool clears_to_nearest(const DepthParams& depth) {
     return depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
 }
 
-/// Returns whether no fragment passes the depth test, or only those at the far plane.
+/// Returns whether no fragment passes the depth test, or only those at exactly the depth that the buffer is cleared to.
 inline bool rejects_all(const DepthParams& depth) {
     if (!depth.tests()) return false;
     switch (depth.func) {
@@ -40,7 +40,7 @@ inline bool rejects_all(const DepthParams& depth) {
     }
 }
 
-/// Returns how many switches let the last fragment drawn win, each of them alone.
+/// Returns how many switches, each by itself, let the last fragment drawn win.
 inline int count_of_last_wins(const DepthParams& depth) {
     const bool passes = depth.func == CompareFunc::always || depth.func == CompareFunc::notequal;
     return (depth.buffer ? 0 : 1) + (depth.test ? 0 : 1) + (depth.write ? 0 : 1) + (passes ? 1 : 0);

@@ -1,4 +1,4 @@
-// How a driver implements the depth formats: GL does not define how many bits a format has or how large a unit of
+// A driver's implementation of the depth formats: GL does not define how many bits a format has or how large a unit of
 // glPolygonOffset is. Read render/driver_depth.h for the measurement.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace viewing {
 
 struct StoredDepth {
     DepthPrecision precision;  ///< as stored: {32, true} is float32
-    /// Codes per unit of glPolygonOffset; for a float, codes between 1/2 and 1 are meant. A multiple of 1/4, 0 to 16.
-    /// None if not measured.
+    /// Codes per unit of glPolygonOffset; for a float format, the codes between 1/2 and 1 count. A multiple of 1/4 from
+    /// 0 to 16. None if not measured.
     std::optional<double> unit_codes;
     bool operator==(const StoredDepth&) const = default;
 };

@@ -53,7 +53,8 @@ std::vector<FlatObject> flat_objects(const Scene& scene) {
     return found;
 }
 
-/// Returns the part of a polygon within a triangle, seen along the triangle's normal; without corners if that is empty.
+/// Returns the part of a polygon that lies within a triangle, seen along the triangle's normal. It has no corners if
+/// there is no such part.
 Polygon part_within(Polygon polygon, const Polygon& triangle, double epsilon) {
     const glm::dvec3 normal(triangle.plane);
     for (std::size_t corner = 0; corner < triangle.vertices.size(); ++corner) {
@@ -68,7 +69,7 @@ Polygon part_within(Polygon polygon, const Polygon& triangle, double epsilon) {
     return polygon;
 }
 
-/// Returns the part of the first object with the second in front of or behind it; empty without overlap.
+/// Returns the part of the first object that the second one overlaps, in front or behind; empty if they do not overlap.
 std::vector<Polygon> overlap_of(const FlatObject& first, const FlatObject& second) {
     const double epsilon = 1e-9 * std::min(first.size(), second.size());
     std::vector<Polygon> parts;
@@ -161,15 +162,16 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
-/// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. For
-/// every value that is rounded to float32 on the way, each of the two is off by half a unit in the last place, and both
-/// together by one. These values are clip z and clip w, which both affect their quotient, and the depth, first as
+/// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. Each
+/// value that is rounded to float32 on the way is off by up to half a unit in the last place for each surface, and by
+/// one for both together. These values are clip z and clip w, which both affect their quotient, and the depth, first as
 /// computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded at the end.
 double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
     const double depth = window_depth(lens, coding.mapping, z);
     if (coding.mapping == DepthMapping::logarithmic) {
-        // Eye z, w and their quotient, whose errors change the logarithm by as much; then the logarithm and the depth.
+        // Errors of eye z, w and their quotient change the logarithm by as much; then the logarithm and the depth are
+        // rounded.
         const double range = std::log(lens.far / lens.near);
         return (3.0 + 2.0 * std::log(z / lens.near)) / range + depth;
     }

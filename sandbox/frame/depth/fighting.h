@@ -19,8 +19,8 @@ struct FlatPair {
     glm::dvec3 center_world{0.0};        ///< of the overlap, on the first object
     glm::dvec3 normal_world{0.0};        ///< unit, of the first object
     glm::dvec4 second_plane_world{0.0};  ///< unit, oriented like the first one's normal
-    std::vector<Polygon> overlap;        ///< the part of the first object with the second in front of or behind it
-    double radius = 0.0;                 ///< distance from the center to the farthest corner of the two
+    std::vector<Polygon> overlap;        ///< part of the first object that the second one overlaps, in front or behind
+    double radius = 0.0;                 ///< distance from the center to the farthest corner of the two objects
     bool first_is_decal = false, second_is_decal = false;
 
     /// For a coplanar pair: if exactly one of the two is a decal, it is on top; otherwise, the second object is.
@@ -30,10 +30,10 @@ struct FlatPair {
     double gap() const { return std::abs(offset); }  ///< world units
 };
 
-/// Returns every such pair, in the order of the objects. Keeps the pairs of the latest scene.
+/// Returns every such pair, in the order of the objects. Keeps the pairs of the latest scene for the next call.
 std::vector<FlatPair> near_coplanar_pairs(const Scene& scene);
 
-/// How the parameters determine the computation and storage of depth.
+/// The settings that determine how depth is computed and stored.
 struct DepthCoding {
     Lens lens;
     DepthMapping mapping = DepthMapping::standard;
@@ -42,14 +42,14 @@ struct DepthCoding {
 };
 DepthCoding depth_coding(const Params& params, const Derived& derived);
 
-/// Returns how far apart the window depths of two surfaces that should be equal may be before they are stored, at an
-/// eye distance between near and far: the effect of rounding to float32 on the way. `span` is how much nearer to the
-/// eye the surfaces extend: depth is interpolated across them, so the larger values at their near ends are rounded too.
+/// Returns how far apart float32 rounding may move the window depths of two surfaces before they are stored, although
+/// these depths should be equal. The surfaces are at an eye distance between near and far. `span` is how much nearer to
+/// the eye they extend: depth is interpolated across them, so the larger values at their near ends are rounded too.
 /// Adds up the largest error of each float32 rounding.
 double depth_rounding(const DepthCoding& coding, double distance, double span = 0.0);
 
-/// The smallest gap at which depth distinguishes two surfaces wherever their depths fall within a code: with a gap
-/// below this sum, they fight. In eye distance, from a surface toward the eye.
+/// The smallest gap at which depth distinguishes two surfaces, wherever their depths fall within a code. With a smaller
+/// gap, they fight. Measured as eye distance, from a surface toward the eye.
 struct FightingOnset {
     double quantisation = 0.0;  ///< one whole code, but at most the distance to the near plane
     double arithmetic = 0.0;    ///< added by the float32 arithmetic before depth is stored

@@ -17,7 +17,7 @@ namespace viewing {
 /// neighbors meet both objects, and one of the two is visible.
 struct CountedPair {
     FlatPair pair;
-    std::int64_t wrong = 0;     ///< where GL shows something other than the visible surface
+    std::int64_t wrong = 0;     ///< where GL does not show the surface that should be visible
     std::int64_t vanished = 0;  ///< of these, where GL shows the background
     std::int64_t pixels = 0;
 
@@ -26,7 +26,7 @@ struct CountedPair {
 
 struct FightingCounts {
     std::vector<CountedPair> pairs;
-    std::int64_t wrong_elsewhere = 0;     ///< likewise, at other pixels away from edges
+    std::int64_t wrong_elsewhere = 0;     ///< wrong pixels outside the pairs, away from edges
     std::int64_t bleeding_elsewhere = 0;  ///< of these, where GL shows an object behind the visible one
     std::int64_t vanished_elsewhere = 0;  ///< of these, where GL shows the background
     std::int64_t pixels_elsewhere = 0;
@@ -36,8 +36,8 @@ struct FightingCounts {
     double wrong_fraction() const;
 };
 
-/// The share of a pair's wrong pixels, from several cameras that jitter like animation.jiggle: the depth codes at the
-/// pixels are as good as random, so one picture says little.
+/// The share of wrong pixels of a pair, as seen by several cameras that jitter like animation.jiggle. The depth codes
+/// at the pixels are as good as random, so one picture says little.
 struct ShareSpread {
     int cameras = 0;  ///< those that see pixels of the pair
     double sum = 0.0, least = 1.0, most = 0.0;
@@ -45,8 +45,8 @@ struct ShareSpread {
     void take(double share);
 };
 
-/// The smallest gap that depth resolves. Lengths are eye distances. The quads of the search face the eye to within a
-/// few degrees, so that their depths cross many codes.
+/// The smallest gap that depth resolves. Lengths are eye distances. The search's quads are turned a few degrees away
+/// from facing the eye, so that their depths cross many codes.
 struct MinimumGap {
     double distance = 0.0;      ///< of the farther quad
     FightingOnset predicted;    ///< at that distance
@@ -78,8 +78,8 @@ struct FightingReport {
     std::string problem;  ///< a sentence if nothing could be counted
 };
 
-/// The number of cameras for a spread, and the state with one of these cameras (counted from 0), which is the state's
-/// own camera, jittered.
+/// A spread uses this many cameras. trembling() returns the state with one of them (counted from 0): the state's own
+/// camera, jittered.
 constexpr int spread_cameras = 12;
 Params trembling(const Params& state, int camera);
 

@@ -14,7 +14,7 @@ double distance_of(const PixelTriangle& triangle, const glm::dvec3& weights) {
     return weights.x * triangle[0].distance + weights.y * triangle[1].distance + weights.z * triangle[2].distance;
 }
 
-/// Returns clip z and w: the vertex shader computes them with a logarithm, GL interpolates them.
+/// Returns clip z and w. The vertex shader computes z with a logarithm, and GL interpolates both.
 glm::dvec2 logarithmic_zw(const FramePlan& plan, const PixelTriangle& triangle, const glm::dvec3& weights) {
     constexpr double nearest = 1e-30;  // there is no logarithm behind the eye
     glm::dvec2 zw(0.0);
@@ -33,7 +33,8 @@ double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm:
     return 0.5 * zw.x / zw.y + 0.5;
 }
 
-/// Returns one code as depth; for a float, the code at the triangle's greatest depth, as GL does.
+/// Returns the width of one code in window depth; for a float, as in GL, that of the code at the triangle's greatest
+/// depth.
 double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     const bool by_shader = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const DepthPrecision precision = by_shader ? precision_of(plan.depth_format) : plan.stored_depth.precision;
@@ -44,12 +45,12 @@ double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     return std::exp2(std::ilogb(std::min(greatest, 1.0)) - 23);
 }
 
-/// Returns one unit of an offset as depth.
+/// Returns how much window depth one unit of an offset spans.
 double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes.value_or(1.0) * code_of_unit(plan, triangle);
 }
 
-/// Returns the error of one unit: GL does not define how many codes a unit is, so it may differ unless measured.
+/// Returns the error of one unit: one code unless it was measured, since GL does not define how many codes it spans.
 double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
@@ -68,8 +69,8 @@ double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
     return steepest;
 }
 
-/// Returns a depth after its way through the clip range −1 … 1: GL halves it and adds a half in float32, which rounds
-/// away the finest steps of reversed depth.
+/// Returns a depth after it has passed through the clip range. For reversed depth in −1 … 1, GL halves it and adds a
+/// half in float32, which rounds away the finest steps.
 double as_clip_range_keeps(const FramePlan& plan, double depth) {
     if (plan.clip_zero_to_one || plan.depth_mapping != DepthMapping::reversed) return depth;
     const auto z_ndc = static_cast<float>(2.0 * depth - 1.0);

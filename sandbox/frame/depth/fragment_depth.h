@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// Returns whether GL keeps the hit: it is between near and far. With a logarithm per vertex, the interpolated depth
-/// decides.
+/// Returns whether GL keeps the hit, which must lie between near and far. With a logarithm per vertex, the interpolated
+/// depth decides.
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit);
 
 /// Returns the window depth, 0 … 1, with the offset, before it is rounded to a code. `neighbors_px` points to the
@@ -17,14 +17,15 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                 const glm::dvec2& neighbors_px);
 
-/// Returns how far GL's depth may be from depth_of() before it is stored. Two causes: float32 arithmetic, each step of
-/// which rounds up to three times as coarsely as IEEE requires, and corners rounded to 1/256 of a pixel, which moves a
-/// steep surface. An offset adds an error as large as its units: GL does not define how many codes a unit is; up to two
-/// are expected.
+/// Returns how far GL's depth may be from depth_of() before it is stored. There are two causes: float32 arithmetic,
+/// each step of which rounds up to three times as coarsely as IEEE requires, and corners rounded to 1/256 of a pixel,
+/// which moves a steep surface. An offset whose unit was not measured adds one code per unit: GL does not define how
+/// many codes a unit spans; up to two are expected.
 double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                    const glm::dvec2& neighbors_px, glm::ivec2 size_px);
 
-/// Returns the number of codes by which two stored depths may differ; for a float, of units in the last place.
+/// Returns the number of codes by which two stored depths may differ; for a float, the number of units in the last
+/// place.
 double stored_within(double depth, double error, const DepthPrecision& precision);
 
 /// Returns the nearest integer code, or the bits of the float.

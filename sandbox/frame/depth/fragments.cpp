@@ -28,7 +28,7 @@ struct Met {
 /// Finds everything that one pass draws over one pixel.
 class Meeting {
 public:
-    /// `clip_from_world`: that of the pass, or of the part of it that has `size_px` pixels.
+    /// `clip_from_world`: the pass's matrix, or the one for the part of the view that has `size_px` pixels.
     Meeting(const FramePlan& plan, const Pass& pass, const glm::dmat4& clip_from_world, glm::ivec2 pixel,
             glm::ivec2 size_px)
         : plan_(plan), pass_(pass), clip_from_world_(clip_from_world), pixel_(pixel), size_px_(size_px) {}
@@ -90,8 +90,8 @@ std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::iv
     return picture ? raster_pixel(glm::dvec2(pixel) + 0.5, size_px, picture->size_px, picture->share) : std::nullopt;
 }
 
-/// Returns the index of the object that a method's picture of large pixels shows, −1 for the background; none if GL
-/// draws, or if the picture has the view's own pixels.
+/// Returns the index of the object that a method's picture of large pixels shows, −1 for the background. None if GL
+/// draws, or if the picture has exactly the view's pixels.
 std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     if (!picture || picture->size_px == size_px) return std::nullopt;
@@ -101,7 +101,8 @@ std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, gl
     return static_cast<int>(seen.color.w) - 1;
 }
 
-/// Returns everything that one pass draws over one pixel. A method's pixel may be larger: its center counts.
+/// Returns everything that one pass draws over one pixel. If a method's pixel is larger, the center of that pixel
+/// counts.
 Meeting meeting_of(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);
@@ -175,8 +176,8 @@ private:
     std::uint32_t depth_, stencil_ = 0;
 };
 
-/// Returns false for masks and shadows, which have one flat color. The scene also has one while overdraw is added up,
-/// but it does show surfaces.
+/// Returns false for mirror images, and for masks and shadows, which have one flat color. While overdraw is added up,
+/// the scene has a flat color too, but it does show surfaces.
 bool shows_surfaces(const Pass& pass) {
     return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
 }
@@ -203,7 +204,7 @@ struct Batch {
     std::optional<std::size_t> only;  ///< the surface that GL gets, if a method finds one surface per pixel
 };
 
-/// Returns the nearest surface that is not culled and that the picture can show.
+/// Returns the nearest surface that is not culled and, if `object` is given, belongs to it.
 std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found, std::optional<int> object) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -241,7 +242,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     static const Mesh quad = quad_mesh();
     static const BoxTree quad_tree = BoxTree::of_triangles(quad);
     std::vector<Batch> batches;
-    std::set<std::size_t> patches;  // two passes draw each patch, lit and in shadow, but only one draws this pixel
+    std::set<std::size_t> patches;  // several passes may draw a patch, lit or in shadow, but only one draws this pixel
     int next_call = 0;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         if (plan.limit.pass >= 0 && static_cast<int>(number) > plan.limit.pass) break;

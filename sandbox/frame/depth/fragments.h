@@ -30,10 +30,10 @@ struct Fragment {
     bool tie = false;     ///< its code equals the code that it is compared with
     double step = 0.0;    ///< depth_step() at its distance
 
-    DepthState depth;                  ///< of its pass: the rules of its test
+    DepthState depth;                  ///< the depth state of its pass: the rules of its test
     std::uint32_t compared_with = 0;   ///< the code in the buffer when it is drawn
     bool stencil_fails = false;        ///< its pass's stencil test rejects it
-    bool decided_by_rounding = false;  ///< GL decided against these codes: reconcile()
+    bool decided_by_rounding = false;  ///< GL's decision contradicts these codes: see reconcile()
 };
 
 /// Keeps a scene's triangles sorted for fast repeated queries; make one finder per scene.
@@ -45,7 +45,7 @@ public:
     /// Returns everything that covers the pixel's center between near and far. `plan` must belong to this scene; pixel
     /// (0, 0) is top left. The buffers start cleared or, without clearing, as one previous frame left them.
     ///
-    /// For a frame that stops at a draw call, leaves out everything after that call.
+    /// If the frame stops at a draw call, the result leaves out everything after that call.
     ///
     /// Mirror images and shadows are left out; the depth that a mirror image without stencil writes outside the patch
     /// does not count here. Depths are exact until they are stored: if two codes are closer than their errors, GL may

@@ -32,7 +32,7 @@ HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scen
     const DepthCoding coding = depth_coding(params, derived);
     made.near = coding.lens.near;
     made.far = coding.lens.far;
-    constexpr double narrowest = 1e-12;  // of the distance: less than a double can resolve
+    constexpr double narrowest = 1e-12;  // relative to the distance; keeps every entry positive
     for (std::size_t entry = HeatMap::entry_count; entry-- > 0;) {
         const double distance = made.distance_of(entry);
         const FightingOnset onset = fighting_onset(coding, distance);

@@ -14,20 +14,20 @@ namespace viewing {
 struct Derived;
 struct Params;
 
-/// The narrowest gap between an object and another object.
+/// The narrowest gap between an object and any other object.
 struct FlatGap {
     double gap = 0.0;             ///< world units, along the normal
-    glm::dvec3 normal_view{0.0};  ///< unit, of either side
+    glm::dvec3 normal_view{0.0};  ///< unit; either of the two directions
     bool operator==(const FlatGap&) const = default;
 };
 
 struct HeatMap {
     static constexpr std::size_t entry_count = 256;
 
-    /// fighting_onset().gap(), which is one code plus the arithmetic before it, over the logarithm of the eye distance:
-    /// the first entry is at near, the last at far. Very close to near, the space up to the near plane is too narrow
-    /// for any sufficient gap; these entries repeat the value of the nearest distance that has one. All entries are
-    /// positive.
+    /// The values of fighting_onset().gap(), which is one code plus the arithmetic before it, at eye distances that are
+    /// evenly spaced on a logarithmic scale: the first entry is at near, the last at far. Very close to near, the space
+    /// up to the near plane is too narrow for any sufficient gap; these entries repeat the value of the nearest
+    /// distance that has one. All entries are positive.
     std::array<double, entry_count> onsets{};
     double near = 1.0, far = 2.0;
     std::vector<std::optional<FlatGap>> gap_of_object;  ///< by object index; none if the object is in no pair

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_gain = 4.0;   // if less can be gained, near is fine
+constexpr double least_gain = 4.0;   // if less than this factor can be gained, near is fine
 constexpr double margin = 0.9;       // fraction of the nearest distance, so that a small camera move clips nothing
 constexpr double least_near = 1e-3;  // anything nearer reaches up to the eye
 
@@ -46,7 +46,7 @@ class View {
 public:
     View(const Params& params, const Derived& derived) : sides_(sides_of(params.lens(), derived.aspect)) {}
 
-    /// Adds the part of a polygon inside the view, in view space.
+    /// Adds the eye distances of the part of a polygon, given in view space, that is inside the view.
     void add(std::span<const glm::dvec3> polygon_view, Reach& reach) {
         polygon_.assign(polygon_view.begin(), polygon_view.end());
         for (const glm::dvec4& side : sides_) {
@@ -56,7 +56,7 @@ public:
         for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
     }
 
-    /// Returns the same sides for boxes of a model: negative outside.
+    /// Returns the same sides as forms over boxes in a model's space: negative outside.
     std::vector<BoxForm> inwards(const glm::dmat4& view_from_model) const {
         std::vector<BoxForm> forms;
         for (const glm::dvec4& side : sides_) forms.emplace_back(side, view_from_model);
@@ -80,7 +80,7 @@ private:
     std::vector<glm::dvec3> polygon_, kept_;
 };
 
-/// Clips only triangles that may extend the range: the nearest first, then the farthest.
+/// Returns the range of an object. Clips only triangles that may extend it: the nearest first, then the farthest.
 Reach reach_of(const SceneObject& object, const glm::dmat4& view_from_world, View& view) {
     const Mesh& mesh = *object.mesh;
     const glm::dmat4 view_from_model = view_from_world * object.world_from_model;

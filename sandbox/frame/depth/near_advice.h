@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// An object of the scene or the plane's patch, with the eye distances of its relevant part, which does not depend on
-/// near: within the four sides of the view, in front of the eye and not beyond far.
+/// An object of the scene or the plane's patch, with the eye distances of its relevant part, whatever near is: the part
+/// within the four sides of the view, in front of the eye and not beyond far.
 struct SeenThing {
     std::string name;
     double nearest = 0.0, farthest = 0.0;
@@ -38,10 +38,10 @@ struct NearAdvice {
     std::string sentence;
 };
 
-/// Returns nothing if near is fine: nothing is clipped, and no factor of 4 can be gained at the farthest thing in view.
-/// Returns nothing for an orthographic lens, where near costs no precision, or if nothing is in view; with logarithmic
-/// depth, where near costs little, returns advice only if something is clipped. The proposed near is nearer than
-/// everything in view.
+/// Returns nothing if near is fine: it clips nothing, and a larger near would not make depth 4 times finer at the
+/// farthest thing in view. Returns nothing for an orthographic lens, where near costs no precision, or if nothing is in
+/// view; with logarithmic depth, where near costs little, returns advice only if something is clipped. The proposed
+/// near is nearer than everything in view.
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen);
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene);
 

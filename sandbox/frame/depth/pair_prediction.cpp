@@ -10,7 +10,7 @@ namespace viewing {
 namespace {
 
 constexpr double says_nothing = 0.9;  ///< an interval of at least this width predicts nothing
-constexpr double fewest_codes = 2.0;  ///< codes to cross, at least, for pixels to sample all phases of a code
+constexpr double fewest_codes = 2.0;  ///< surfaces must cross this many for their pixels to sample all phases of a code
 constexpr double most_codes_a_pixel = 0.5;
 
 ShareInterval certainly(double share) {
@@ -61,22 +61,22 @@ private:
     Lens lens_;
 };
 
-/// Positions of two surfaces relative to each other and to the codes, over all corners of their visible part. In codes;
-/// for a float, whose codes differ in width, by the width at each corner.
+/// Positions of two surfaces relative to each other and to the codes, over all corners of their visible part. The unit
+/// is one code; for a float, whose codes differ in width, the code at each corner.
 struct SeenCodes {
     double least_lead = 1e300, most_lead = -1e300;  ///< how much nearer the second surface is
     double arithmetic = 0.0;
-    bool has_cleared_code = false;                    ///< GL_LESS rejects all of it
+    bool has_cleared_code = false;                    ///< some depths may equal the cleared code, which GL_LESS rejects
     double least_place = 1e300, most_place = -1e300;  ///< of both depths, as codes before rounding
-    glm::dvec2 least_slope{1e300}, most_slope{0.0};   ///< of the first one's depth per pixel, along x and y
+    glm::dvec2 least_slope{1e300}, most_slope{0.0};   ///< slope of the first one's depth per pixel, along x and y
     glm::dvec2 least_ndc{1e300}, most_ndc{-1e300};
     glm::dvec2 size_px{1.0};
 
     /// Returns whether both surfaces have one and the same code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// Widens the share over all phases of a code to the share of the pixels: a depth that is linear over a polygon has
-    /// a density with one maximum, of at most twice the mean, and is sampled once per pixel.
+    /// Widens the share over all phases of a code to the share of the pixels. A depth that is linear over a polygon has
+    /// a density with one maximum, which is at most twice the mean, and is sampled once per pixel.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {
@@ -141,10 +141,10 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
     return certainly(decal_is_right ? 0.0 : 1.0);
 }
 
-/// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit is: it is
-/// measured; it is one if the sandbox itself offsets depths (formats with few bits); otherwise, it is at least one.
-/// `lead` and `most_lead`: by how many codes, at least and at most, the surface that should be visible is nearer
-/// without the offset.
+/// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit spans, so the
+/// program measures it; it is exactly one if the shader adds the offset. Without a measurement, and for a float, it
+/// counts as at least one. `lead` and `most_lead`: by how many codes, at least and at most, the surface that should be
+/// visible is nearer without the offset.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {
@@ -173,7 +173,7 @@ std::optional<ShareInterval> wrong_share_of(const FlatPair& pair, const Params& 
     const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top() : codes.most_lead > 0.0;
     const double lead = second_is_right ? codes.least_lead : -codes.most_lead;
     const double most_lead = second_is_right ? codes.most_lead : -codes.least_lead;
-    if (lead < 0.0) return std::nullopt;  // they cross
+    if (lead < 0.0) return std::nullopt;  // the surfaces cross
     const bool decal_is_right = second_is_right == pair.second_is_decal;
     const bool has_decal = pair.first_is_decal || pair.second_is_decal;
     if (has_decal && depth.decals == DecalMethod::equal) return std::nullopt;
@@ -205,10 +205,10 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     PairPrediction made;
     made.distance = -center_view.z;
     made.step = depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
-    // How far the pair reaches toward the eye, which looks along −z: 0 if the pair faces the view direction.
+    // The pair extends this far toward the eye, which looks along −z; 0 if the pair faces the view direction.
     const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
     made.onset = fighting_onset(coding, made.distance, span);
-    // Along the view ray through the center, per unit of eye distance.
+    // The view ray through the center, per unit of eye distance.
     const glm::dvec3 sight =
         coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
     made.slant = std::abs(glm::dot(normal_view, sight));

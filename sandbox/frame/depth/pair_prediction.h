@@ -14,9 +14,10 @@ struct ShareInterval {
     bool holds(double share) const { return least <= share && share <= most; }
 };
 
-/// Returns the share of wrong pixels of surfaces `gap_codes` to `most_gap_codes` (not less) apart, whose codes fall on
-/// the pixels at random. Arithmetic moves the two by at most `arithmetic_codes` relative to each other. In a tie, both
-/// have the same code. Without arithmetic, the probability of a tie is 1 − gap, or 0 for gaps of at least one code.
+/// Returns the share of wrong pixels of two surfaces whose codes fall on the pixels at random. The surfaces are
+/// `gap_codes` to `most_gap_codes` (not less) apart, and arithmetic moves them by at most `arithmetic_codes` relative
+/// to each other. In a tie, both have the same code. Without arithmetic, the probability of a tie is 1 − gap, or 0 for
+/// gaps of at least one code.
 ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, double arithmetic_codes,
                                     bool tie_is_wrong);
 
@@ -26,11 +27,12 @@ struct PairPrediction {
     double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< as eye distance
     double slant = 1.0;     ///< gap along the normal ÷ slant = gap in eye distance; 0: seen edge-on
-    /// The share of the pair's pixels. None if it is not certain to within nine tenths: out of view, a depth function
-    /// that does not compare nearness, a depth buffer not cleared to the farthest depth, the cleared code itself,
+    /// The share of the pair's pixels that are wrong; none if it is not certain to within nine tenths. That is so for a
+    /// pair that is out of view or whose surfaces cross, a depth function that does not compare nearness, a depth
+    /// buffer that is not written or not cleared to the farthest depth, depths that may equal the cleared code,
     /// logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes (all of their
-    /// pixels have the same one) or more than one in two pixels (pixel positions decide which ones), decals drawn with
-    /// GL_EQUAL, and a polygon offset that does not surely exceed one code.
+    /// pixels may have the same one) or more than one code in two pixels (pixel positions decide which ones), decals
+    /// drawn with GL_EQUAL, and a polygon offset whose effect is not measured and does not surely exceed one code.
     std::optional<ShareInterval> wrong_share;
 };
 

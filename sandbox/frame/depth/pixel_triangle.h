@@ -1,6 +1,6 @@
 // A triangle as seen through the center of one pixel: whether it covers the pixel, and its distance there with the
-// distance's slopes. In homogeneous coordinates, so nothing needs clipping. Read fragments.h next. Source: Olano and
-// Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates.
+// distance's slopes. Works in homogeneous coordinates, so nothing needs clipping. Read fragments.h next. Source: Olano
+// and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates.
 #pragma once
 
 #include <array>
@@ -30,9 +30,9 @@ using PixelTriangle = std::array<PixelCorner, 3>;
 /// of them is hit: the one to its right or, for a horizontal edge, below it. None for a triangle seen edge-on.
 std::optional<PixelHit> hit(const PixelTriangle& triangle);
 
-/// Returns the weights of the corners, sum 1, at the point where the view ray `beside_px` pixels from the center meets
-/// the triangle's plane. If it never meets the plane, the distance by these weights is not positive. The triangle must
-/// not be seen edge-on.
+/// Returns the weights of the corners, sum 1, at the point where the view ray that is `beside_px` pixels from the
+/// center meets the triangle's plane. If it never meets the plane, these weights give a distance that is not positive.
+/// The triangle must not be seen edge-on.
 glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px);
 
 /// Maps points of one space to triangle corners as seen from one pixel.
@@ -48,7 +48,7 @@ public:
     bool may_meet(const Bounds& bounds) const;
 
 private:
-    glm::dvec4 across_, up_, w_, distance_;  ///< the dot product of each with a point gives one member of its corner
+    glm::dvec4 across_, up_, w_, distance_;  ///< each one's dot product with a point is a member of its PixelCorner
 };
 
 }  // namespace viewing

@@ -31,7 +31,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
 
 namespace {
 
-/// Clears the marks of patches, so that objects can set new ones.
+/// Returns a pass that clears the marks of patches, so that objects can set new ones.
 Pass without_marks(const Pass& objects) {
     Pass pass = objects;
     fill_picture(pass, 0.0, 1.0);

@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Returns whether GL's depth of the fragment may equal the depth read back.
+/// Returns whether GL's depth for the fragment may equal the depth read back.
 bool is_close(const Fragment& fragment, const PixelReport& report) {
     return std::abs(fragment.window_depth - report.window_depth) <=
            fragment.depth_error + code_width(report.precision, report.window_depth);
@@ -22,8 +22,8 @@ bool is_compared(const Fragment& fragment) {
     return fragment.is_sent && fragment.depth.test && !fragment.culled && !fragment.stencil_fails;
 }
 
-/// Returns the last fragment drawn if it belongs to the surface read back, otherwise the nearest fragment of that
-/// surface that rounding may have let through; end() if there is none.
+/// Returns the last fragment drawn if it belongs to the surface read back. Otherwise, returns the fragment of that
+/// surface that rounding may have let through and whose depth is closest to the one read back; end() if there is none.
 std::vector<Fragment>::iterator read_back_one(std::vector<Fragment>& fragments, const PixelReport& report) {
     auto last = fragments.end();
     for (auto one = fragments.begin(); one != fragments.end(); ++one)
@@ -43,8 +43,8 @@ std::vector<Fragment>::iterator read_back_one(std::vector<Fragment>& fragments, 
     return is_explained ? nearest : fragments.end();
 }
 
-/// Sets whether a fragment passes, and whether rounding decided: the result contradicts its codes or its earlier
-/// result.
+/// Sets whether a fragment passes, and whether rounding decided this: it did if the result contradicts the fragment's
+/// codes or its earlier result.
 void decide(Fragment& fragment, bool passes) {
     fragment.tie = fragment.stored == fragment.compared_with;
     const bool by_numbers = compare(fragment.depth.func, fragment.stored, fragment.compared_with);
@@ -52,7 +52,7 @@ void decide(Fragment& fragment, bool passes) {
     fragment.passes = passes;
 }
 
-/// No fragment wrote depth, so all were compared with the previous frame's value.
+/// Handles a pixel for which no fragment wrote depth, so that all were compared with the previous frame's value.
 void compare_with_last_frame(std::vector<Fragment>& fragments, const PixelReport& report) {
     for (Fragment& fragment : fragments) {
         if (!is_compared(fragment)) continue;
@@ -75,7 +75,7 @@ void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool
     const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
                                   return later.passes && !later.drawn;
                               });
-    // The previous frame wrote the depth of the same surface.
+    // Without clearing, the previous frame left the depth of the same surface.
     const std::uint32_t computed = seen->stored;
     if (leaves_depth && !clears_depth)
         for (auto one = fragments.begin(); one <= seen; ++one)

@@ -7,9 +7,9 @@
 
 namespace viewing {
 
-/// `report` and `fragments` belong to the same pixel of the same plan. The fragment read back becomes the last one
-/// drawn and gets the code read back; comparisons with it use that code. Fragments whose codes no longer explain their
-/// fate are marked as decided by rounding.
+/// Makes `fragments` agree with `report`; both must belong to the same pixel of the same plan. The fragment read back
+/// becomes the last one drawn and gets the code read back; comparisons with it use that code. Fragments whose codes no
+/// longer explain their fate are marked as decided by rounding.
 ///
 /// Changes nothing for the background, or for pixels that rounding does not explain: where GL shows no surface, or
 /// another one, because an edge is near, or where a mirror image wrote the depth.

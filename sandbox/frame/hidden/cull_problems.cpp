@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Whether the scale of an object mirrors it, which turns the winding of its polygons around.
+/// Returns whether an object's scale mirrors it, which reverses the winding of its polygons.
 bool is_mirrored(const SceneObject& object) {
     return glm::determinant(glm::dmat3(object.world_from_model)) < 0.0;
 }

@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// These take about ten seconds of one processor and a gigabyte if all polygons intersect one another: with its pieces
-/// in a BSP tree, a polygon takes up to seven thousand bytes.
+/// At these limits, a method takes about ten seconds on one processor and a gigabyte of memory if all polygons
+/// intersect one another: with its pieces in a BSP tree, a polygon takes up to seven thousand bytes.
 inline constexpr std::int64_t most_hidden_polygons = 400'000, most_bsp_polygons = 100'000;
 
 /// Returns why the methods refuse a scene, before any work is spent on it. `builds_tree`: one of them builds the BSP

@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// Decides as GL does: by the winding on the screen, which a mirrored view reverses.
+    /// Returns whether a face is a front face. GL decides by the winding on the screen, which a mirrored view reverses.
     bool is_front(bool seen_from_front) const {
         const bool is_counter_clockwise = seen_from_front != mirrors_;
         return is_counter_clockwise == (result_.request.cull.front_face == FrontFace::ccw);

@@ -35,7 +35,7 @@ struct HiddenDrawing {
     };
 
     std::vector<OrderedVertex> triangles;  ///< three vertices per triangle, in drawing order
-    std::vector<Run> runs;                 ///< all of them
+    std::vector<Run> runs;                 ///< the runs of all triangles, in order
     glm::ivec2 size_px{0};
     glm::dvec2 share{1.0};                ///< of the view that the picture fills: HiddenRequest::share
     std::vector<SurfacePixel> pixels;     ///< rows from the top
@@ -44,10 +44,10 @@ struct HiddenDrawing {
 };
 
 /// Draws the polygons up to the step, or the picture at the step. If canceled, the drawing has at least the first
-/// 32,768 polygons, so that a quick one is complete.
+/// 32,768 polygons, so that a drawing that is quick to make is complete.
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
-/// Red where two pictures differ, a veil elsewhere.
+/// A picture that is red where two pictures differ and a veil elsewhere.
 struct DifferenceDrawing {
     glm::ivec2 size_px{0};
     std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top

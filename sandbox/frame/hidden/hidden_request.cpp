@@ -46,7 +46,7 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     request.viewpoint.view_from_world = derived.view_from_world * plane.mirrored_world_from_world;
     request.visibility.step = -1;
     if (params.reflection.clip != MirrorClip::none) {
-        // Objects behind the mirror would block this eye's view: its picture begins at the mirror.
+        // Objects behind the mirror would block this eye's view, so its picture begins at the mirror.
         const glm::dvec4 towards_eye = plane_facing(plane.unit_plane, derived.eye_world);
         request.viewpoint.clip_from_view = with_oblique_near_plane(
             request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));

@@ -36,8 +36,8 @@ int as_step(std::int64_t number) {
     return static_cast<int>(std::min(number, most_steps));
 }
 
-/// Groups the steps: Newell's steps for a polygon end when it is drawn; a tree is built, then traversed; rays go row by
-/// row.
+/// Groups the steps. Newell's steps for a polygon end when it is drawn; a tree is built, then traversed; rays are
+/// grouped by row.
 void find_groups(HiddenResult& result) {
     std::vector<int>& ends = result.group_ends;
     if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) return;
@@ -45,7 +45,7 @@ void find_groups(HiddenResult& result) {
     if (result.newell) {
         for (std::size_t step = 0; step < result.newell->steps.size(); ++step)
             if (draws(result.newell->steps[step])) ends.push_back(static_cast<int>(step) + 1);
-        // A full record may end in the middle of a polygon.
+        // If the record of steps is full, it may end in the middle of a polygon.
         if (result.step_count > 0 && (ends.empty() || ends.back() < result.step_count))
             ends.push_back(result.step_count);
     } else if (result.tree) {

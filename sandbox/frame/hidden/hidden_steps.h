@@ -5,8 +5,8 @@
 
 namespace viewing {
 
-/// Finds each polygon's last fragment and the fragments of the followed pixel, among all tests of the software depth
-/// buffer.
+/// Finds, among all tests of the software depth buffer, each polygon's last fragment and the fragments of the followed
+/// pixel.
 void find_fragment_steps(HiddenResult& result, const RasterResult& all);
 /// Finds the steps that draw a polygon over the followed pixel, by painting the whole order.
 void find_polygon_steps(HiddenResult& result, const RasterResult& all);

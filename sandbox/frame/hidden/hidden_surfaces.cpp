@@ -107,7 +107,7 @@ HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene, const WorkProgress*
 Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result, const WorkProgress* progress) const {
     const HiddenRequest& request = result.request;
     if (is_canceled(progress)) return std::make_shared<const std::vector<Polygon>>();
-    if (!request.cull.enabled) return {surface_, &surface_->polygons};  // no copy: there may be a million
+    if (!request.cull.enabled) return {surface_, &surface_->polygons};  // no copy: there may be a million polygons
     auto kept = std::make_shared<const std::vector<Polygon>>(
         culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request), progress));
     if (!is_canceled(progress))  // if canceled, some polygons were never tested

@@ -1,5 +1,5 @@
-// Runs a hidden-surface method on a scene for a camera, with everything that the views show of it: order, tree, steps,
-// counters and picture. Read hidden_surfaces.cpp next, then hidden_drawing.h.
+// Runs a hidden-surface method on a scene for a camera, and keeps everything that the views show of it: order, tree,
+// steps, counters and picture. Read hidden_surfaces.cpp next, then hidden_drawing.h.
 #pragma once
 
 #include <memory>
@@ -22,12 +22,12 @@ struct HiddenRequest {
     VisibilityParams visibility;
     CullParams cull;
     Viewpoint viewpoint;
-    glm::ivec2 size_px{1};  ///< of the picture to compute: the view's, or a raster's
+    glm::ivec2 size_px{1};  ///< of the picture to compute: the view's size, or a raster's
     glm::dvec2 share{1.0};  ///< of the view's width and height that the picture fills, centered
     bool operator==(const HiddenRequest&) const = default;
 };
 
-/// Returns the clip-space matrix that makes the central part of the view fill the picture: HiddenRequest::share.
+/// Returns the clip-space matrix with which the central part of the view, HiddenRequest::share, fills the picture.
 glm::dmat4 part_from_view(const glm::dvec2& share);
 
 /// Returns the pixel of the picture at a position in the view, both counted from the top left; none outside the
@@ -39,7 +39,8 @@ std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 vi
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px);
 HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px);
 
-/// The operations of a method up to the requested step. −1: not counted by this method.
+/// The operations of a method. Those that its steps show are counted up to the requested step. −1: not counted by this
+/// method.
 struct HiddenCounters {
     std::int64_t polygons = 0;  ///< given to the method
     std::int64_t culled = 0;    ///< left out beforehand because of the way they face
@@ -68,7 +69,7 @@ struct PixelTouch {
     RasterStep fragment;
 };
 
-/// Shared with their owner: the scene's surface, a tree or an order.
+/// Polygons, shared with their owner: the scene's surface, a tree or an order.
 using Polygons = std::shared_ptr<const std::vector<Polygon>>;
 
 /// Immutable once made; shares the parts that do not depend on the step with other results.
@@ -83,9 +84,9 @@ struct HiddenResult {
     std::shared_ptr<const NewellOrder> newell;
     std::shared_ptr<const BspTree> tree;
     std::shared_ptr<const BspWalk> walk;
-    int built_nodes = 0, visited_nodes = 0;  ///< by building and by traversing the tree
+    int built_nodes = 0, visited_nodes = 0;  ///< nodes that the step has reached, in building and in traversal
     std::optional<RasterStep> compare;       ///< software depth buffer: the last comparison
-    std::optional<TracedRay> traced;         ///< ray casting: the last ray at a step, else the followed pixel's
+    std::optional<TracedRay> traced;         ///< ray casting: the ray of the step, or else the followed pixel's
     std::vector<PixelTouch> touches;         ///< of the followed pixel: for all steps, in order
 
     int step = -1, step_count = 0;  ///< −1: all
@@ -101,7 +102,7 @@ struct HiddenResult {
     bool is_canceled = false;
 };
 
-/// Returns the sentence for a canceled method that has none of its own.
+/// Returns the sentence for a canceled method that has no sentence of its own.
 std::string sentence_of_canceled();
 
 /// Returns whether rays meet curved shapes exactly; their triangles are used while culling distinguishes front and
@@ -115,7 +116,7 @@ bool draws_pixels(const VisibilityParams& visibility);
 /// Not safe to use from several threads at the same time.
 class HiddenSurfaceSolver {
 public:
-    /// If canceled, has only the first polygons of the scene: enough to answer the caller who canceled.
+    /// If canceled, the solver has only the first polygons of the scene: enough to answer the caller who canceled.
     explicit HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress = nullptr);
 
     /// Solves a request. `depth_buffer` and `none` give the scene's own order and no picture, since GL draws it. If

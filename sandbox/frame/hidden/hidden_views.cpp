@@ -5,7 +5,7 @@
 namespace viewing {
 namespace {
 
-/// Returns whether the result has an image to judge. The other methods' polygons are drawn by GL, which rounds their
+/// Returns whether the result's own image is the one shown. GL draws the other methods' polygons, and rounds their
 /// corners.
 bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
@@ -20,8 +20,8 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
            has_other_camera;
 }
 
-/// Returns the painter's algorithm's worst error in a small picture, which takes little time compared with that of the
-/// view.
+/// Returns the painter's algorithm's worst error in a small picture, which takes little time compared with the view's
+/// picture.
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;

@@ -1,5 +1,5 @@
 // The question that a picture asks of the hidden-surface methods, and the answer: the method for the camera, the same
-// method for the eye behind the mirror, and the method to compare with. Read hidden_surfaces.h for a single one.
+// method for the eye behind the mirror, and the method to compare with. Read hidden_surfaces.h for a single method.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ struct HiddenQuestion {
     bool operator==(const HiddenQuestion&) const = default;
 };
 
-/// Returns none if GL draws everything by itself and nothing about a method is shown.
+/// Returns the question of a state; none if GL draws everything by itself and nothing about a method is shown.
 std::optional<HiddenQuestion> hidden_question(const Params& params, const Derived& derived, glm::ivec2 size_px);
 
 struct HiddenAnswer {
     HiddenQuestion question;
     std::shared_ptr<const HiddenResult> camera{}, mirrored{}, other{};
-    HiddenPictures pictures{};  ///< without the difference if GL has to draw one of the two pictures
+    HiddenPictures pictures{};  ///< the difference is missing if GL has to draw one of the two pictures
     std::int64_t different_pixels = -1, compared_pixels = -1;
-    std::optional<WrongPair> painter_fails{};  ///< by the painter's algorithm; found in a small picture
+    std::optional<WrongPair> painter_fails{};  ///< the worst error of the painter's algorithm, in a small picture
 
     /// Returns a sentence if a method stopped at a budget or was canceled; otherwise empty.
     std::string problem() const;
@@ -43,7 +43,7 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
 /// otherwise polygons.
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other);
 
-/// Plans a frame that draws the IDs of a request's polygons for reading back: only GL's own methods need it.
+/// Plans a frame that draws the IDs of a request's polygons for reading back, needed if GL draws these polygons.
 FramePlan plan_polygon_ids(Params params, const Derived& derived, const HiddenResult& result);
 
 }  // namespace viewing

@@ -35,8 +35,7 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     beyond.clip_planes = {-towards_eye};
     passes.back().name = tr("Objects in front of the plane");
     passes.back().clip_planes = {towards_eye};
-    // The patch of a mirror is transparent for its image, but must not show the objects behind it: the mask excludes
-    // them.
+    // A mirror's patch is transparent to its image, but must not show the objects behind it: the mask excludes them.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
     if (has_mask) beyond.stencil = stencil_of_objects_beyond(passes.front());
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);

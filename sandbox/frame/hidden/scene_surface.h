@@ -14,7 +14,7 @@ struct SceneSurface {
     Scene scene;                                ///< shares the meshes
     std::vector<Polygon> polygons;              ///< every triangle; `source` counts triangles over all objects, from 0
     int dropped = 0;                            ///< triangles without area
-    std::vector<int> first_source;              ///< per object
+    std::vector<int> first_source;              ///< per object: the source of its first triangle
     std::vector<CurvedShape> curved;            ///< objects with an exact shape; their sources follow the triangles'
     double diagonal = 1.0;                      ///< of the bounds, world units; 1 for an empty scene
     std::vector<glm::dmat3> world_from_normal;  ///< per object: normal_matrix() of its placement

@@ -6,9 +6,9 @@
 
 namespace viewing {
 
-/// The position of a step. Groups without steps count, but are skipped.
+/// The position of a step. Empty groups are numbered too, but are never a step's group.
 struct StepPlace {
-    int group = 0, groups = 0;  ///< counted from 1
+    int group = 0, groups = 0;  ///< the step's group, counted from 1, and the number of groups
     int within = 0, size = 0;   ///< how many of the group's steps are done, out of how many
     int first = 0;              ///< the step before the group's first one
 };
@@ -18,8 +18,8 @@ std::optional<StepPlace> place_of_step(const HiddenResult& result, int step);
 
 /// Returns the end of a group, counted from 1.
 int end_of_group(const HiddenResult& result, int group);
-/// Return the end of the step's group, or of the next group; the beginning of the step's group, or of the previous one.
-/// None if already there.
+/// Return the first group end after the step, and the last group boundary before it: a group end, or 0. None if there
+/// is no such step.
 std::optional<int> next_group(const HiddenResult& result, int step);
 std::optional<int> previous_group(const HiddenResult& result, int step);
 
@@ -27,7 +27,7 @@ std::optional<int> previous_group(const HiddenResult& result, int step);
 std::optional<int> next_touch(const HiddenResult& result, int step);
 std::optional<int> previous_touch(const HiddenResult& result, int step);
 
-/// Returns, for each position in the order, the step that completes its polygon.
+/// Returns, for each position in the order, the step that completes the polygon there.
 std::vector<int> steps_of_order(const HiddenResult& result);
 
 }  // namespace viewing

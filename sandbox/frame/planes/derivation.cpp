@@ -35,8 +35,9 @@ glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
                      {-n.x, -n.y, -n.z, n_dot_l});
 }
 
-/// Classifies a ray; the derivation's lengths and heights must be set already. `approach` is how fast the ray nears the
-/// plane: n·(l_xyz − l_w p), zero if it is parallel to it.
+/// Classifies a ray; the derivation's light, plane, point and point_height must be set already. `approach` is how fast
+/// the line from p toward the light leaves the plane: n·(l − p), or n·l for a parallel light; zero if it is parallel to
+/// the plane.
 ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_light, double plane_dot_light,
                  double approach) {
     if (lies_in_plane(derivation.unit_plane, derivation.light)) return ShadowRay::light_in_plane;

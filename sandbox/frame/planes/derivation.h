@@ -18,7 +18,7 @@ enum class ShadowRay {
     point_in_plane,  ///< p is its own shadow
     point_behind,    ///< it meets the plane before it reaches p
     beyond_light,    ///< p is farther from the plane than the light: the line meets the plane behind the light
-    parallel,        ///< to the plane, which it never meets
+    parallel,        ///< the ray is parallel to the plane and never meets it
     light_in_plane,  ///< S sends every point to the light itself
     at_light         ///< p is at the light: there is no ray
 };
@@ -44,9 +44,9 @@ struct ShadowDerivation {
     /// Point light: s = l + t (p − l), t = (n·l + d)/(n·l − n·p).
     /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 if there is no s.
     double t = 0.0;
-    std::optional<glm::dvec3> shadow_world;  ///< s; none if parallel, if the light is in the plane or p at the light
-    glm::dvec3 light_foot_world{0.0};        ///< of l on the plane; meaningless for a parallel light
-    glm::dvec3 point_foot_world{0.0};        ///< of p
+    std::optional<glm::dvec3> shadow_world;  ///< s; none for ShadowRay::parallel, light_in_plane and at_light
+    glm::dvec3 light_foot_world{0.0};        ///< foot of l on the plane; meaningless for a parallel light
+    glm::dvec3 point_foot_world{0.0};        ///< foot of p
 
     double light_to_point = 0.0, light_to_shadow = 0.0;  ///< |p − l| and |s − l|; 0 for a parallel light
     double point_to_shadow = 0.0;                        ///< |s − p|
@@ -59,7 +59,7 @@ struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …
     glm::dmat4 four_vectors{1.0};      ///< Projection Shadow Matrix: (Π·L) I − L Πᵀ
-    double largest_difference = 0.0;   ///< between any two of those present, for any entry
+    double largest_difference = 0.0;   ///< between any two of those present, over all entries
 };
 ShadowForms shadow_forms(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
@@ -76,7 +76,7 @@ struct MirrorDerivation {
 
     /// Row by row, the four terms of the lecture's expansion: (1 − 2a²) x₀, −2ab y₀, −2ac z₀, −2ad for x₀′, …
     double terms[3][4] = {};
-    double expansion_difference = 0.0;  ///< largest difference of a row's sum from q′
+    double expansion_difference = 0.0;  ///< largest difference between a row's sum and q′
 
     MirrorPlane plane = MirrorPlane::general;
     glm::dmat4 mirrored_world_from_world{1.0};  ///< R as on the slide for that kind of plane

@@ -12,7 +12,7 @@ namespace viewing {
 /// One line of an array fill: name[index] = expression;
 struct CodeLine {
     int index = 0;           ///< in the array
-    std::string expression;  ///< in C, of plane[0 … 3], lightpos[0 … 3] and dot
+    std::string expression;  ///< in C, in terms of plane[0 … 3], lightpos[0 … 3] and dot
     int row = 0;             ///< of the matrix entry that it becomes, since GL reads by columns
     int column = 0;
     double value = 0.0;
@@ -21,15 +21,16 @@ struct CodeLine {
 /// All lines in the order of their indices.
 using CodeLines = std::array<CodeLine, 16>;
 
-/// Returns ShadowMatrix for a plane and a light, filled by columns. It equals the displayed S only if the normal is a
-/// unit vector.
+/// Returns the lines of ShadowMatrix for a plane and a light, filled by columns. Its values equal the displayed S only
+/// if the normal is a unit vector.
 CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// Returns R for a plane, correct for a unit normal; with `plus_2ab`, its second line has the slide's +2ab.
+/// Returns R for a plane, correct only for a unit normal; with `plus_2ab`, its second row has the slide's +2ab.
 glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab);
 
-/// Returns ReflectionMatrix for a plane, correct for a unit normal. `printed_by_rows`: filled by rows as on the slide,
-/// so that GL gets the transpose; otherwise by columns, which is correct. `plus_2ab`: with that mistake.
+/// Returns the lines of ReflectionMatrix for a plane, correct only for a unit normal. `printed_by_rows`: filled by rows
+/// as on the slide, so that GL gets the transpose; otherwise by columns, which is correct. `plus_2ab`: with that
+/// mistake.
 CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab = false);
 
 }  // namespace viewing

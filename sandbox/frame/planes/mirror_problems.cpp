@@ -21,7 +21,7 @@ struct Mirror {
 
     glm::dvec4 towards_eye() const { return (eye_side < 0.0 ? -1.0 : 1.0) * plane.unit_plane; }
     bool is_seen_from_behind() const { return is_in_view && eye_side < 0.0; }
-    /// The objects on its positive side are mirrored.
+    /// Returns a plane; the objects on its positive side are mirrored.
     glm::dvec4 kept_side(const ReflectionParams& reflection) const {
         if (reflection.clip == MirrorClip::none) return {0.0, 0.0, 0.0, 1.0};
         return reflection.side_of_eye ? towards_eye() : plane.unit_plane;
@@ -29,7 +29,7 @@ struct Mirror {
     double distance_from_origin() const { return std::abs(plane.unit_plane.w); }
 };
 
-/// Returns all mirrors if any of them is in the picture: the others may be seen in it.
+/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none.
 std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
     std::vector<Mirror> mirrors;
     for (const DerivedPlane& plane : drawn_planes(params, derived))
@@ -40,8 +40,8 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     return sees_any ? mirrors : std::vector<Mirror>{};
 }
 
-/// Returns S with the eye as its light: projects points to the plane as the eye sees them, with w > 0 in front of the
-/// eye.
+/// Returns S with the eye as its light. It projects points to the plane as the eye sees them, with w > 0 in front of
+/// the eye.
 glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
     return shadow_sign(mirror.plane.unit_plane, derived.eye_world) *
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
@@ -111,8 +111,8 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
     }
 }
 
-/// Whether the mask of a mirror hides its image, which is beyond the mirror unless the wrong side is mirrored.
-/// A mirror after another plane begins with a cleared depth buffer inside its mask.
+/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. A
+/// mirror that is drawn after another plane begins with a cleared depth buffer inside its mask.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
@@ -186,7 +186,7 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
     }
 }
 
-/// Reports the effects of R, its winding and its camera on the scene.
+/// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                 const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
@@ -217,14 +217,15 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                 "reflection.printed_by_rows");
 }
 
-/// Limit for following view rays: no state requests more bounces.
+/// The limit for following view rays: no state requests as many bounces.
 constexpr int most_followed = 17;
 
 bool are_endless(const Mirror& one, const Mirror& other) {
     return glm::dot(glm::dvec3(one.towards_eye()), glm::dvec3(other.towards_eye())) < -1.0 + 1e-12;
 }
 
-/// Returns how often patches reflect a view ray that has met a mirror at a point, each from the eye's side.
+/// Returns how often mirrors reflect a view ray that meets `first` at a point. A mirror reflects only on the eye's
+/// side.
 int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm::dvec3 at, glm::dvec3 direction) {
     const Mirror* met = &first;
     int count = 0;

@@ -15,8 +15,8 @@ struct ObliqueDepth {
     double coarsest_distance = 0.0;  ///< from the eye, along its axis, at the point of `greatest`
 };
 
-/// Measures the frame's first mirror image at several hundred evenly chosen vertices that are visible in its patch.
-/// None if no vertex is visible there, or if depth does not come from clip space (logarithmic).
+/// Measures the frame's first mirror image, using those of at most 600 evenly chosen vertices that are visible in its
+/// patch. None if no vertex is visible there, or if depth does not come from clip space (logarithmic).
 std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& derived, const Scene& scene,
                                           const FramePlan& frame);
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t most_vertices = 20'000;
 constexpr double touching = 1e-6;      ///< objects on the plane may reach this far behind it
-constexpr double farthest = 1e3;       ///< distance of a shadow, relative to its vertex's
-constexpr double straight_on = 1e-12;  ///< corners with a smaller turn, in squares of the shadow's size, are straight
+constexpr double farthest = 1e3;       ///< limit of a shadow's distance from the light, relative to its vertex's
+constexpr double straight_on = 1e-12;  ///< smaller turns, relative to the shadow's squared size, count as straight
 
 /// A shadow in the plane's own coordinates, with the vertex that casts it.
 struct Candidate {
@@ -17,7 +17,7 @@ struct Candidate {
     OutlineVertex vertex;
 };
 
-/// Returns twice the signed area of a b c: positive for a left turn.
+/// Returns twice the signed area of the triangle a b c, positive for a left turn.
 double turn(const Candidate& a, const Candidate& b, const Candidate& c) {
     const glm::dvec2 ab = b.place - a.place, ac = c.place - a.place;
     return ab.x * ac.y - ab.y * ac.x;

@@ -41,7 +41,7 @@ void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
 /// Transforms the camera by R and flips its picture: (F P) (F V R) = P V R. The lights keep their positions.
 void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
-    // The mistake: an aspect ratio of 1, whatever the picture's.
+    // The mistake is an aspect ratio of 1, whatever the picture's is.
     if (!params.reflection.same_projection && inside.mirrors_met == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
@@ -131,7 +131,7 @@ void fill_picture(Pass& pass, double clip_z, double eye_distance) {
     pass.world_from_scene = glm::dmat4(1.0);
     pass.clip_planes.clear();
     pass.cull = CullParams{};
-    // The square from −1 to 1 in x and z.
+    // Maps the patch's square, from −1 to 1 in x and z, to the whole picture.
     pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, clip_z, 1}};
     pass.view_from_world = glm::dmat4(0.0);
     pass.view_from_world[3] = {0.0, 0.0, -eye_distance, 1.0};
@@ -164,7 +164,7 @@ Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, st
 void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     const ReflectionParams& reflection = level.params.reflection;
     Level inside = world_inside(level, plane);
-    if (!reflection.stencil) {  // only depth limits where the objects appear
+    if (!reflection.stencil) {  // only the depth test limits where the image appears
         inside.region = 0;
         passes.push_back(objects_pass(inside));
         return;

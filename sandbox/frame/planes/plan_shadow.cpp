@@ -1,5 +1,5 @@
-// Planar shadows: casters flattened by S onto a patch, painted over it or, as missing light, counted before the patch
-// is drawn. Each light has a stencil bit. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
+// Planar shadows: S flattens the casters onto a patch. They are painted over it or, as missing light, marked before the
+// patch is drawn. Each light has a stencil bit. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4
     std::vector<ClipPlane> clips;
     if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
-        // Slightly before w = 0, since float32 may get the sign of w wrong there, and a light may almost touch a
+        // Clips slightly before w = 0, since float32 may get the sign of w wrong there, and a light may almost touch a
         // caster.
         constexpr double smallest_w = 1e-5;
         glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
@@ -58,10 +58,10 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
     pass.matrices = level.matrices + " " + level.shadow_symbol(plane, light);
-    // Clipping at the light leaves no negative w to force.
+    // If casters are clipped at the light, no negative w is left to force.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
-    pass.cull = CullParams{};  // culling never decides which shadows fall
+    pass.cull = CullParams{};  // culling must never remove a shadow
     pass.clip_planes = caster_clips(shadow, level.plane(plane).unit_plane, cast);
     return pass;
 }

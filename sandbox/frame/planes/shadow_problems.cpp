@@ -19,7 +19,7 @@ struct Thrown {
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
-    /// The dot product of right_w() and p is the correct w of p's projection: positive between light and plane.
+    /// Returns a vector whose dot product with p is the correct w of p's projection: positive between light and plane.
     glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };

@@ -96,7 +96,7 @@ std::string egl_error() {
     return code >= 0 && code < static_cast<EGLint>(std::size(names)) ? names[code] : "an unknown error";
 }
 
-/// Adds the step that failed on a display to a list; null: no list.
+/// Adds the step that failed on a display to the list `refused`, unless that is null.
 void note(std::string* refused, const std::string& description, const char* what) {
     const std::string why = egl_error();
     if (refused == nullptr) return;

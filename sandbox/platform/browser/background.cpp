@@ -1,4 +1,4 @@
-// A page has one thread: work waits in a queue and runs between frames. If the browser can suspend WebAssembly
+// A page has only one thread, so work waits in a queue and runs between frames. If the browser can suspend WebAssembly
 // (JavaScript Promise Integration), work runs on its own stack and pauses when it checks for cancellation and the page
 // is due for a frame; otherwise it runs without a pause. The JavaScript side is in app/browser/page/page.js.
 #include "platform/background.h"

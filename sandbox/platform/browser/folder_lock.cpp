@@ -1,4 +1,4 @@
-// Does nothing: a page has one thread and its own file system. Changes by other tabs arrive in storage events
+// Locks nothing, since a page has one thread and its own file system. Changes by other tabs arrive in storage events
 // (page/kept.js).
 #include <system_error>
 

@@ -3,8 +3,8 @@
 
 namespace viewing {
 
-/// Returns how many milliseconds the longest work that ended since the last call blocked the page; 0 if none ended, or
-/// if work can be suspended.
+/// Returns the time, in milliseconds, for which the page was blocked by the longest work that has ended since the last
+/// call; 0 if none has ended, or if work can be suspended.
 double take_standstill_ms();
 
 }  // namespace viewing

@@ -216,7 +216,7 @@ void ChildProcess::listen(std::span<ChildProcess* const> children, double second
 void end_with_parent() {
     leave_terminal_to_parent();
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    // If the parent ended before this call, no signal will come; but then standard input has no writer.
+    // If the parent ended before this call, no signal will come, but standard input then has no writer.
     pollfd input{STDIN_FILENO, 0, 0};
     if (::poll(&input, 1, 0) == 1 && (input.revents & POLLHUP) != 0) ::_exit(EXIT_FAILURE);
 }

@@ -18,8 +18,8 @@ std::uintptr_t end_of_heap() {
     return reinterpret_cast<std::uintptr_t>(sbrk(0));
 }
 
-/// Allocates blocks until the heap grows, by `heap_bytes` in one step, then frees them. Stops after a few blocks if the
-/// heap does not grow.
+/// Allocates blocks until the heap grows by `heap_bytes` in one step, then frees the blocks. Stops after a few blocks
+/// if the heap does not grow.
 void grow_heap() {
     constexpr std::size_t block_bytes = 64 << 10;
     constexpr int most_blocks = 8;  // at program start, the free space in the heap is less than this

@@ -64,7 +64,7 @@ Json parse_document(std::string_view text, const std::string& prefix, const Docu
 /// form, and no newline at the end.
 std::string print_document(const Json& document);
 
-/// Describes a value in a few words for "got …": `the text "abc"`, `the number 3`, `an array of 2`.
+/// Describes a value in a few words for "got …": `the string "abc"`, `the number 3`, `an array of length 2`.
 std::string describe(const Json& value);
 
 }  // namespace viewing

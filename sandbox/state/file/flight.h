@@ -1,5 +1,5 @@
 // A flight: a recording of the window, as its initial state and the later changes with their times.
-// session/flight_recorder.h records it, session/replay.h plays it.
+// session/flight_recorder.h records it, and session/replay.h plays it.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace viewing {
 
-/// Includes the initial state.
+/// The most pictures that a flight may have, including its initial state.
 inline constexpr std::size_t most_flight_pictures = 10'000;
 
 struct FlightFrame {
-    double t_s = 0.0;                   ///< since the start
-    std::vector<std::string> settings;  ///< PATH=VALUE of the changes since the previous frame
+    double t_s = 0.0;                   ///< seconds since the start
+    std::vector<std::string> settings;  ///< the changes since the previous frame, each as PATH=VALUE
     bool operator==(const FlightFrame&) const = default;
 };
 
 struct Flight {
     Params start;
     std::vector<FlightFrame> frames;  ///< in chronological order, without the start
-    double seconds = 0.0;             ///< end of the recording: not before the last frame
+    double seconds = 0.0;             ///< the end of the recording, no earlier than the last frame
     bool operator==(const Flight&) const = default;
 
-    /// Counts the start and all frames.
+    /// Returns the number of pictures: the start and all frames.
     std::size_t picture_count() const { return frames.size() + 1; }
     /// Returns the index of the picture shown at a time: the last one at or before it. The start has index 0.
     std::size_t picture_at(double t_s) const;
@@ -35,9 +35,9 @@ struct Flight {
     double time_s(std::size_t index) const { return index == 0 ? 0.0 : frames[index - 1].t_s; }
 };
 
-/// Returns the file: `{"version": 1, "kind": "flight", "seconds": …, "state": {…}, "frames": [{"t": …, "set": {PATH:
-/// VALUE}}]}`, with one line per frame. parse_state_document() reads back exactly the same flight. Without `seconds`, a
-/// flight ends with its last frame.
+/// Returns the text of the file: `{"version": 1, "kind": "flight", "seconds": …, "state": {…}, "frames": [{"t": …,
+/// "set": {PATH: VALUE}}]}`, with one line per frame. parse_state_document() reads back exactly the same flight.
+/// Without `seconds`, a flight ends with its last frame.
 std::string write_flight(const Flight& flight);
 
 /// Steps through the pictures of a flight.

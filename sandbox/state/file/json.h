@@ -28,17 +28,18 @@ struct StateDocument {
 };
 Result<StateDocument> parse_state_document(std::string_view json, std::string_view source);
 
-/// Writes every field in the order of the list, two spaces per level; reads back to exactly the same Params. Titles
-/// that are not empty come first.
+/// Writes every field in the order of the list, indented by two spaces per level. The text reads back as exactly the
+/// same Params. Titles that are not empty come first.
 std::string write_state(const Params& params, const Titles& titles = {});
 
 /// Applies PATH=VALUE settings in order. PATH is a field (projection.near), a group (camera={"yaw":3} changes only the
-/// named fields) or an element (light.position[0]). VALUE is JSON; anything else is a string. `source` starts every
-/// message.
+/// named fields) or an element (light.position[0]). VALUE is read as JSON; anything that is not JSON counts as a
+/// string. `source` starts every message.
 Result<Params> apply_settings(Params params, std::span<const std::string> settings,
                               const std::string& source = "--set ");
 
-/// Returns PATH=VALUE for every field in which `after` differs: applied to `before`, they give exactly `after`.
+/// Returns PATH=VALUE for every field in which `after` differs from `before`. Applied to `before`, these settings give
+/// exactly `after`.
 std::vector<std::string> settings_to(Params before, Params after);
 
 /// Returns the setting that gives a field its default: "depth.func" → "depth.func=less".

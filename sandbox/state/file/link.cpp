@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr const char* broken = "link: it is cut off or damaged";
 
-/// Encodes without the three base64 characters that have a meaning in URLs: +, / and =.
+/// Encodes without the three base64 characters that have a special meaning in URLs: +, / and =.
 std::string base64url(const std::vector<std::uint8_t>& bytes) {
     std::string text = base64(bytes);
     text.erase(text.find_last_not_of('=') + 1);
@@ -31,7 +31,7 @@ std::string base64url(const std::vector<std::uint8_t>& bytes) {
     return text;
 }
 
-/// Decodes the output of base64url(); none for any other text.
+/// Decodes the output of base64url(); returns none for any other text.
 std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
     std::vector<std::uint8_t> bytes;
     std::uint32_t bits = 0;

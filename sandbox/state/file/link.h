@@ -1,6 +1,6 @@
-// A state as a link: an address, a #, and the fields that differ from the defaults; or the name of a preset, or a step
-// of a lesson. Parts separated by & follow the #: a state, which begins with its version, or KEY=VALUE. load_state() in
-// presets.h accepts links; lesson/linked_step.h accepts those that name a step.
+// A state as a link: an address, a #, and the fields that differ from the defaults. A link can also name a preset or a
+// step of a lesson. The # is followed by parts separated by &: a state, which begins with its version, or KEY=VALUE.
+// load_state() in presets.h accepts links; lesson/linked_step.h accepts those that name a step.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ struct Link {
     enum class Kind { state, preset, lesson };
     Kind kind = Kind::state;
     std::string text;      ///< the state as JSON, the preset's name, or the lesson's
-    std::size_t step = 1;  ///< of a lesson, counted from 1
+    std::size_t step = 1;  ///< the step of a lesson, counted from 1
 };
 
 /// Reads a link, ignoring blanks at its end. The error is one sentence about an unknown or repeated key, an impossible

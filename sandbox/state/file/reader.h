@@ -31,13 +31,13 @@ glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range
 /// Reads a name: not empty, at most 1024 bytes, UTF-8, no control characters.
 std::string read_name(const Json& value, const Where& where);
 
-/// Refuses a JSON value that is not an object, or not an array.
+/// Refuses a JSON value that is not an object, or not an array of at most `max_count` elements.
 void require_object(const Json& value, const Where& where, const std::string& must_be);
 void require_array(const Json& value, const Where& where, std::size_t max_count, const std::string& must_be);
 
 /// Refuses a key that is not in `known`.
 void require_known_key(std::string_view key, const Where& where, std::span<const std::string> known);
-/// Refuses a value that is not an object, and a key that is not in `known`.
+/// Refuses a value that is not an object, and any key that is not in `known`.
 void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
 
 glm::dvec3 read_vec3(const Json& value, const Where& where, const Range& range, const std::string& must_be);
@@ -59,7 +59,8 @@ Json params_as_document(Params params);
 /// Refuses an unknown path or key, and names the nearest known one.
 [[noreturn]] void refuse_unknown(const Where& where);
 
-/// Checks rules across fields, and rules that may be broken between two settings: near < far, a normal, a light.
+/// Checks the rules that involve several fields, and those that may be broken between two settings: near < far, a
+/// nonzero normal, a nonzero light, and planes and lights that exist.
 void check_together(const Params& params, const std::string& prefix);
 
 /// Checks the titles of a file, which are all optional, and removes them from the tree.

@@ -31,7 +31,7 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     for (std::size_t i = 0; i < 3; ++i) {
         vertices[i] = read_vec3(value[i], where.at(i), position_range, "a vertex [x, y, z]");
     }
-    // Computed in single precision, like the mesh.
+    // Use the vertices as the mesh stores them: rounded to single precision.
     const auto rounded = [&vertices](std::size_t i) { return glm::dvec3{glm::vec3{vertices[i]}}; };
     const glm::dvec3 ab = rounded(1) - rounded(0);
     const glm::dvec3 ac = rounded(2) - rounded(0);
@@ -42,7 +42,7 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     return vertices;
 }
 
-/// Refuses a field of another shape, and a missing field that this shape needs.
+/// Refuses an object with a field that belongs to another shape, or without a field that its shape needs.
 void require_shape(const ObjectDescription& object, ShapeKind shape, const Json& value, const Where& where,
                    const char* key, bool is_needed) {
     if (object.shape != shape && value.contains(key)) {

@@ -17,7 +17,7 @@ Json whole_in(double min, double max) {
     return {{"type", "integer"}, {"minimum", min}, {"maximum", max}};
 }
 
-/// An array with exactly these items.
+/// Returns the schema of an array with exactly these items.
 Json tuple(Json items) {
     const std::size_t count = items.size();
     return {{"type", "array"}, {"prefixItems", std::move(items)}, {"minItems", count}, {"maxItems", count}};
@@ -64,7 +64,7 @@ Json vector(const Field& field) {
 
 Json described(const Field& field);
 
-/// An element of a list: an object with the fields of a group.
+/// Returns the schema of a list's element: an object with the fields of a group.
 Json element(std::string_view group) {
     Json properties = Json::object();
     for (const Field* field : fields_of(group)) properties[std::string(field->name())] = described(*field);
@@ -136,7 +136,7 @@ Json described(const Field& field) {
     return schema;
 }
 
-/// A key that only one shape requires or allows.
+/// Returns the rule that only this shape may have the key and, if `is_needed`, must have it.
 Json only_of(ShapeKind shape, const char* key, bool is_needed) {
     const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
     const Json has_key = {{"required", Json::array({key})}};

@@ -1,5 +1,6 @@
 // JSON Schemas (draft 2020-12) of state and scene files, for editors and scripts, generated from the list of fields.
-// They cover all rules for single values; only the reader knows rules between values (near < far, a nonzero normal).
+// They cover all rules for single values; only the reader knows the rules that relate several values (near < far, a
+// nonzero normal).
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Null if the text is not JSON.
+/// Returns the text as parsed JSON; null if it is not JSON.
 Json json_of(const std::string& text) {
     return Json::parse(text, nullptr, false, false).is_discarded() ? Json() : Json::parse(text);
 }

@@ -8,7 +8,7 @@ namespace viewing {
 namespace {
 
 constexpr double margin = 1e-6;         // in cells, to allow for rounding
-constexpr double least_height = 1e-12;  // of the longer side: collinear corners also get a grid with a height
+constexpr double least_height = 1e-12;  // fraction of the longer side, so that even collinear corners get a height
 
 }  // namespace
 

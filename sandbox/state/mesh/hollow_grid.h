@@ -17,9 +17,9 @@ public:
 
     void fill(const std::vector<glm::dvec2>& places, const std::vector<Index>& hollows);
 
-    std::size_t size() const { return corners_.size(); }  ///< at the last fill()
+    std::size_t size() const { return corners_.size(); }  ///< number of corners at the last fill()
 
-    /// Whether `is_found` holds for a corner that may be inside a triangle, border included. Tests all corners in the
+    /// Whether `is_found` holds for any corner that may be inside a triangle or on its border. Tests all corners in the
     /// cells that the triangle touches, and permanently drops those that are no longer hollow.
     template <typename IsHollow, typename IsFound>
     bool any_in(const Triangle& triangle, const IsHollow& is_hollow, const IsFound& is_found);
@@ -39,8 +39,7 @@ private:
     glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
     static std::uint32_t clamped(double cell, std::uint32_t count);
     std::size_t cell_of(const glm::dvec2& place) const;
-    /// Returns the cells along one axis, out of `count`, that a triangle touches within a slab of the other axis,
-    /// `across`.
+    /// Returns which of the `count` cells along one axis a triangle touches within a slab of the other axis, `across`.
     static Cells cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count);
     Cells rows_of(const Triangle& in_cells) const;
     Cells columns_of(const Triangle& in_cells, std::uint32_t row) const;

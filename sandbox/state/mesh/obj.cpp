@@ -120,8 +120,8 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     const glm::dvec3 center = bounds.center(), size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0.0)) return refusal("has no face with an area");
-    // A smaller mesh has too few digits to distinguish its corners; without scaling, the limit is that of single
-    // precision.
+    // The coordinates of a smaller mesh have too few digits to distinguish its corners. Without scaling, the limit is
+    // that of single precision.
     const double least = reading.fit ? 1e-300 : 1e-30;
     if (longest < least)
         return refusal("is " + figures(longest) + " units across, but must be at least " + figures(least) +

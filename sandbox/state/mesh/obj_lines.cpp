@@ -158,7 +158,7 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        if (statement_of(next_word(rest)) != Statement::names) {  // the # may be part of a name
+        if (statement_of(next_word(rest)) != Statement::names) {  // a name may contain \#, of which only \ is left
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
             return;
@@ -239,7 +239,7 @@ void ObjLines::take_face(std::string_view rest) {
     if (content_.triangle_count > max_obj_triangles) refuse("more than 50 million triangles");
 }
 
-/// Reads "s 3", "s off" and "s 0"; "s on" starts a group, too.
+/// Reads "s 3", "s off" and "s 0"; "s on" also starts a group.
 void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
     std::string_view word = next_word(rest);
     if (word == "off" || word == "on") {
@@ -257,8 +257,8 @@ std::string face_names(std::uint64_t face, const char* what, int index) {
     return "face " + std::to_string(face + 1) + " refers to " + what + ' ' + std::to_string(index);
 }
 
-/// Refuses a relative index before the first position, and drops such a normal. check_corners() tests all other
-/// indices, whose targets may be on later lines.
+/// Refuses a position index that points before the first position, and drops a normal index that points before the
+/// first normal. check_corners() tests all other indices, whose targets may be on later lines.
 void ObjLines::add_corner(const NamedCorner& named) {
     const std::uint64_t face = content_.face_lines.count() - 1;
     const int position = from_zero(named.position, content_.positions.size());
@@ -345,7 +345,7 @@ void ObjLines::note_what_is_left_out() {
     if (!left_out.empty()) content_.notes.push_back("only faces are drawn; left out: " + left_out);
 }
 
-/// Overrides an earlier error: a malformed line comes before the indices that it names.
+/// Overrides an earlier error: a malformed line is reported rather than the indices that it names.
 void ObjLines::refuse(const std::string& what, std::string_view token) {
     trouble_ = at_line(statement_line_) + what + (token.empty() ? "" : ": " + excerpt(token));
 }

@@ -1,5 +1,5 @@
-// Internal to state/: reads an OBJ file line by line. No library of Debian's fits: they read anything that is not a
-// number as 0, do not report line numbers and cannot be canceled.
+// Internal to state/: reads an OBJ file line by line. None of Debian's libraries is suitable: they read anything that
+// is not a number as 0, do not report line numbers and cannot be canceled.
 #pragma once
 
 #include <cstdint>

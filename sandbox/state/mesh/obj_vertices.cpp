@@ -10,7 +10,8 @@ constexpr int longest_chain = 16;
 
 }  // namespace
 
-/// Steele, Lea and Flood 2014 (SplitMix64): keeps keys with a pattern from sharing a bucket.
+/// Scrambles a key, so that keys that follow a pattern do not share buckets. Source: Steele, Lea and Flood 2014
+/// (SplitMix64).
 std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
     key += 0x9e3779b97f4a7c15ULL;
     key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;

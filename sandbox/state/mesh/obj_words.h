@@ -19,13 +19,14 @@ std::string_view next_word(std::string_view& line);
 /// Removes and returns the digits at the front of a word.
 std::string_view take_digits(std::string_view& word);
 
-/// Parses a decimal number: sign, digits with a point anywhere, exponent. Becomes infinite beyond a double's range.
+/// Parses a decimal number: sign, digits with a point anywhere, exponent. A number beyond a double's range becomes
+/// infinite.
 std::optional<double> number_of(std::string_view word);
 
 /// Whether a word is a known spelling of a number that is not finite: nan, -nan(ind), inf, 1.#QNAN.
 bool is_no_finite_number(std::string_view word);
 
-/// The indices of a corner as in the file: from 1, or negative from the end; 0 if omitted.
+/// The indices of a corner as in the file: counted from 1, or negative if counted from the end; 0 if omitted.
 struct NamedCorner {
     int position = 0, normal = 0;
 };

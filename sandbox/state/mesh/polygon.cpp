@@ -89,7 +89,7 @@ void PolygonCutter::look_again(Index corner) {
     is_queued_[corner] = 1;
 }
 
-/// Leaves the corners that are not ears, at least three; returns false if it takes too long.
+/// Cuts off ears until there are no more or three corners are left; returns false if that takes too long.
 bool PolygonCutter::clip_ears(std::vector<Index>& triangles) {
     const auto count = static_cast<Index>(flat_.size());
     is_ear_.assign(count, 0);

@@ -32,7 +32,7 @@ public:
     /// 2002, its lists.
     [[nodiscard]] Outcome cut(std::span<const glm::dvec3> corners, std::vector<std::uint32_t>& triangles);
 
-    std::uint64_t tests() const { return tests_; }  ///< so far
+    std::uint64_t tests() const { return tests_; }  ///< the number of tests so far
 
 private:
     using Index = std::uint32_t;
@@ -52,7 +52,7 @@ private:
     std::vector<Index> before_, after_;  ///< neighbors among the remaining corners
     std::vector<Index> hollows_;         ///< corners that do not turn left, or did not at the last fill
     std::vector<char> is_hollow_, is_ear_, is_queued_;
-    std::vector<Index> blocker_;  ///< the hollow last found in each corner's triangle
+    std::vector<Index> blocker_;  ///< the hollow corner last found in each corner's triangle
     std::vector<Index> ears_;     ///< ears found so far, in order
     HollowGrid grid_;
     std::size_t hollow_count_ = 0;  ///< entries of hollows_ that are still hollow

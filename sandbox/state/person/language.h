@@ -18,7 +18,7 @@ constexpr const char* own_name(Language language) {
 }
 
 /// Sets the language of all texts looked up from now on. If its file cannot be read, the texts are English and the
-/// error is one sentence; a text without a translation is English.
+/// error is one sentence; a text without a translation appears in English.
 Status speak(Language language);
 
 /// Returns the language set last; initially English.

@@ -8,12 +8,12 @@
 namespace viewing {
 
 struct LessonProgress {
-    std::size_t step = 0;           ///< the last one visited, from 0
+    std::size_t step = 0;           ///< the last step visited, counted from 0
     std::vector<std::size_t> done;  ///< steps whose question was answered correctly, in ascending order
     bool operator==(const LessonProgress&) const = default;
 };
 
-/// A student who does exercises; course and student number determine the numbers in the exercises.
+/// A student who does exercises; the course and the student number determine the numbers in them.
 struct Student {
     std::string course, number, name;
     bool operator==(const Student&) const = default;

@@ -39,7 +39,7 @@ glm::ivec2 pair_in(const Json& object, const char* key, int min, const Where& wh
     return {static_cast<int>(std::lround(*x)), static_cast<int>(std::lround(*y))};
 }
 
-/// {"view-is-the-inverse": {"step": 3, "done": [1, 2]}, …}: steps count from 1.
+/// Reads {"view-is-the-inverse": {"step": 3, "done": [1, 2]}, …}, where steps count from 1.
 LessonsProgress lessons_in(const Json& object, const Where& where) {
     require_object(object, where, "an object of lessons");
     LessonsProgress lessons;
@@ -126,7 +126,7 @@ LessonsProgress merged_lessons(LessonsProgress kept, const LessonsProgress& know
     return kept;
 }
 
-/// Returns the files opened since `known`, followed by the files of the list in the file.
+/// Returns the files opened since `known`, followed by the files listed in `kept`.
 std::vector<std::string> merged_recent(const std::vector<std::string>& kept, const std::vector<std::string>& known,
                                        std::vector<std::string> now) {
     const auto is_as_it_was = [&](auto rest) {

@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// In units of the window system, which need not be pixels; y points down.
+/// The place of a window or a screen, in units of the window system, which need not be pixels; y points down.
 struct WindowPlace {
     glm::ivec2 position{0}, size{0};
     bool maximized = false;

@@ -14,7 +14,7 @@ EM_JS(void, page_fetch_font, (const char* name), { page.fetchFont(UTF8ToString(n
 namespace viewing {
 namespace {
 
-/// The files requested so far; empty until they arrive.
+/// The files requested so far; each one is empty until it arrives.
 std::map<std::string, std::vector<std::byte>, std::less<>> fetched;
 int arrived = 0;
 
@@ -33,7 +33,7 @@ int arrived_font_files() {
 
 }  // namespace viewing
 
-/// Called by the page when a requested file has arrived.
+/// The page calls this function when a requested file has arrived.
 extern "C" EMSCRIPTEN_KEEPALIVE void page_font_has_come(const char* name, const std::byte* bytes, int size) {
     viewing::fetched[name].assign(bytes, bytes + size);
     ++viewing::arrived;

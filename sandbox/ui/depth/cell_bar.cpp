@@ -35,13 +35,13 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
     return clicked;
 }
 
-/// The call may be unknown: for one frame after a scene change, the calls still belong to the old scene.
+/// Returns "…" for an unknown call: for one frame after a scene change, the calls still belong to the old scene.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
     return is_known ? name_of(call, plan, scene) : "…";
 }
 
-/// Draws a list to choose one call, or all; changes `limit`.
+/// Draws a list from which to choose one call or all of them; changes `limit`.
 void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
                  float width) {
     const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
@@ -63,7 +63,7 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
     }
 }
 
-/// Draws buttons that go to the previous and the next triangle that touches the pixel.
+/// Draws buttons that go to the previous and next triangles that touch the pixel.
 void touch_buttons(DrawLimit& limit, const DepthData& data) {
     const char* const why_not =
         data.pixel ? marked("No more triangles touch this pixel.") : marked("Click a pixel of the picture first.");
@@ -106,7 +106,7 @@ void play_button(int& step, int count, widgets::StepPlayer& player) {
                                     : marked("Plays triangle by triangle; at the end, starts over."));
 }
 
-/// Draws a short step bar for narrow views: back, number, next, play.
+/// Draws a short step bar for narrow views: a back button, the step number, a next button, and a play button.
 void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& rect) {
     player.shown = true;
     widgets::PlaySteps(step, count, player, ImGui::GetIO().DeltaTime);

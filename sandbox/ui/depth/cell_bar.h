@@ -1,4 +1,4 @@
-// The controls above the cell view: the draw call and the triangle after which the frame stops.
+// The controls above the cell view, which set the draw call and the triangle after which the frame stops.
 #pragma once
 
 #include "ui/depth/cell_layout.h"
@@ -6,10 +6,10 @@
 
 namespace viewing {
 
-/// Draws a list to choose the block size (columns × rows); the list is `width` pixels wide.
+/// Draws a list from which to choose the block size (columns × rows). The list is `width` pixels wide.
 void choose_cells(std::optional<glm::ivec2>& cells, float width);
 
-/// Draws the controls. Edits params.view.call and triangle; advances them during playback.
+/// Draws the controls. Edits params.view.call and params.view.triangle, and advances them during playback.
 void draw_cell_bar(Session& session, const DepthData& data, const FramePlan& plan, const CellLayout& layout,
                    widgets::StepPlayer& player);
 

@@ -1,5 +1,5 @@
-// The number in each cell of a block of depths: short enough for the cell, and different for different codes. Pure
-// functions. See cell_view.cpp for usage.
+// The numbers in the cells of a block of depths: short enough for a cell and, if possible, different for different
+// codes. Pure functions. See cell_view.cpp for usage.
 #pragma once
 
 #include <string>
@@ -14,10 +14,11 @@ struct CellTexts {
     std::string note;                ///< the meaning of the numbers: "stored code, 0 … 65,535"
 };
 
-/// `room`: number of characters that fit in a cell, at least 4. `cleared`: the window depth of unwritten cells. Returns
-/// the first form that fits: the codes themselves, up to 16 bits; the window depth, with enough decimals to distinguish
-/// the codes; or the difference between each code and the smallest one. If the block's range is too wide for all of
-/// these, rounds the window depth to fit; different codes may then look the same, and the note says so.
+/// Returns the numbers in the first form that fits: the codes themselves, if they are integers of at most 16 bits; the
+/// window depth, with enough decimals to distinguish the codes; or the difference between each code and the smallest
+/// written one. If the block's range is too wide for all of these, rounds the window depth to fit. Different codes may
+/// then look the same, and the note says "rounded". `room`: the number of characters that fit in a cell, at least 4.
+/// `cleared`: the window depth of unwritten cells.
 CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room);
 
 }  // namespace viewing

@@ -21,8 +21,7 @@ ImU32 opaque(const Color& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
 
-/// Maps the depth range of the block to grays: dark is near, light is far. Black and white are reserved for unwritten
-/// cells.
+/// Maps the depth range of the block to grays: dark is near, light is far. It uses neither black nor white.
 class Greys {
 public:
     Greys(const CellBlock& block, const FramePlan& plan) : is_reversed_(plan.depth_mapping == DepthMapping::reversed) {
@@ -50,7 +49,7 @@ struct CellPicture {
     std::vector<widgets::Cell> colors, depths;
 };
 
-/// The number of small digits that fit in a cell of the grid, at least 4.
+/// Returns how many digits of the small font fit in a cell of the grid; at least 4.
 int room_of(const CellBlock& block, const Rect& grid) {
     const float columns = static_cast<float>(block.size.x), rows = static_cast<float>(block.size.y);
     const float side = std::floor(std::min((grid.width() - px(8.0F)) / columns, (grid.height() - px(8.0F)) / rows));
@@ -107,7 +106,7 @@ void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision
     widgets::Tooltip(title.c_str(), body.c_str());
 }
 
-/// The index of a pixel's cell; −1 outside the block.
+/// Returns the index of a pixel's cell; −1 if the pixel is outside the block.
 int cell_of(const CellBlock& block, glm::ivec2 pixel) {
     const glm::ivec2 at = pixel - block.first_pixel;
     if (at.x < 0 || at.y < 0 || at.x >= block.size.x || at.y >= block.size.y) return -1;
@@ -164,7 +163,7 @@ bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, 
            plan.passes[pass].shading != Shading::flat;
 }
 
-/// Describes the effect of the step on a cell; −1 means no cell.
+/// Describes the step's effect on a cell. A `cell` of −1 means no cell.
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
     if (shows_whole_frame(view, data.calls))

@@ -1,5 +1,5 @@
-// The cell view: a block of pixels as on the lecture's Z-buffer slide, color beside depth, filled draw call by draw
-// call and triangle by triangle.
+// The cell view: a block of pixels, as on the lecture's Z-buffer slide. Its color and depth are side by side and fill
+// up draw call by draw call and triangle by triangle.
 #pragma once
 
 #include "frame/depth/depth_data.h"
@@ -10,11 +10,12 @@
 namespace viewing {
 
 /// Draws the step bar, the color and depth buffers below it, and the comparison that decides the cell under the pointer
-/// or, without one, the current pixel. Clicking a cell pins its pixel; clicking the pinned cell releases it.
+/// or, if the pointer is on no cell, the current pixel. Clicking a cell pins its pixel; clicking the pinned cell
+/// releases it.
 void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
                     widgets::StepPlayer& player);
 
-/// Returns the requested columns and rows or, without a request, as many as are legible; at least 1 × 1.
+/// Returns the requested number of columns and rows or, without a request, as many as are legible; at least 1 × 1.
 glm::ivec2 cell_block_size(const Rect& rect, const std::optional<glm::ivec2>& asked);
 
 }  // namespace viewing

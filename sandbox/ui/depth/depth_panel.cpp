@@ -26,7 +26,7 @@ void mapping_switches(Params& params) {
 }
 
 /// Shows the offset units as a number of depth codes on this driver, since GL does not define the size of a unit. Draws
-/// nothing if the units have no effect.
+/// nothing if the units have no effect or have not been measured.
 void offset_note(const Params& params, const Scene& scene, const StoredDepth& stored) {
     if (widgets::IsListing() && !widgets::IsHighlighted("note:offset_unit")) return;
     const DepthParams& depth = params.depth;

@@ -1,4 +1,4 @@
-// The panel's section on the depth buffer: its format, depth fighting, and its display.
+// The panel's section on the depth buffer: the buffer's format, depth fighting, and how depths are displayed.
 #pragma once
 
 #include "frame/derive.h"

@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// Explains the colors of the nearest and the farthest depth, and of unwritten pixels.
+/// Draws a legend for the colors of the nearest depth, the farthest depth, and unwritten pixels.
 void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rect) {
     const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
     const LegendEntry entries[] = {{near_color(params.view.depth_colors), near.c_str()},

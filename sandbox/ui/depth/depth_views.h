@@ -1,4 +1,4 @@
-// Depth buffers as pictures below, beside, and across the camera view, and the histogram of their depths.
+// Depth buffers as pictures below the camera view, beside it, or behind a divider across it, and a histogram of depths.
 #pragma once
 
 #include "frame/derive.h"
@@ -8,10 +8,12 @@
 
 namespace viewing {
 
-/// Draws the depth buffer below the camera view, with a legend of its colors. Adds its choices to the header line.
+/// Draws the depth buffer below the camera view, with a legend of its colors. Adds the choices of depth scale and depth
+/// colors to the header line.
 void draw_depth_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
 
-/// Draws a histogram of the depths in the camera's picture. Its two lines set the range that depth pictures show.
+/// Draws a histogram of the depths in the camera's picture. The histogram's two lines set the range that depth pictures
+/// show.
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
 /// Draws the second picture in its own half of the view.
@@ -19,7 +21,7 @@ void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture
 void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect);
 
 /// Draws the second picture to the right of a draggable line, over the first picture, which is already drawn. Returns
-/// whether the pointer is on the line.
+/// whether the pointer is on the line or drags it.
 bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
 
 /// Draws the choices of depth scale and depth colors on the current line, up to `right`.

@@ -19,7 +19,7 @@ enum FightingColumn { names, distance, gap, step, onset, predicted, trembling_me
 
 struct ColumnText {
     const char *title, *explanation;
-    const char* target;  ///< its name in lessons
+    const char* target;  ///< the column's name in lessons
 };
 constexpr std::array<ColumnText, fighting_columns> columns = {{
     {marked("pair"),
@@ -58,7 +58,7 @@ struct PairRow {
     bool is_below_onset = false, fights = false;
 };
 
-/// Joins two names, and writes the part that they share only once: "back / front quad at 4".
+/// Joins two names, writing the part that they share just once: "back / front quad at 4".
 std::string pair_name(const std::string& first, const std::string& second) {
     const std::size_t at = first.find(' '), other = second.find(' ');
     if (at != std::string::npos && other != std::string::npos && first.substr(at) == second.substr(other))
@@ -66,7 +66,7 @@ std::string pair_name(const std::string& first, const std::string& second) {
     return first + " / " + second;
 }
 
-/// "29–71%", "0%".
+/// Returns "29.0% – 71.0%", or "0.0%" if both ends look the same.
 std::string percents(double least, double most) {
     const std::string low = percent(least), high = percent(most);
     return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
@@ -225,7 +225,7 @@ struct LinePart {
     ImU32 color;
 };
 
-/// Draws the parts in one or more lines. Wraps within a part only if it is wider than a line.
+/// Draws the parts in one or more lines. Wraps within a part only if that part is wider than a line.
 void draw_parts(const std::vector<LinePart>& parts) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
@@ -247,7 +247,7 @@ void draw_parts(const std::vector<LinePart>& parts) {
     ImGui::PopFont();
 }
 
-/// Returns a part in the trouble color if something is wrong.
+/// Returns a part of a line, in the trouble color if something is wrong.
 LinePart told(std::string text, bool is_wrong) {
     return {std::move(text), is_wrong ? palette().trouble : palette().text};
 }

@@ -7,7 +7,8 @@
 
 namespace viewing {
 
-/// `report` is null until there are results. If the scene has no pair of flat surfaces, offers to open one that does.
+/// Draws the view. `report` is null until there are results. If no two flat surfaces of the scene are nearly coplanar,
+/// offers to open a scene where some are.
 void draw_fighting_view(Session& session, const FightingReport* report, const Rect& rect);
 
 }  // namespace viewing

@@ -129,7 +129,7 @@ void draw_object(const FragmentRow& row) {
     shortened_text(row.texts[object], ImGui::GetContentRegionAvail().x);
 }
 
-/// Makes the whole row an item to hover and click; recorded as "2 box: 812 < 812  tie: fails".
+/// Makes the whole row an item that can be hovered and clicked, and records it as "2 box: 812 < 812  tie: fails".
 bool draw_row_item(const FragmentRow& row, const std::string& on_click) {
     const float x = ImGui::GetCursorPosX();
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette().field);  // fainter than the visible fragment's highlight

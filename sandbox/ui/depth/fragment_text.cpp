@@ -53,7 +53,7 @@ bool asks_nothing(CompareFunc func) {
     return func == CompareFunc::never || func == CompareFunc::always;
 }
 
-/// The effect on color and depth if GL's rounding decides.
+/// Describes the effect on color and depth if GL's rounding decides.
 std::string rounding_sentence(const Fragment& fragment, const std::string& name) {
     if (!fragment.passes)
         return say("{fragment}: GL's rounding decides here, so the pixel is unchanged.", "fragment"_a = name);
@@ -68,7 +68,7 @@ std::string rounding_sentence(const Fragment& fragment, const std::string& name)
                      "fragment"_a = name);
 }
 
-/// The effect on color and depth if the comparison decides.
+/// Describes the effect on color and depth if the comparison decides.
 std::string compare_decision(const Fragment& fragment, const std::string& name, const std::string& asked) {
     if (!fragment.passes) {
         if (asks_nothing(fragment.depth.func))
@@ -89,8 +89,8 @@ std::string compare_decision(const Fragment& fragment, const std::string& name, 
                                 "fragment"_a = name, "compare"_a = asked);
 }
 
-/// Corrects the fragment to match its cell, which was read back before and after it was drawn; nullopt if it cannot
-/// have caused the change.
+/// Corrects the fragment to match its cell, which was read back before and after the fragment was drawn; nullopt if the
+/// fragment cannot have caused the change.
 std::optional<Fragment> as_read_back(Fragment sent, const BufferCell& before, const BufferCell& after) {
     const bool changes = before != after, changes_depth = before.stored != after.stored;
     if (changes_depth && !(sent.depth.test && sent.depth.write)) return std::nullopt;

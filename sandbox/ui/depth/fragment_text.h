@@ -17,13 +17,14 @@ std::string code_text(std::uint32_t stored, const DepthPrecision& precision);
 std::string bits_text(std::uint32_t stored);
 
 /// Returns the depth function's comparison, whether true or false: "12 < 15". Floats get enough decimals to differ, at
-/// least 3; if 12 do not suffice, returns their bits. GL_NEVER and GL_ALWAYS compare nothing: returns their names.
+/// least 3; if 12 do not suffice, returns their bits. For GL_NEVER and GL_ALWAYS, which compare nothing, returns their
+/// names.
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision);
 
 /// The outcome of a fragment's tests, in two columns.
 struct TestText {
-    std::string compare;    ///< "812 < 812", "rounding decides", "depth test off"; empty: depth was not compared
+    std::string compare;    ///< "812 < 812", "rounding decides", "depth test off"; empty if no depth test was reached
     std::string result;     ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
     bool is_close = false;  ///< a tie, or decided by rounding
 
@@ -32,18 +33,18 @@ struct TestText {
 };
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision);
 
-/// "box, triangle 3"; triangles count from 1.
+/// Returns "box, triangle 3"; triangles are counted from 1.
 std::string fragment_name(const Fragment& fragment);
 
 /// Says what a fragment does to its pixel: "box, triangle 3: 9 < 15, so color and depth are replaced."
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
 
-/// Does the same for a cell, read back before and after a step; the change in the cell decides. If the fragment cannot
-/// have caused the change, describes only the change.
+/// Does the same for a cell that was read back before and after a step. If the readback contradicts the fragment, the
+/// readback counts. If the fragment cannot have caused the change, describes only the change.
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision);
 
-/// Returns the index of the last fragment that writes its color, which is the visible one; −1: none.
+/// Returns the index of the last fragment that writes its color, which is the visible one; −1 if there is none.
 int seen_fragment(const std::vector<Fragment>& fragments);
 
 }  // namespace viewing

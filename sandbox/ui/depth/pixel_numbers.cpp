@@ -15,12 +15,13 @@ std::string with_place_for_sign(const std::string& number) {
     return is_negative ? number : " " + number;
 }
 
-/// Enough decimals of a window depth to distinguish adjacent integer codes, or adjacent floats near 1.
+/// Returns how many decimals of a window depth are enough to distinguish adjacent integer codes, or adjacent floats
+/// near 1.
 int decimals_of(const DepthPrecision& precision) {
     return precision.is_float ? 9 : static_cast<int>(std::ceil(precision.bits * 0.30103)) + 1;
 }
 
-/// Enough decimals that a step changes one of the last two.
+/// Returns enough decimals, 3 to 6, that a step of this size changes one of the last two if possible.
 int decimals_for_step(double step) {
     if (!(step > 0.0) || !std::isfinite(step)) return 3;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 3, 6);

@@ -11,18 +11,18 @@
 namespace viewing {
 
 struct PixelNumber {
-    std::string name;   ///< "z_window", a widgets::Formula, untranslated
-    std::string value;  ///< has a space where a minus sign would be
-    std::string unit;   ///< in the quiet color after the value; dropped first: "of 2²⁴ − 1"
+    std::string name;   ///< "z_{window}": a widgets::Formula, untranslated
+    std::string value;  ///< starts with a space where a minus sign would be
+    std::string unit;   ///< follows the value in the quiet color if it fits: "of 2²⁴ − 1"
     std::string title, explanation;
     std::string formula;  ///< a widgets::Formula; may be empty
 };
 
-/// Returns stored code, z_window, z_ndc, eye z, Δz, stencil, and world position, in this order. If the pixel still has
-/// the cleared depth, the numbers derived from it are "—".
+/// Returns the stored code, z_window, z_ndc, eye z, Δz (and for a float buffer, eye Δz), stencil, and world position,
+/// in this order. If the pixel still has the cleared depth, eye z, both Δz, and the world position are "—".
 std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& params, const Derived& derived);
 
-/// Rounds to about three significant digits: "0.00151", "152.6", "8.58·10⁻⁶".
+/// Rounds to about three significant digits: "0.00151", "153", "8.58·10⁻⁶".
 std::string step_text(double step);
 
 }  // namespace viewing

@@ -55,8 +55,8 @@ void color_swatch(const Color& color) {
     ImGui::Dummy({side, px(20.0F)});
 }
 
-/// Draws a button that releases the pin, or a note that nothing is pinned, at the right end of the header line, `room`
-/// pixels wide.
+/// At the right end of the header line, draws a button that releases the pin or, if nothing is pinned, a note that the
+/// view follows the pointer. `room`: the width in pixels that the note may take.
 void pin_state(ViewParams& view, float right, float room) {
     if (is_pinned(view)) {
         const float width = ImGui::CalcTextSize(tr("Release")).x + 2.0F * px(8.0F);
@@ -106,7 +106,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     headline_text(shown, fonts.text, palette().text);
 }
 
-/// Draws one number in its own column: its name, its value, and its unit if it fits.
+/// Draws one number at the cursor: its name, its value and, if it fits, its unit.
 void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_width, float width, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -130,8 +130,8 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
     ImGui::PopFont();
 }
 
-/// Fills the first column, then the second. The last number, the world position, has a row of its own, which small
-/// views omit when presenting. Leaves the cursor below the numbers.
+/// Draws the numbers, filling the first column and then the second. The last number, the world position, has a row of
+/// its own, which small views omit when presenting. Leaves the cursor below the numbers.
 void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
     const ViewFonts fonts = fonts_of(is_large);
     ImGui::PushFont(fonts.text);
@@ -153,7 +153,8 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
-/// If the cell view is visible, it provides the draw calls; a click then goes to the step that draws the fragment.
+/// Draws the surfaces along the pixel's ray. The draw calls are known only while the cell view is visible; a click on a
+/// fragment then goes to the step that draws it.
 void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     if (data.fragments.empty()) return widgets::Note("This pixel's ray hits no surface.");
     const std::string on_click = data.calls.empty()
@@ -168,7 +169,7 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
-/// The panel also shows the code width, and lessons use one name for both.
+/// Hides the code width if a lesson covers it. The panel also shows the code width, and lessons use one name for both.
 void cover(PixelNumber& number) {
     const bool is_step = number.name == "width Δz" || number.name == "eye Δz";
     if (!is_step || !widgets::IsCovered("note:depth_step")) return;

@@ -8,10 +8,10 @@
 
 namespace viewing {
 
-/// "box, front face".
+/// Names the surface that the pixel shows: "box, front face".
 std::string surface_words(const PixelReport& pixel);
 
-/// Returns the parts for the status bar, the most important first: a narrow bar may drop any of them.
+/// Returns the parts for the status bar, the most important first. A narrow bar drops those that do not fit.
 std::vector<std::string> pixel_words(const PixelReport& pixel);
 
 }  // namespace viewing

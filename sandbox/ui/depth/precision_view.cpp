@@ -25,8 +25,9 @@ ImU32 color_of(DepthMapping mapping) {
     }
 }
 
-/// The range over which near and far can be dragged. It ignores their current values, so the axis never moves under the
-/// pointer. A value typed outside the range widens it, even while that value is dragged back.
+/// The range over which near and far can be dragged. It is the same for all their usual values, so the axis never moves
+/// under the pointer. A value typed outside that range widens it, and the range stays wide while the value is dragged
+/// back.
 widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
     constexpr double usual_min = 1e-3, usual_max = 1e4;
     const auto decade = [](double z, bool is_upper) {
@@ -161,8 +162,8 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
     if (!advice || widgets::IsCovered("advice"))
         return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
-    // If chart and sentence do not both fit, the chart fills the view, and the sentence is below it, reached by
-    // scrolling. When presenting, the sentence is omitted.
+    // If the chart and the sentence do not both fit, the chart fills the view, and the user can scroll down to the
+    // sentence. When presenting, the sentence is then omitted.
     const bool has_room = room - line.height() >= px(120.0F);
     const float height = has_room ? room - line.height() : std::max(room, px(120.0F));
     draw_chart(session, derived, seen, height, cursor_z);

@@ -7,9 +7,9 @@
 
 namespace viewing {
 
-/// Draws the step Δz over the eye distance, for the state's near, far, format, and mapping, and for other formats and
+/// Plots the step Δz against the eye distance for the state's near, far, format, and mapping, and for other formats and
 /// mappings. Near and far can be dragged. If near does not suit the visible scene, adds a sentence and a button that
-/// fixes it. `cursor_z`: eye distance at the pixel under the pointer or at the pinned one; ≤ 0: none.
+/// fixes it. `cursor_z`: the eye distance at the pinned pixel or at the one under the pointer; ≤ 0 if there is none.
 void draw_precision_view(Session& session, const Derived& derived, const Rect& rect, double cursor_z);
 
 /// Draws the codes of the state's format and mapping between near and far.

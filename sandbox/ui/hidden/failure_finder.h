@@ -21,7 +21,7 @@ struct FailureFinder {
     Asked asked;
 };
 
-/// Draws the button that starts the search, or its progress and the button that stops it.
+/// Draws the button that starts the search or, while a search runs, its progress and a button that stops it.
 void draw_failure_finder(FailureFinder& finder, const Session& session, const HiddenResult& result);
 
 /// Call once a frame. Moves the camera to the view found, unless the input has changed or the user has stopped the

@@ -1,4 +1,4 @@
-// The growth of costs: measured in the background, plotted as results arrive, summarized in sentences, exported.
+// The growth of costs, measured in the background, plotted as results arrive, summarized in sentences, and exported.
 #include "ui/hidden/growth_view.h"
 
 #include <algorithm>
@@ -48,7 +48,8 @@ const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
     return state.rows[static_cast<std::size_t>(state.scene)];
 }
 
-/// Everything is built on the worker thread. The copied scene shares its meshes.
+/// Starts the measurement, which builds everything on the worker thread. The copied scene shares its meshes with the
+/// original.
 void start(GrowthViewState& state, const Scene& scene) {
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
     state.measuring.start([log = state.log, which = static_cast<GrowthScene>(state.scene),
@@ -159,8 +160,8 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     const bool is_own = state.scene == own_scene;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    // Fix the range, so that the curves grow and the axis stays. Not for the current scene, which may have fewer
-    // polygons.
+    // Fix the range, so that the curves grow while the axis stays in place. Do not fix it for the current scene, which
+    // may have fewer polygons.
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
                        .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},
@@ -186,7 +187,8 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
     float below = 0.0F;
     for (const std::string& sentence : told) below += note_height(sentence.c_str()) + ImGui::GetStyle().ItemSpacing.y;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // If chart and sentences do not both fit, the chart fills the view, and the sentences are reached by scrolling.
+    // If the chart and the sentences do not both fit, the chart fills the view, and the user can scroll down to the
+    // sentences.
     const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
     const Rect chart = draw_chart(state, session.scene(), height);
     // Scroll to the top first: the picture is taken from the next frame.

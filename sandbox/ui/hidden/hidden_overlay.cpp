@@ -63,8 +63,8 @@ struct NumberBox {
     }
 };
 
-/// Returns the box for a polygon's number at the polygon's center. Empty unless the center is visible and the number
-/// fits into the polygon.
+/// Returns the box for a polygon's number, which is at the polygon's center. Returns nullopt unless the center is
+/// visible and the number fits into the polygon.
 std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& result, const Polygon& polygon,
                                     ImVec2 size) {
     const std::optional<ImVec2> middle = overlay.project(centroid(polygon));
@@ -79,7 +79,8 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     return fits ? std::optional(box) : std::nullopt;
 }
 
-/// Draws each polygon's number in the drawing order. If numbers overlap, only that of the polygon drawn last remains.
+/// Draws on each polygon its number in the drawing order. If numbers overlap, only that of the polygon drawn last
+/// remains.
 void numbers(Overlay& overlay, const HiddenResult& result) {
     constexpr int most = 3000;
     ImFont* font = widgets::CurrentContext().fonts.small_number;
@@ -134,7 +135,7 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         outline(overlay, *polygon, palette().accent, 2.4F);
 }
 
-/// Outlines all polygons of a subtree.
+/// Outlines the polygons of a subtree; if there are too many, only some of them.
 void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     constexpr int most = 4000;
     std::vector<int> waiting;
@@ -149,7 +150,7 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     }
 }
 
-/// Draws a square in a node's plane with its normal, and the polygons on either side in two colors.
+/// Draws a square in a node's plane, the plane's normal, and the polygons on either side in two colors.
 void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     const BspTree& tree = *result.tree;
     if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;

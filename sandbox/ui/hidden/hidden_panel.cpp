@@ -39,7 +39,8 @@ void options_of(VisibilityMethod method, Params& params) {
     }
 }
 
-/// The button shares a row with the previous control, so that nothing moves when it appears or disappears.
+/// Draws a button that cancels the method or runs it again. The button shares a row with the previous control, so that
+/// nothing moves when it appears or disappears.
 void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
     const bool was_canceled = hidden.answer && hidden.answer->camera->is_canceled;
     if (!hidden.fraction && !was_canceled) return;
@@ -130,7 +131,7 @@ void culling_counts(const HiddenResult& result, bool steps) {
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 4.0F * ImGui::GetTextLineHeight()));
 }
 
-/// Draws only the controls that the state lists: the method's options, and the step bar if the step is listed.
+/// Draws only the controls that the state lists; these may include the step bar.
 void draw_listed(HiddenPanelState& state, Params& params, const HiddenStatus& hidden) {
     options_of(params.visibility.method, params);
     control(params, "visibility.numbers", {.label = marked("Numbers")});

@@ -10,13 +10,13 @@ namespace viewing {
 
 struct HiddenPanelState {
     widgets::StepPlayer player;
-    int left_step = -1;  ///< the last step set by the step bar
+    int left_step = -1;  ///< the step as the panel last left it
     FailureFinder failure;
     bool restart_method = false;  ///< request: run the canceled work again
     bool cancel_method = false;   ///< request: cancel the current work
 };
 
-/// Draws the method's options, steps, and counters: the last part of the panel's section on hidden surfaces.
+/// Draws the method's options, steps, and counters. They are the last part of the panel's section on hidden surfaces.
 void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenStatus& hidden);
 
 /// Call once a frame before drawing. Stops playback if anything else has changed the step.

@@ -12,7 +12,7 @@ namespace viewing {
 
 /// The results of the hidden-surface methods for the camera view, and the progress of newer ones.
 struct HiddenStatus {
-    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest; may be for an earlier camera; null: none
+    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest one, perhaps for an earlier camera; null: none
     std::optional<float> fraction;               ///< 0 … 1 while a method computes a newer one
     bool shows_time = false;                     ///< false in pictures that must be reproducible
 };

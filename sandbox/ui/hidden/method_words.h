@@ -1,4 +1,5 @@
-// The names of the methods and their options in choices and sentences, each in the order of its enumeration.
+// The names of the methods and of their options, for choices and sentences. Each list is in the order of its
+// enumeration.
 #pragma once
 
 #include "text/catalogue.h"

@@ -23,14 +23,15 @@ struct OrderRow {
 /// Returns a row with the polygon's names and color; the caller sets the rest.
 OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source);
 
-/// The rows of one result, which must outlive this object. `index` must follow the same result if that has a tree.
+/// The rows of one result, which must outlive this object. `index` must follow the same result if the result has a
+/// tree.
 class OrderRows {
 public:
     OrderRows(const HiddenResult& result, const TreeIndex& index);
 
     int count() const { return static_cast<int>(result_.order.size()); }
-    OrderRow row(int place) const;            ///< `place` counts from 0
-    int current() const { return current_; }  ///< the place of the step; −1: none
+    OrderRow row(int place) const;            ///< `place` is counted from 0
+    int current() const { return current_; }  ///< the step's place; −1: none
     /// The column title of `detail`, untranslated; empty if the method has none.
     const char* detail_title() const;
 

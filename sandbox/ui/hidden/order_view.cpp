@@ -1,5 +1,5 @@
-// The drawing order of the polygons, linked with the pictures. Beside it, the method's work at the step: Newell's
-// ladder, the comparison of the depth buffer, the hits of a ray. Read polygon_table.h and step_text.h first.
+// The drawing order of the polygons, linked with the pictures. Beside it, what the method does at the step: Newell's
+// ladder, the depth buffer's comparison, or a ray's hits. Read polygon_table.h and step_text.h first.
 #include "ui/hidden/order_view.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
         }
 }
 
-/// Crosses out every line of a text at `corner`.
+/// Crosses out every line of a text whose top left corner is `corner`.
 void cross_out(std::string_view lines, ImVec2 corner) {
     const float height = ImGui::GetTextLineHeight();
     for (float middle = std::round(corner.y + 0.55F * height); !lines.empty(); middle += height) {
@@ -128,7 +128,7 @@ void named_polygon(const char* letter, const std::string& name, ImU32 color) {
     shortened_text(name, ImGui::GetContentRegionAvail().x);
 }
 
-/// Draws the outcome above the tests, so that even a low view shows it.
+/// Draws the ladder. Its outcome is above the tests, so that even a low view shows it.
 void draw_ladder(const Ladder& ladder) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     named_polygon("A", ladder.p, palette().light);

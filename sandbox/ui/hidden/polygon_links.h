@@ -1,5 +1,5 @@
-// The polygon and the node that the tree, list, camera view, and observer highlight together. See tree_view.cpp and
-// polygon_table.cpp for usage.
+// The polygon and the node that the tree, the list, the camera view, and the observer view highlight together. See
+// tree_view.cpp and polygon_table.cpp for usage.
 #pragma once
 
 #include <memory>
@@ -28,8 +28,8 @@ struct PolygonLinks {
     std::shared_ptr<const std::vector<Polygon>> fragments;  ///< the links are indices into these
 };
 
-/// Call once a frame before drawing. If the fragments have changed, selects a piece of the same triangle, if there is
-/// one, and clears the links to nodes and hovered polygons.
+/// Call once a frame before drawing. If the fragments have changed, selects a fragment of the same source polygon as
+/// before, if there is one, and clears the links to nodes and hovered polygons.
 void keep_selection(PolygonLinks& links, const HiddenStatus& hidden);
 
 /// Call once a frame at its end. Applies the collected links.

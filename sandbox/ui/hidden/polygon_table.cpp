@@ -88,7 +88,7 @@ bool PolygonTable::row(int number, const OrderRow& row) {
     return is_clicked;
 }
 
-/// Makes the row an item to hover and click; recorded as "3 box, polygon 12".
+/// Makes the row an item that can be hovered and clicked, and records it as "3 box, polygon 12".
 bool PolygonTable::select(const OrderRow& row, const std::string& digits) {
     const bool is_selected = row.fragment >= 0 && row.fragment == links_.now.selected_fragment;
     const float x = ImGui::GetCursorPosX();

@@ -6,10 +6,11 @@
 
 namespace viewing {
 
-/// A table that is open from construction to destruction. Draw rows in between; the visible ones suffice.
+/// A table that is open from construction to destruction. Draw its rows in between; it is enough to draw the visible
+/// ones.
 class PolygonTable {
 public:
-    /// `detail`: the untranslated title of the last column; if empty, the column is omitted. `count`: the largest
+    /// `detail`: the untranslated title of the last column; if empty, the column is omitted. `count`: the largest row
     /// number.
     PolygonTable(PolygonLinks& links, const HiddenResult& result, const char* id, const char* detail, int count,
                  ImVec2 size);

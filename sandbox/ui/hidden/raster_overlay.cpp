@@ -22,7 +22,7 @@ std::string depth_digits(double depth, int decimals) {
     return text.starts_with("0.") ? text.substr(1) : text;
 }
 
-/// The most decimals of a depth that fit in a square with this side; 0: too few to be useful.
+/// Returns how many decimals of a depth fit in a square with this side; 0 if too few fit to be useful.
 int decimals_in(float side) {
     for (int decimals = 4; decimals >= 2; --decimals) {
         const ImVec2 size =

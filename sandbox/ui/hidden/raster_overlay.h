@@ -18,7 +18,7 @@ public:
     Rect of(glm::ivec2 pixel) const;
     ImVec2 middle(glm::ivec2 pixel) const;
     Rect whole() const;
-    /// Returns nullopt outside the picture.
+    /// Returns the pixel at a position on screen; nullopt outside the picture.
     std::optional<glm::ivec2> pixel_at(ImVec2 place) const;
 
 private:
@@ -34,10 +34,10 @@ void draw_raster_lines(const Overlay& overlay, const HiddenResult& result);
 /// Draws the depth in each pixel of a raster, with as many digits as fit. Skips areas that labels must avoid.
 void draw_raster_depths(const Overlay& overlay, const HiddenResult& result);
 
-/// Draws the step's pixel with a sentence beside it, which labels then avoid.
+/// Outlines the step's pixel and draws a sentence beside it; labels avoid the sentence.
 void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
 
-/// Draws the followed pixel.
+/// Outlines the followed pixel.
 void draw_chosen_pixel(const Overlay& overlay, const HiddenResult& result);
 
 }  // namespace viewing

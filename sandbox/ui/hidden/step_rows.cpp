@@ -40,7 +40,7 @@ LevelWords words_of(const HiddenResult& result) {
             marked("Goes back to the start of this triangle or, if already there, of the previous one.")};
 }
 
-/// Draws a button that goes to a step; disabled if there is none. As wide as its symbol.
+/// Draws a button that goes to step `to`; disabled if there is no such step. The button is wide enough for its symbol.
 void step_button(const char* id, const char* sign, std::optional<int> to, int& step, const char* title,
                  const char* explanation, const char* why_not) {
     if (widgets::CurrentContext().printed) return;
@@ -56,7 +56,7 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
     ImGui::SameLine(0.0F, px(step_gap));
 }
 
-/// Draws buttons that go to the previous and the next step of the followed pixel.
+/// Draws buttons that go to the previous and next steps that touch the followed pixel.
 void touch_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
     const char* const why_not = result.request.visibility.pixel
                                     ? marked("No other step in this direction touches this pixel.")
@@ -67,7 +67,8 @@ void touch_buttons(int& step, const HiddenResult& result, const char* previous_s
                 marked("Goes to the next step that touches the chosen pixel."), why_not);
 }
 
-/// Draws buttons that go to the end of the previous and the next group.
+/// Draws buttons that go to the beginning and the end of the step's group or, if already there, of the previous or next
+/// group.
 void group_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
     const LevelWords words = words_of(result);
     step_button("group before", previous_sign, previous_group(result, step), step, marked("Back"), words.previous,
@@ -100,14 +101,14 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     group_buttons(step, result, "←", "→");
     int group = place.group;
     if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);
-    // Aligned with the group's slider, but without buttons: the bar above already has those for single steps.
+    // Align this slider with the group's, but add no buttons: the bar above already has those for single steps.
     const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(step_gap));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     int within = place.within;
     if (level_slider(words.within, within, 0, place.size)) step = place.first + within;
 }
 
-/// Draws buttons that go to the steps of the followed pixel, and the number of those already reached.
+/// Draws buttons that go to the steps that touch the followed pixel, and says how many of these steps are reached.
 void touch_row(int& step, const HiddenResult& result, const std::optional<glm::ivec2>& pixel) {
     touch_buttons(step, result, "←", "→");
     const int reached = step < 0 ? result.step_count : step;

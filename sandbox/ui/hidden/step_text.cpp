@@ -57,7 +57,7 @@ std::string action_sentence(const HiddenResult& result, const NewellStep& step) 
     return "";
 }
 
-/// Enough decimals to distinguish two depths: 4 to 9.
+/// Returns how many decimals are enough to distinguish two depths: 4 to 9.
 int decimals_for(double a, double b) {
     const double apart = std::abs(a - b);
     if (!std::isfinite(apart) || apart <= 0.0) return 4;

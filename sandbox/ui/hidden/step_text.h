@@ -1,5 +1,5 @@
-// A method's step in words: Newell's ladder, the comparison of the depth buffer, the hits of a ray. See order_view.cpp
-// for usage.
+// A method's step in words: Newell's ladder, the depth buffer's comparison, or a ray's hits. See order_view.cpp for
+// usage.
 #pragma once
 
 #include <array>
@@ -23,14 +23,13 @@ struct Ladder {
 /// The statement about A and B that a test checks, untranslated.
 const char* newell_test_text(NewellTest test);
 
-/// Returns nullopt if the step is none of Newell's: at the beginning, and at the end, where the view summarizes all
-/// steps.
+/// Returns nullopt if the step is not one of Newell's: at step 0, and when the view summarizes all steps.
 std::optional<Ladder> newell_ladder(const HiddenResult& result);
 
 /// "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written". Empty if the step compares no pixel.
 std::string compare_sentence(const HiddenResult& result);
 
-/// The progress of a step, in two levels: "triangle 3 of 9, fragment 12 of 40". A negative step is the last.
+/// The progress of a step, in two levels: "triangle 3 of 9, fragment 12 of 40". A negative step means the last one.
 std::string progress_sentence(const HiddenResult& result, int step);
 /// The same in numbers, for narrow views: "3/9 · 12/40".
 std::string progress_numbers(const HiddenResult& result, int step);

@@ -1,5 +1,5 @@
-// A BSP tree in the form that its diagram needs, the map from polygons back to nodes, and sentences about nodes. See
-// tree_view.cpp for usage.
+// A BSP tree in the form that its diagram needs, a map from polygons back to nodes, and sentences about the tree and
+// its nodes. See tree_view.cpp for usage.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ public:
     TreeIndex(TreeIndex&&) = default;
     TreeIndex& operator=(TreeIndex&&) = default;
 
-    /// Updates the index to a result: its tree, its traversal, and the progress of its step. Ignores a result without a
-    /// tree.
+    /// Updates the index to match a result's tree, its traversal, and the progress of its step. Ignores a result
+    /// without a tree.
     void follow(const std::shared_ptr<const HiddenResult>& result);
     /// The number of trees followed so far.
     std::uint64_t revision() const { return revision_; }
 
     const std::vector<widgets::TreeNode>& nodes() const { return nodes_; }
     int node_of(int fragment) const;  ///< −1 if there is no such fragment
-    /// The eye's side of the node's plane, even if the traversal has not reached the node yet: 1 in front, −1 behind, 0
-    /// in the plane or unknown.
+    /// The side of the node's plane on which the eye is, even if the traversal has not reached the node yet: 1 in
+    /// front, −1 behind, 0 in the plane or unknown.
     int eye_side_of(int node) const;
 
 private:
@@ -44,11 +44,11 @@ private:
     std::vector<signed char> eye_sides_;
 };
 
-/// "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits", and the progress of the step.
+/// "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits", followed by the step's progress.
 std::string tree_sentence(const HiddenResult& result);
 
-/// Describes a node's plane and, once the traversal has reached it, how the eye's side decides the order. Nodes count
-/// from 1, like the steps that build the tree. Empty if there is no such node at this step.
+/// Describes a node's plane and, once the traversal has reached it, how the eye's side of the plane decides the order.
+/// Numbers nodes from 1, like the steps that build the tree. Empty if there is no such node at this step.
 std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index);
 
 }  // namespace viewing

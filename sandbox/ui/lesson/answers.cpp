@@ -14,7 +14,7 @@ namespace {
 constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
 constexpr float letter_room = 24.0F;                                    ///< before a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
-constexpr float least_half = 330.0F;  ///< two columns of choices from twice this width on
+constexpr float least_half = 330.0F;  ///< at twice this width or more, choices are in two columns
 
 int columns_of_choices(float width, float scale) {
     return width >= 2.0F * least_half * scale ? 2 : 1;
@@ -65,7 +65,8 @@ float tile_extra(const Ask& ask, const widgets::Context& context) {
     return (moves ? 2.0F * 20.0F : letter_room) * context.scale;
 }
 
-/// Lays out tiles in rows. Calls `place(item, x, y)` for each item, relative to the first tile's corner.
+/// Lays out tiles in rows. Calls `place(item, x, y, width)` for each item, with x and y relative to the first tile's
+/// corner. Returns the height of all rows.
 template <typename Place>
 float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const widgets::Context& context,
                     const Place& place) {
@@ -203,7 +204,8 @@ bool draw_tile(const LessonText& item, ImVec2 min, float width, float text_x, co
     return pressed && is_open;
 }
 
-/// Draws tiles to put in order: arrows at their ends move them, and dragging one onto another swaps them.
+/// Draws tiles that the student puts in order: the arrows at their ends move them, and dragging one onto another swaps
+/// them.
 void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
@@ -251,7 +253,8 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
     ImGui::Dummy({0.0F, 0.0F});
 }
 
-/// Draws tiles to choose by clicking. A sequence numbers them in the order of the clicks.
+/// Draws tiles that the student chooses by clicking. In a sequence, the chosen tiles are numbered in the order of the
+/// clicks.
 void draw_chosen(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();

@@ -6,7 +6,8 @@
 
 namespace viewing {
 
-/// Height of draw_answers() in pixels; also works outside a frame. `presents`: choices are larger.
+/// Returns the height in pixels that draw_answers() takes up; also works outside a frame. `presents`: for an audience,
+/// with larger choices.
 float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents);
 
 struct AnswerStyle {
@@ -15,8 +16,8 @@ struct AnswerStyle {
     bool presents = false;     ///< for an audience: larger, with bars of raised hands instead of clicks
 };
 
-/// Edits the run's answer. Returns true when a click on a choice has given the answer. Typed or ordered answers are
-/// submitted with the Check button.
+/// Draws the input and edits the run's answer. Returns true when a click on a choice has given the answer. Typed or
+/// ordered answers are submitted with the Check button.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
 /// Whether answers of this kind need the Check button.

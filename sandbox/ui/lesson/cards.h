@@ -1,4 +1,4 @@
-// A page of thumbnails to choose from: the lessons of the lecture, or the steps of one.
+// Cards with thumbnails to choose from: the lecture's lessons, the steps of one lesson, or the exercises.
 #pragma once
 
 #include <functional>

@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// A set's name in its file, and its label in the window.
+/// The name of a set of exercises in the exercise files, and its label in the window.
 struct SetName {
     const char *name, *label;
 };

@@ -1,5 +1,5 @@
-// The exercise page: the student, the progress, and the list of exercises; and the dialog that compares a typed matrix
-// with the right one. Read session/exercise_desk.h for the data.
+// The exercise page, which shows the student, the progress, and the list of exercises, and the page that compares a
+// typed matrix with the right one. Read session/exercise_desk.h for the data.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,8 @@ public:
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;
     static void draw_student(ExerciseDesk& desk, Guide& guide);
-    /// Says whether this is practice, and explains it; switches between practice and the student's own sheet.
+    /// Says whether this is practice and what that means; lets the student switch between practice and the student's
+    /// own sheet.
     static void draw_whose(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;
@@ -40,11 +41,11 @@ private:
     std::string chosen_;  ///< the exercise to start once all are generated
 };
 
-/// Two larger pictures: the scene with the typed S or R, and with the right one.
+/// Two large pictures: the scene with the typed S or R, and the scene with the right one.
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }
-    /// Only for a step whose answer is S or R (Ask::shows_as).
+    /// Opens the page; `run` must be at a step whose answer is S or R (Ask::shows_as).
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);

@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Opens a full-window page for its own lifetime.
+/// A full-window page that is open for the lifetime of this object.
 class Page {
 public:
     explicit Page(const char* name);
@@ -18,7 +18,7 @@ public:
     Page& operator=(const Page&) = delete;
 };
 
-/// `room`: width to keep free at the right end of the line, in design pixels.
+/// Draws a page's heading. `room`: the width to keep free at the right end of the line, in design pixels.
 void page_heading(const std::string& text, const char* label, float room = 180.0F);
 
 /// Draws a button at the right end of the current line.

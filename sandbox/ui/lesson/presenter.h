@@ -1,5 +1,5 @@
-// Presenter mode for lessons: the keys of a clicker and a few more, and overlays: black screen, pointer, ink.
-// Everything underneath stays live. Read session/guide.h for the navigation through a lesson.
+// Presenter mode for lessons. It handles a clicker's keys and a few more, and draws overlays: a blank screen, a
+// pointer, and ink. Everything underneath stays live. Read session/guide.h for the navigation through a lesson.
 #pragma once
 
 #include <map>
@@ -22,14 +22,14 @@ public:
     /// Returns the requested full-screen state, if any, and clears the request.
     std::optional<bool> take_wish_for_full_screen() { return std::exchange(wants_full_screen_, std::nullopt); }
 
-    /// Handles a key. Returns true if presenter mode used it, so that nothing else should.
+    /// Handles a key. Returns true if presenter mode used the key; nothing else should use it then.
     bool take(const KeyPress& press, Guide& guide, Session& session);
-    /// Call once a frame with the held keys and buttons.
+    /// Call once a frame with the keys and buttons that are held down.
     void update(const FrameInput& input, Guide& guide, Session& session);
 
     /// Whether the audience's picture is frozen.
     bool is_frozen() const { return is_on_ && is_frozen_; }
-    /// Whether the overview is open: the steps as pictures, to jump to one.
+    /// Whether the overview is open, which shows the steps as pictures and lets the user jump to one.
     bool shows_overview() const { return shows_overview_; }
     void show_overview(const Guide& guide);
     void close_overview() { shows_overview_ = false; }

@@ -1,5 +1,5 @@
-// The start page: the lessons as pictures in lecture order, each with its progress, and buttons to skip them. Also the
-// page that shows a lesson's steps.
+// The start page: the lessons as pictures in lecture order, each with its progress, and buttons that lead past them to
+// a recent file, the exercises, or the free view. Also the page that shows a lesson's steps.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@
 
 namespace viewing {
 
-/// A picture to render in addition to the window: its key, and how to load its state. A lesson step is shown before its
-/// answer.
+/// A picture to render in addition to the window: its key, and a function that loads its state. The state of a lesson
+/// step is the one before the answer.
 struct CardPicture {
     std::string key;
     std::function<Result<LoadedState>()> load;

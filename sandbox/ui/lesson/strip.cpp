@@ -18,7 +18,7 @@ constexpr float left_share = 0.36F;
 
 struct Columns {
     bool are_two = false;
-    float left = 0.0F, right = 0.0F;  ///< widths, pixels
+    float left = 0.0F, right = 0.0F;  ///< widths in pixels
 };
 
 Columns columns_of(float width, float scale) {
@@ -32,7 +32,7 @@ float button_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
 }
 
-/// Height of the longest possible feedback at this width.
+/// Height of the tallest possible feedback at this width.
 float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
     float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
     if (presents) return height;
@@ -45,7 +45,7 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
     return height;
 }
 
-/// Button labels of a step, in order. `departs`: includes Restore.
+/// Returns a step's button labels, in order. `departs`: whether to include Restore.
 std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
     std::vector<const char*> labels{"◂###back"};
     const bool is_sheet = run.lesson().sheet.has_value();
@@ -58,7 +58,7 @@ std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
     return labels;
 }
 
-/// Also works outside a frame.
+/// Returns a text's width; also works outside a frame.
 float text_width(ImFont* font, const std::string& text) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
 }
@@ -88,7 +88,7 @@ float buttons_height(const LessonRun& run, float width, const widgets::Context& 
     return rows * (button_height(context) + line_gap * context.scale);
 }
 
-/// The lesson's name; for an exercise, its own title and points.
+/// Returns the lesson's title or, for an exercise, the exercise's number, title, and points.
 std::string title_of(const LessonRun& run) {
     if (!run.lesson().sheet) return run.lesson().title.shown();
     const Sheet::Item& item = run.lesson().sheet->items[run.index()];
@@ -104,7 +104,7 @@ std::string place_of(const LessonRun& run) {
 
 constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 
-/// The title, wrapped to leave space for the progress, dot and clock at its right.
+/// The title, wrapped to leave space for the progress, dot, and clock to its right.
 Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
     ImFont* const font = context.fonts.note;
     const float beside =
@@ -112,7 +112,7 @@ Paragraph heading(const LessonRun& run, float width, const widgets::Context& con
     return paragraph(title_of(run), font, width - beside);
 }
 
-/// A dot shows that the state differs from the step's.
+/// Draws the title, the progress, and the clock. A dot shows that the state differs from the step's.
 void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -210,7 +210,7 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
     if (!look.presents) draw_buttons(run, look, width, wishes);
 }
 
-/// Draws feedback after ✓ or ✗, so that color is not the only cue.
+/// Draws feedback with ✓ or ✗ in front of it, so that color is not the only cue.
 void draw_told(bool is_right, const std::string& text, float width, const char* label) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -1,4 +1,5 @@
-// The lecture's display() with the camera's numbers: a part of the matrix column, and its own view.
+// The lecture's display() with the camera's numbers, which is a part of the matrix column and also has a view of its
+// own.
 #pragma once
 
 #include "frame/derive.h"

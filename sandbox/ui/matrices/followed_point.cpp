@@ -15,7 +15,8 @@ using widgets::Role;
 
 namespace {
 
-/// Draws one line about the followed point, which lessons know as `target`: its name, and from `column` on its value.
+/// Draws one line about the followed point: its name, then its value, which starts at `column`. `target` is the line's
+/// name in lessons.
 void followed_line(const char* target, const char* name, float column, const std::string& value, Role role) {
     if (widgets::IsCovered(target)) {
         widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
@@ -40,7 +41,7 @@ std::string vector_text(const glm::dvec3& value, std::size_t columns, const doub
     return w ? text + "," + padded(*w) + " )" : text + " )";
 }
 
-/// Width of a text in the font of numbers.
+/// Width of a text in the number font.
 float number_width(const char* text) {
     const ImFont& font = *widgets::CurrentContext().fonts.number;
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
@@ -83,7 +84,8 @@ void draw_followed_point(Session& session, const Derived& derived) {
         const std::string widest = vector_text(glm::dvec3(shadow), digits, &shadow.w);
         return column + number_width(widest.c_str()) <= ImGui::GetContentRegionAvail().x;
     };
-    // A long translation of "foot" has a column of its own if the widest line has no room beside it.
+    // If the widest line does not fit beside a long translation of "foot", only the value on that line starts farther
+    // right.
     const float wide = std::max(column_of("S p"), column_of(foot));
     const float column = fits(wide, 6) ? wide : column_of("S p");
     const auto vector = [digits = fits(column, 7) ? 7U : 6U](const glm::dvec3& value, const double* w = nullptr) {

@@ -46,7 +46,7 @@ std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     return identity_text(tr("points on the plane stay"), moved);
 }
 
-/// "plane 1", "plane 2", …; `number` counts from 1.
+/// Draws the choice of "plane 1", "plane 2", …; `number` is counted from 1.
 void choose_one(const char* name, int& number, std::size_t count) {
     if (count == 1) return;
     std::vector<std::string> texts;
@@ -71,8 +71,8 @@ void choose_pair(Params& params) {
 constexpr const char* shadow_facts[] = {"fact:det_shadow", "fact:rank_shadow", "fact:plane_dot_light"};
 constexpr const char* mirror_facts[] = {"fact:det_mirror"};
 
-/// The note on S. If a lesson highlights the determinant or Π·L, the note shows that instead: both follow from the
-/// usual note.
+/// The note on S. If a lesson highlights the determinant or Π·L, the note shows that value instead: the usual note only
+/// implies both.
 std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
     const std::string identity = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light));
     if (widgets::IsHighlighted("fact:det_shadow")) return "det S = " + number_text(glm::determinant(shadow), 3);
@@ -85,8 +85,8 @@ const char* told_sign(const CastShadow& cast) {
     return cast.sign < 0.0 ? "−1·S" : "+1·S";
 }
 
-/// S and R of the chosen plane and light, and their values before the latest edit. Choosing another pair is not a
-/// change.
+/// S and R of the chosen plane and light, and their values before the latest edit. Choosing another pair does not count
+/// as an edit.
 struct ChosenPair {
     explicit ChosenPair(const Column& column)
         : plane(column.derived.chosen_plane()), cast(column.derived.chosen_shadow()) {
@@ -242,7 +242,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     if (has("S") || has("R")) choose_pair(session.params);
     const bool has_both = has("V") && has("C");
     bool shows_camera = has("V") ? choice.shows_camera : !choice.shows_camera;
-    // Two matrices side by side if they fit, but none too wide to read at a glance.
+    // Put two matrices side by side if they fit, but make none too wide to read at a glance.
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));

@@ -29,7 +29,7 @@ struct ShownMatrix {
     glm::dmat4 now, before;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
-    glm::dmat4 derived{1.0};                  ///< the value unless entered by hand
+    glm::dmat4 derived{1.0};                  ///< the value unless one is entered by hand
     std::string heading = "";                 ///< replaces the letter
     std::string property = "";                ///< the property expected of a matrix entered by hand, with its error
     std::span<const char* const> facts = {};  ///< facts in the note, by their names in lessons

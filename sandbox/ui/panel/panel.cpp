@@ -1,4 +1,4 @@
-// One function per section. Each problem is reported in the section that has its cause.
+// One function draws each section. Each section reports the problems that arise from its settings.
 #include "ui/panel/panel.h"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ void known_views(Session& session, const Derived& derived) {
     }
 }
 
-/// Speed of flying and walking. It belongs to the user, not to the state.
+/// Draws the speed of flying and walking, which belongs to the user, not to the state.
 void speed_control(Session& session) {
     if (widgets::IsListing()) return;
     double speed = session.speed();
@@ -104,7 +104,7 @@ void slips(Params& params) {
     control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
-/// Three numbers in a row; if listed one by one, each has a row of its own.
+/// Draws the three angles in one row or, if the state lists its controls, each angle in a row of its own.
 void camera_angles(Params& params) {
     if (widgets::IsListing()) {
         static constexpr widgets::Links yaw[] = {link::yaw}, pitch[] = {link::pitch}, roll[] = {link::roll};
@@ -171,7 +171,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
         control(params, "projection.fovy", {.decimals = 1, .slider = true, .links = fovy});
     else
         control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
-    // Near and far push each other, so that near < far holds while either one is dragged.
+    // Near and far stop just short of each other, so that near < far holds while either one is dragged.
     ProjectionParams& projection = params.projection;
     if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
         projection.near = std::min(projection.near, projection.far * 0.999);
@@ -248,7 +248,7 @@ void observer_section(Session& session) {
     control(session.params, "observer.image_space", {.label = marked("Image space")});
 }
 
-/// Leaves space for the longest label. A wider panel has longer sliders.
+/// Returns the width of a control, which leaves space for the longest label. A wider panel has longer sliders.
 float item_width() {
     const float usual = px(189.0F), room = ImGui::GetContentRegionAvail().x - px(93.0F);
     return room > usual + px(8.0F) ? std::floor(room) : usual;

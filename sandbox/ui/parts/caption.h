@@ -1,4 +1,4 @@
-// A line of text drawn into a picture in memory, in the program's own typeface: for contact sheets.
+// Draws a line of text into a picture in memory, in the program's own typeface. Contact sheets use this.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// The width of a line in pixels. `height_px`: from the top of its capitals to the bottom of its descenders.
+/// Returns the width of a line in pixels. `height_px`: from the typeface's ascent to its descent.
 int caption_width_px(const std::string& text, int height_px);
 
 /// Draws the line in gray `level` with its upper left corner at (`left_px`, `top_px`), clipped to the picture.

@@ -38,7 +38,7 @@ struct DrawControl {
     const char* label;
 
     float width() const { return style.width * widgets::CurrentContext().scale; }
-    /// The style's width; more if the chosen name needs it and there is space.
+    /// The style's width, or more if the chosen name needs it and there is space.
     float choice_width(std::span<const char* const> names, int index) const {
         if (style.width <= 0.0F || index < 0 || index >= static_cast<int>(names.size())) return width();
         const float needed = widgets::ChoiceWidth(names.subspan(static_cast<std::size_t>(index), 1));

@@ -16,7 +16,7 @@ struct ControlStyle {
     int decimals = 2;
     bool slider = false;
     bool segments = false;                       ///< draws an enumeration as radio buttons
-    float width = 0.0F;                          ///< design pixels; 0: the default. A list may grow to fit its name
+    float width = 0.0F;                          ///< design pixels; 0: default. A list may grow to fit the chosen name
     std::span<const widgets::Links> links = {};  ///< one per component
     std::span<const char* const> names = {};     ///< replace the enumeration's names
     std::span<const char* const> tips = {};      ///< explain each segment
@@ -35,9 +35,9 @@ std::string target_of(std::string_view path);
 /// Draws a plate `width` pixels wide instead of the field's control if it is covered; returns whether it is.
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
-/// Draws the tooltip that explains a field, for the last item. Its title is `label` without any "##…" or, if `label` is
-/// empty, the field's own label; the field's path is below. `why_not` says why the field has no effect now, or is
-/// empty.
+/// Draws the last item's tooltip, which explains a field. Its title is `label` without any "##…" or, if `label` is
+/// empty, the field's own label; the field's path is at the bottom. `why_not` says why the field has no effect now, or
+/// is empty.
 void explain(const Field& field, std::string_view label = {}, std::string_view why_not = {});
 
 /// The defaults that a right-click restores.

@@ -17,7 +17,7 @@ glm::dvec2 CrossSection::flat(const glm::dvec3& point_world) const {
 }
 
 void CrossSection::fit(std::span<const glm::dvec3> points_world, const Margins& margins_px) {
-    glm::dvec2 least(0.0), most(0.0);  // always shows the foot
+    glm::dvec2 least(0.0), most(0.0);  // both start at 0, so that the foot is always visible
     for (const glm::dvec3& point : points_world) {
         least = glm::min(least, flat(point));
         most = glm::max(most, flat(point));

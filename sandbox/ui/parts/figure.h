@@ -1,4 +1,4 @@
-// A figure as on a slide: lines, marks, and labels in a cross-section. Read cross_section.h for the placement.
+// A figure as on a slide: lines, marks, and labels in a cross-section. cross_section.h defines the placement.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ public:
     void name(const glm::dvec3& point, const char* text, ImU32 color);
     /// Labels the middle of a line's visible part: "|p − l| = 3.91", or only the number if the figure is small.
     void measure(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
-    /// The same for a vertical line, with a dimension line to its left.
+    /// Labels a vertical line in the same way, with a dimension line to its left.
     void dimension(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
     /// Names the area around this line for lessons.
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) const;
@@ -45,7 +45,7 @@ private:
     struct Segment {
         ImVec2 from, to;
     };
-    /// Returns the part of a line inside the rectangle, or the whole line if it is outside.
+    /// Returns the part of a line inside the rectangle, or the whole line if no part of it is inside.
     Segment seen(ImVec2 from, ImVec2 to) const;
     ImVec2 middle_seen(ImVec2 from, ImVec2 to) const;
     std::string measure_text(const char* symbol, double value) const;

@@ -75,7 +75,8 @@ glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& ov
     return places.plane;
 }
 
-/// Intersects a ray with the plane through `point` that faces the eye.
+/// Intersects a ray with the plane through `point` that is perpendicular to `facing`. Returns `point` if they do not
+/// intersect.
 glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& facing) {
     const std::optional<double> t = intersect_plane(ray, glm::dvec4(facing, -glm::dot(facing, point)));
     return t ? ray.at(*t) : point;

@@ -12,16 +12,16 @@ namespace viewing {
 
 enum class Handle { none, light, plane_offset, plane_tilt, camera, direction, near_plane, far_plane };
 
-/// The field that a handle moves; "" for the camera's own handles, since flying also changes their fields.
+/// Returns the field that a handle changes; "" for the camera's own handles, since flying also changes their fields.
 const char* field_of(Handle handle);
 
 /// The position of each handle in the world.
 struct HandlePlaces {
-    glm::dvec3 light;  ///< the light, or a point along its direction if it is parallel
+    glm::dvec3 light;  ///< the light, or a point along its direction if it is parallel or far away
     glm::dvec3 plane;  ///< the patch's center
     glm::dvec3 normal_tip;
 
-    /// The camera's handles, if it is seen from outside.
+    /// The camera's handles, if the view shows the camera from outside.
     struct Camera {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
@@ -32,7 +32,7 @@ HandlePlaces handle_places(const Derived& derived);
 /// Returns the handles for an observer, including the camera's.
 HandlePlaces observer_handle_places(const Params& params, const Derived& derived);
 
-/// Returns the position at which to draw a light: its own, or a point along its direction if it is parallel.
+/// Returns where to draw a light: at its own position, or along its direction if it is parallel or far away.
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);
 
 /// A handle that is being dragged.
@@ -52,8 +52,8 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 
 /// Moves the handle with the pointer: the light and the camera parallel to the picture (`along_y`: only vertically),
 /// the plane along its normal, the normal's tip around the patch's center, the camera's direction around its eye, and
-/// near and far along that direction. Preserves the length and sign of the plane's normal, near < far, and the camera's
-/// roll.
+/// the near and far planes along that direction. Preserves the length and sign of the plane's normal, near < far, and
+/// the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
 /// Draws the handles with their labels, and the lamps of the other lights, which have no handle. A lamp outside the

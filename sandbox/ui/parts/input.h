@@ -1,5 +1,5 @@
-// The keys that the sandbox knows, named by meaning, and the input of a frame. The window fills it in from GLFW; tests
-// do so by hand.
+// The keys that the sandbox knows, and the input of a frame. The window or the browser's page fills it in; tests do so
+// by hand.
 #pragma once
 
 #include <array>

@@ -27,7 +27,7 @@ struct ButtonChanged {
     bool down = false;
 };
 struct WheelTurned {
-    glm::vec2 lines{0.0F};  ///< positive: right and up
+    glm::vec2 lines{0.0F};  ///< positive: left and up
 };
 
 enum class KeyKind {
@@ -78,8 +78,8 @@ public:
     bool is_empty() const { return events_.empty(); }
 
     /// Returns the input of the next frame: as many events as one frame can take. While more are queued, the frame's
-    /// time is that of its events, otherwise `now_s`. So the time between two clicks, and the time that a key is held,
-    /// stay the same however slow the frames are.
+    /// time is that of its events; otherwise, it is `now_s`. The time between two clicks, and the time for which a key
+    /// is held, therefore stay the same however slow the frames are.
     const InputFrame& next_frame(double now_s);
 
 private:
@@ -90,7 +90,7 @@ private:
     /// The kinds of events that the current frame already contains.
     struct Taken {
         bool pointer = false, wheel = false, keyboard = false, alone = false;
-        bool pressed = false, acted = false;  ///< pressed: a key but no modifier; acted: a key that does more than type
+        bool pressed = false, acted = false;  ///< pressed: a key, not a modifier; acted: a key that does more than type
         std::vector<std::size_t> codes;
     };
 

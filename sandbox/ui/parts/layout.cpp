@@ -30,7 +30,7 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
-constexpr float width_of_vectors = 360.0F;  ///< design pixels: a column for rows of numbers
+constexpr float width_of_vectors = 360.0F;  ///< design pixels; wide enough for several numbers in a row
 
 /// The height of the listed controls with their headings.
 float height_of_controls(const Telling& telling, float scale) {
@@ -63,12 +63,12 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
-    // When presenting, the lesson's text is 1/36 of the window's height, and numbers are at least 1/48.
+    // When presenting, the lesson's text is 1/36 of the window's height, and numbers are at least 1/48 of it.
     constexpr float text_px = 17.0F, number_px = 14.0F;  // design pixels
     if (arrangement.presents && !arrangement.bare)
         return std::max(window_px.y / (36.0F * text_px), window_px.y / (48.0F * number_px)) / scale;
     if (arrangement.maximized == ViewName::none || arrangement.bare) return 1.0F;
-    // Enlarge only as far as the bar above still fits.
+    // Enlarge only as long as the bar above still fits.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
 }
@@ -86,7 +86,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
                 gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    // When presenting, both lower views must be visible: no button switches between them.
+    // When presenting, both lower views must be visible, because no button switches between them.
     const float least_view = px(420.0F), least_lower = px(arrangement.presents ? 160.0F : 240.0F);
 
     Layout layout;
@@ -94,7 +94,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     layout.header_height = bare ? 0.0F : px(26.0F);
     layout.top_bar = rounded(0, 0, window_px.x, bar);
     layout.status_bar = rounded(0, window_px.y - status, window_px.x, window_px.y);
-    // Keep space for the views; the rest of a taller strip is below the window's edge.
+    // Keep space for the views: a taller strip is cut off at its lower edge.
     const float strip = std::min(bare ? 0.0F : arrangement.strip_px, 0.62F * window_px.y);
     if (strip > 0.0F) layout.strip = rounded(0, window_px.y - status - strip, window_px.x, window_px.y - status);
     const float top = bar + margin, bottom = window_px.y - status - strip - margin;

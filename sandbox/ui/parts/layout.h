@@ -36,11 +36,11 @@ struct Arrangement {
     bool panel_folded = false;
     bool matrices_folded = false;
     bool prefers_matrices = false;  ///< if only one column fits
-    bool prefers_column = false;    ///< in a short window, where the views come first
+    bool prefers_column = false;    ///< in a short window, which otherwise shows only views
     ViewName maximized = ViewName::none;
     bool beside_matrices = false;      ///< the maximized view needs the matrices beside it
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
-    bool halves = false;               ///< two pictures instead of the camera's
+    bool halves = false;               ///< two pictures side by side instead of the camera's
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
     float panel_width = 298.0F;
@@ -49,7 +49,7 @@ struct Arrangement {
     float lower_split = 0.5F;  ///< the left view's share of the width
     float caption_px = 0.0F;   ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;     ///< height of the lesson's strip below everything, in pixels
-    bool has_strip = true;     ///< of a lesson; false for pictures without the lesson's text
+    bool has_strip = true;     ///< shows a lesson's strip; false for pictures without the lesson's text
     bool presents = false;     ///< a lesson in front of an audience: no bars, text legible from the back row
     bool embedded = false;     ///< part of another page: no bars, no shortcuts of its own
 };
@@ -59,9 +59,9 @@ struct Layout {
     Rect panel, matrices;                  ///< empty when folded
     Rect camera, lower_left, lower_right;  ///< pictures, without their headers; empty when hidden
     Rect beside;                           ///< a second picture in the right half of the camera's area
-    Rect strip;                            ///< the lesson's; empty without one
-    Rect caption;                          ///< below the camera's picture and the one beside it; empty without one
-    bool caption_is_folded = false;        ///< it shows only the preset's title
+    Rect strip;                            ///< the lesson's strip; empty without a lesson
+    Rect caption;                          ///< below the camera's picture and the one beside it; may be empty
+    bool caption_is_folded = false;        ///< the caption shows only the preset's title
     float header_height = 0.0F;            ///< above each picture
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
@@ -69,7 +69,8 @@ struct Layout {
     bool lower_are_wide = false;           ///< the panel ends above the lower views, which span the whole width
 };
 
-/// Returns the factor that enlarges everything while one view fills the window. `scale`: see lay_out().
+/// Returns the factor by which to enlarge everything when presenting or while one view fills the window. `scale`: see
+/// lay_out().
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement);
 
 /// The size of notes and of numbers in tables, in design pixels: an audience needs larger type than a single reader.

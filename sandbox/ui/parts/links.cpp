@@ -36,7 +36,7 @@ MatrixCells shadow_cells() {
 
 MatrixCells mirror_cells(bool printed_by_rows, bool plus_2ab) {
     const Links* p = link::plane;
-    // The links are symmetric except for the last column, which is the last row of the transpose.
+    // The links are symmetric except for the last column, which becomes the last row of the transpose.
     std::array<Links, 16> links{p[0],        p[0] | p[1], p[0] | p[2], p[0] | p[3],  //
                                 p[0] | p[1], p[1],        p[1] | p[2], p[1] | p[3],  //
                                 p[0] | p[2], p[1] | p[2], p[2],        p[2] | p[3],  //

@@ -1,5 +1,5 @@
-// The bit of each parameter, so that a matrix entry can highlight the controls that it depends on, and vice versa. Also
-// the lecture's symbols for the entries of S, R, V, C, and P.
+// Assigns a bit to each parameter, so that a matrix entry can highlight the controls that it depends on, and vice
+// versa. Also returns the lecture's symbols for the entries of S, R, V, C, and P.
 #pragma once
 
 #include <array>
@@ -45,7 +45,8 @@ MatrixCells projection_cells(const Params& params, bool clip_zero_to_one);
 /// Marks the entries whose displayed numbers differ between the two matrices.
 void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& before);
 
-/// l and L belong to the light; n, Π, and the letters a to d to the plane; n, f, and h in P to the camera.
+/// The roles of letters: l and L belong to the light; n, Π, and a to d belong to the plane; n, f, and h in P belong to
+/// the camera.
 std::span<const widgets::LetterRole> shadow_roles();
 std::span<const widgets::LetterRole> mirror_roles();
 std::span<const widgets::LetterRole> camera_roles();

@@ -10,7 +10,7 @@ inline float px(float design) {
     return design * widgets::CurrentContext().scale;
 }
 
-/// The same color with this alpha, 0 … 255.
+/// Returns the color with the given alpha, 0 … 255.
 constexpr ImU32 with_alpha(ImU32 color, ImU32 alpha) {
     return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }

@@ -190,7 +190,7 @@ bool Overlay::is_free(const Rect& part) const {
 bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color) {
     const std::optional<ImVec2> place = project(point);
     if (place && rect_.contains(*place)) return false;
-    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // not divided by w, for points behind the eye
+    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // not divided by w: it may be behind the eye
     const ImVec2 half(0.5F * rect_.width(), 0.5F * rect_.height());
     const float inset = 14.0F * scale_;
     if (half.x <= inset || half.y <= inset) return true;

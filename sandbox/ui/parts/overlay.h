@@ -19,7 +19,7 @@ public:
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
-    /// Returns a world point's position on screen; nullopt behind the eye.
+    /// Returns a world point's position on screen; nullopt if the point is behind the eye.
     std::optional<ImVec2> project(const glm::dvec3& point_world) const;
     /// Returns the ray in world space through a screen position.
     Ray ray_at(ImVec2 place) const;
@@ -34,7 +34,7 @@ public:
     void arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 2.0F);
     /// Adds a label. The destructor places all labels beside their points, without overlap.
     void label(const glm::dvec3& point, const char* text, ImU32 color);
-    /// Draws a labeled arrow at the picture's edge toward a point outside it; returns whether the point is outside.
+    /// If a point is outside the picture, draws a labeled arrow toward it at the picture's edge. Returns whether it is.
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
     /// Names the area around this line for lessons (widgets/targets.h).
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to);
@@ -57,7 +57,7 @@ private:
         ImVec2 from, to;
     };
     std::optional<Segment> segment(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// The same for a line that is drawn: keeps labels off it.
+    /// Does the same for a line that will be drawn, and keeps labels off it.
     std::optional<Segment> drawn(const glm::dvec3& from, const glm::dvec3& to);
     ImVec2 place_of(const glm::dvec4& clip) const;
 

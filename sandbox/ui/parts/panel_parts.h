@@ -49,7 +49,7 @@ inline bool details(const char* label, std::span<const char* const> targets = {}
     return open;
 }
 
-/// Draws a quiet line that lessons know as `target`, or a plate if that is covered. Returns whether the line is
+/// Draws a quiet line that lessons know as `target`, or a plate if that target is covered. Returns whether the line is
 /// visible.
 inline bool named_note(const char* target, const std::string& text) {
     const bool is_covered = widgets::IsCovered(target);

@@ -1,5 +1,5 @@
 // A lesson's temporary changes to the window, apart from the state: covered parts, highlighted parts, a marked place.
-// Empty without a lesson. lesson/targets.h reads the names.
+// Empty without a lesson. lesson/targets.h defines the names.
 #pragma once
 
 #include <glm/glm.hpp>

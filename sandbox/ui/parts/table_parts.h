@@ -15,7 +15,7 @@ constexpr float cell_padding_x = 5.0F, cell_padding_y = 1.0F;
 /// The widths of a table's columns without padding, in pixels; 0 for omitted columns.
 template <std::size_t count>
 struct ColumnWidths : std::array<float, count> {
-    /// Includes the padding.
+    /// Returns the width of the whole table, including the padding.
     float sum() const {
         float sum = 0.0F;
         for (const float width : *this) sum += width > 0.0F ? width + 2.0F * px(cell_padding_x) : 0.0F;
@@ -29,7 +29,7 @@ float width_of(const std::string& text, ImFont* font);
 /// Draws text right-aligned in its cell, or left-aligned if it does not fit.
 void text_at_right(const std::string& text);
 
-/// Draws text. If it is too wide, shows `brief` or, without one, the shortened text; a tooltip then has the whole text.
+/// Draws text. If it is too wide, shows `brief` or, without one, the shortened text; a tooltip then shows it all.
 void shortened_text(const std::string& text, float width, const std::string& brief = "");
 
 }  // namespace viewing

@@ -17,13 +17,14 @@ Topic topic_of(const Params& params, Slot slot);
 /// Chooses another topic for a slot. If the other slot already shows it, the two swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
-/// The slot to show if only one fits: the one whose topic was chosen.
+/// Returns the slot to show if only one fits: the right one if only its topic was chosen, or if the hidden-surface
+/// method has a topic of its own and neither was chosen; otherwise the left one.
 Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
 
-/// The names in the list, in the order of Topic; the first one is `automatic`.
+/// The topics' names for the list, in the order of Topic; the first one is `automatic`.
 std::span<const char* const> topic_names();
 
 }  // namespace viewing

@@ -87,7 +87,7 @@ Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         return swatch + gap + ImGui::CalcTextSize(tr(entry.meaning)).x;
     };
 
-    // As many entries as fit, on a plate that keeps them legible over any picture.
+    // Draw as many entries as fit, on a plate that keeps them legible over any picture.
     float width = -between;
     std::size_t count = 0;
     while (count < entries.size() && width + between + width_of(entries[count]) < rect.width() - 4.0F * margin)

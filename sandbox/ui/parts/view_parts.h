@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Draws a picture; nothing if `picture` is null.
+/// Draws a picture; does nothing if `picture` is null.
 void draw_picture(const Rect& rect, ImTextureID picture);
 
 /// Draws the picture, filling its rectangle exactly, with an invisible button over it for the mouse.
@@ -17,8 +17,8 @@ void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 /// places the cursor.
 void view_header(const Rect& rect, const char* title);
 
-/// Draws a choice as words in a row, all quiet except the chosen one; as a list if the row would extend past `right`.
-/// The explanation with the same index is a word's tooltip.
+/// Draws a choice as words in a row, all quiet except the chosen one; draws a list instead if the row would extend past
+/// `right`. Each word's tooltip is the explanation with the same index.
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right);
 

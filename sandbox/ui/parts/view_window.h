@@ -16,13 +16,13 @@ struct ViewWindow {
 
 private:
     bool never_scrolls_;
-    int counted_before_;  ///< number of scrolling windows
+    int counted_before_;  ///< number of scrolling windows before this one
 };
 
 /// The height of a widgets::Note in the available width, in pixels.
 float note_height(const char* text);
 
-/// Draws a quiet sentence and records it for tests; nothing if it is empty.
+/// Draws a quiet sentence and records it for tests; does nothing if it is empty.
 void recorded_note(const std::string& sentence);
 
 /// Draws a sentence in the middle of the view and, unless `button` is null, a button below it; translates both. Returns

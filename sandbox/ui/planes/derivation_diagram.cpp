@@ -19,11 +19,11 @@ glm::dvec3 along_plane(const glm::dvec3& normal) {
     return glm::normalize(axis - normal * glm::dot(axis, normal));
 }
 
-/// Positions of light, point and shadow in the figure, and the figure's axes.
+/// The figure's axes, and the light's direction and position in the figure.
 struct ShadowPlaces {
     glm::dvec3 up, across;
-    glm::dvec3 towards_light;  ///< unit vector from p; zero without a ray
-    glm::dvec3 source;         ///< start of the ray: l, or far away toward a parallel light
+    glm::dvec3 towards_light;  ///< unit vector from p; zero if there is no ray
+    glm::dvec3 source;         ///< start of the ray: l, or a point far away toward the light
     bool has_light = false;    ///< l is a point within reach
 };
 
@@ -43,7 +43,7 @@ ShadowPlaces shadow_places(const ShadowDerivation& found, double farthest_world)
     return places;
 }
 
-/// The points to fit into the figure. The ray is at least as long as for l_w = 1.
+/// The points to fit into the figure. The ray is at least as long as it would be for l_w = 1.
 std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const ShadowPlaces& places,
                                        double farthest_world) {
     const glm::dvec3& p = found.point_world;

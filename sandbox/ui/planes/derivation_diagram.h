@@ -1,4 +1,4 @@
-// The two figures of the slides with the current numbers, as cross-sections that show the plane edge-on. Read
+// The slides' two figures with the current numbers, as cross-sections that show the plane edge-on. Read
 // derivation_views.h for the text beside them.
 #pragma once
 
@@ -8,9 +8,9 @@
 namespace viewing {
 
 /// Draws the cross-section through light and point, perpendicular to the plane: l, p and s, the similar triangles
-/// between them, and heights and lengths along the ray. The light is always above the plane. While s is near, the
-/// visible region does not depend on l_w: as l_w falls, the light leaves the figure at the top, and the ray enters from
-/// above. Shows nothing farther from p than `farthest_world`.
+/// between them, and the heights and the lengths along the ray. The figure always shows the light above the plane.
+/// While s is near, the visible region does not depend on l_w: as l_w falls, the light leaves the figure at the top,
+/// and the ray enters from above. Shows nothing farther from p than `farthest_world`.
 void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& derivation, double farthest_world);
 
 /// Draws q, its foot and q′, with k on both sides. A vertical plane is drawn upright.

@@ -61,7 +61,7 @@ glm::dvec4 projected(const ShadowDerivation& found) {
             found.parallel_light ? found.n_dot_l : found.n_dot_l - found.n_dot_p};
 }
 
-/// Explains why a fourth coordinate is needed.
+/// Adds lines that explain why a fourth coordinate is needed.
 void introduce_w(Lines& lines) {
     heading(lines, marked("The common denominator becomes w"));
     note(

@@ -1,5 +1,5 @@
 // A derivation as a list of lines, in the order in which they are written on a blackboard. Text only:
-// derivation_views.h shows the lines, all at once or step by step.
+// derivation_views.h draws the lines, all at once or step by step.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct DerivationLine {
 
     Kind kind = Kind::equation;
     std::vector<std::string> parts;  ///< for an equation, see equation(); otherwise one text, marked() or translated
-    std::string target = {};         ///< its name for lessons
+    std::string target = {};         ///< the line's name in lessons
     bool is_step = false;  ///< an intermediate step: omitted if only the results fit, unless the user goes step by step
 };
 
@@ -28,7 +28,7 @@ std::vector<DerivationLine> mirror_lines(const MirrorDerivation& found);
 /// Returns the number of steps. A heading appears together with the line below it.
 int step_count(const std::vector<DerivationLine>& lines);
 
-/// Returns the lines written after `steps` steps; all for −1 or a number past the end.
+/// Returns the lines that are written after `steps` steps; all lines if `steps` is negative or past the end.
 std::vector<DerivationLine> lines_until(const std::vector<DerivationLine>& lines, int steps);
 
 }  // namespace viewing

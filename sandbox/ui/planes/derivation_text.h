@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Roles of the letters. Light: l, L and s. Plane: n, P, a, b, c and d. Point: p, q, x, y and z. Primed symbols (q′,
+/// Roles of the letters. Light: l, L and s. Plane: n, Π, a, b, c and d. Point: p, q, x, y and z. Primed symbols (q′,
 /// x₀′) belong to the mirror.
 std::span<const widgets::LetterRole> derivation_roles();
 
@@ -21,11 +21,11 @@ std::string derivation_vector(const glm::dvec3& value);
 
 /// Draws the parts of one equation in a row: {"t", "= l_y/(l_y - p_y)", "= 5.200/3.900", "= 1.333"}, each a
 /// widgets::Formula. Parts that do not fit wrap to the next line, aligned with the second part. Uses the number font if
-/// the line is wide, otherwise the small one. Translates marked() parts, but records them in English. `width_px` 0: the
-/// available width.
+/// the line is wide, otherwise the small one. Translates marked() parts, but records them in English. A `width_px` of 0
+/// means the available width.
 void equation(const std::vector<std::string>& parts, float width_px = 0.0F);
 
-/// Draws a semibold line above the equations that follow; translates its text.
+/// Draws a semibold heading above the equations that follow; translates its text.
 void derivation_heading(const char* text);
 
 }  // namespace viewing

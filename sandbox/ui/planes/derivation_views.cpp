@@ -62,8 +62,8 @@ private:
     bool is_short_;
 };
 
-/// "light: parallel [      ] point": l_w from 0 to 1; x, y and z stay the same. In a narrow view, the first label is
-/// above the slider.
+/// Draws "light: parallel [      ] point", a slider for l_w from 0 to 1; x, y and z stay the same. In a narrow view,
+/// the first label is above the slider.
 void light_slider(Params& params) {
     if (widgets::HasPlainTitles()) return;  // the panel has this control, with its name
     constexpr double smallest = 1e-6;
@@ -123,7 +123,7 @@ void write_shown(const DerivationLine& line) {
     }
 }
 
-/// Whether this line is covered, or another part that shows the same numbers.
+/// Whether this line, or another part that shows the same numbers, is covered.
 bool is_covered(const std::string& target) {
     struct Same {
         std::string_view line;
@@ -152,7 +152,8 @@ void write(const DerivationLine& line) {
     widgets::MarkTarget(line.target, from, {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y});
 }
 
-/// Writes all lines, or those up to the state's step, then scrolls to the latest. Returns true when all are written.
+/// Writes all lines, or those up to the state's step; omits intermediate steps if `is_short`. Scrolls to the latest
+/// line if the step was just chosen. Returns true when all are written.
 bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_short, bool is_stepped) {
     const std::vector<DerivationLine> shown = lines_until(lines, step);
     for (const DerivationLine& line : shown)

@@ -1,4 +1,5 @@
-// From the inside out: words of code in color, code broken into rows, a line with its number, a function.
+// The functions build up from the inside out: colored words of code, code broken into rows, a line with its number, a
+// whole function.
 #include "ui/planes/lecture_code.h"
 
 #include <algorithm>
@@ -148,7 +149,7 @@ void title(const Function& function) {
     ImGui::PopFont();
 }
 
-/// Draws the lines. `dot`: the value of the extra line before those of S.
+/// Draws the lines. `dot`: the value of the extra line that precedes those of S; nullopt for R.
 void draw_lines(const Function& function, std::optional<double> dot) {
     const Writing writing = writing_for(function, ImGui::GetContentRegionAvail().x);
     ImGui::PushFont(writing.font);

@@ -37,7 +37,7 @@ const char* explanation_of(MirrorWay way) {
         "same.");
 }
 
-/// Always three decimals: depths are from 0 to 1.
+/// Always uses three decimals, since depths are between 0 and 1.
 std::string depth_text(double depth) {
     return plain_decimals(depth, 3);
 }
@@ -50,7 +50,7 @@ std::string difference_of(MirrorWay way, const MirrorWayReport& report) {
     return say("{share} differ", "share"_a = percent(share, 2));
 }
 
-/// Empty if no pixel shows the mirror image.
+/// Returns the mirror image's range of depths; empty if no pixel shows the mirror image.
 std::string depths_of(const MirrorWayReport& report) {
     if (report.image_pixels == 0) return "";
     return say("depth {first}…{last}", "first"_a = depth_text(report.first_depth),
@@ -119,7 +119,7 @@ void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysS
         widgets::Note("Reflection is off: there is no mirror image to compare.");
         return;
     }
-    // In a 2 × 2 grid, each with the camera picture's aspect ratio.
+    // Lay out the pictures in a 2 × 2 grid, each with the camera picture's aspect ratio.
     const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
     const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
     const float width =

@@ -16,7 +16,7 @@ struct MirrorWaysShown {
     std::shared_ptr<const MirrorWays> ways;
 };
 
-/// Draws the four pictures. A click on one chooses its way in the state.
+/// Draws the four pictures. A click on a picture sets the state to its way.
 void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown);
 
 }  // namespace viewing

@@ -15,7 +15,7 @@ constexpr const char* buffer_names[] = {marked("color"), marked("depth"), marked
 constexpr const char* whole_frame =
     marked("This hidden-surface method always draws the whole frame: it cannot stop after a pass.");
 
-/// Relative to the view, since pictures are sized before any frame sets a scale.
+/// The gap is relative to the view's size, since pictures are sized before any frame sets a scale.
 float gap_in(const Rect& rect) {
     return std::round(0.02F * std::min(rect.width(), rect.height()));
 }
@@ -48,9 +48,9 @@ Places places_in(const Rect& rect, double aspect) {
     return places;
 }
 
-/// Draws the step bar: passes as steps, counted from 1; a frame without a stop is at its last step. Returns true when
-/// the step changed. In a narrow view, the bar has less height, which also makes its buttons narrower. If even that bar
-/// does not fit, clicks on passes still work.
+/// Draws the step bar. Its steps are the passes, counted from 1; a frame that does not stop early is at the last step.
+/// Returns true when the step changed. In a narrow view, the bar has less height, which also makes its buttons
+/// narrower. If even that bar does not fit, clicks on passes still work.
 bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -70,7 +70,7 @@ bool steps(Session& session, int count, widgets::StepPlayer& player) {
     return true;
 }
 
-/// Whether the frame can stop after a pass: not with a hidden-surface method.
+/// Whether the frame can stop after a pass, which is possible only if GL alone draws it.
 bool can_stop(const Session& session) {
     return is_drawn_by_gl_alone(session.params.visibility.method);
 }
@@ -88,7 +88,7 @@ std::string rows_text(const glm::dmat4& matrix) {
     return text;
 }
 
-/// Draws a list of calls. `uploaded`: the product that the list names, for its tooltip.
+/// Draws a list of calls. `uploaded`: the matrix product that the list uploads, for a tooltip.
 void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
@@ -133,7 +133,7 @@ void entry(Session& session, const FramePlan& plan, int number) {
     ImGui::PopID();
 }
 
-/// Fills the rest of the window. `follows`: scrolls to the pass where the frame stops.
+/// Draws the list of passes, which fills the rest of the window. `follows`: scrolls to the pass where the frame stops.
 void list(Session& session, const FramePlan& plan, bool follows) {
     if (widgets::IsCovered("code:passes")) {
         widgets::Plate("list", ImGui::GetContentRegionAvail());

@@ -17,7 +17,7 @@ using PassPictures = std::array<ImTextureID, 3>;
 /// picture.
 glm::ivec2 pass_picture_size(const Rect& rect, double aspect);
 
-/// Draws the list with its step bar, which edits view.pass, and the three pictures beside it.
+/// Draws the list with its step bar, which edits view.pass, and the three pictures beside or below it.
 void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect, const PassPictures& pictures,
                       double aspect, widgets::StepPlayer& player);
 

@@ -13,7 +13,8 @@
 namespace viewing {
 namespace {
 
-/// Returns a light in a free place, if possible the first light with x, z or both negated.
+/// Returns a light at a position that no other light has; if possible, the position of the first light with x, z or
+/// both negated.
 LightParams another_light(const Params& params) {
     const glm::dvec4& first = params.lights.front().position;
     const glm::dvec4 places[] = {{-first.x, first.y, first.z, first.w},
@@ -72,7 +73,7 @@ void plane_controls(Params& params, std::size_t index) {
     PlaneParams& plane = params.planes[index];
     std::span<const widgets::Links> links;
     if (index == params.chosen().plane) links = link::plane;
-    // Only the first plane's controls have names.
+    // Only the first plane's controls have names that lessons can use.
     const auto name = [index](const Field& of) { return index == 0 ? target_of(of.path) : std::string(); };
     const Field& equation = field("plane.equation");
     const auto is_drawn = [index](const Field& of, const char* label, float width = 0.0F) {

@@ -50,7 +50,8 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// Eye distance at a screen position: that of an object there, otherwise of the chosen plane, otherwise of the target.
+/// Returns the eye distance at a screen position: the distance of an object there, otherwise that of the chosen plane,
+/// otherwise that of the target.
 double distance_at(const Overlay& overlay, const Scene& scene, const Derived& derived, ImVec2 place) {
     const Ray ray = overlay.ray_at(place);
     std::optional<double> t;
@@ -68,7 +69,8 @@ double world_per_px(const Lens& lens, double distance, float height_px) {
     return height / static_cast<double>(height_px);
 }
 
-/// The wheel moves the camera, zooms in orbit mode, or scales an orthographic picture; with Ctrl it changes the speed.
+/// Turning the wheel moves the camera, zooms in orbit mode, or scales an orthographic picture; with Ctrl, it changes
+/// the speed.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
     constexpr double seconds_a_line = 0.15;  // of flight per line of the wheel
     Params& params = session.params;

@@ -60,7 +60,7 @@ void show_legend(Overlay& overlay, std::span<const LegendEntry> entries) {
     overlay.keep_labels_off(draw_legend(overlay.draw(), overlay.rect(), entries));
 }
 
-/// The low four bits hold the patch's value, plus one per mirror; each of the high four bits, one missing light.
+/// The low four bits hold the patch's value, plus one per mirror; each of the high four bits marks one missing light.
 void stencil_legend(Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
@@ -125,7 +125,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
 }
 
 /// Draws a problem's sentence over the picture, with a button that fixes it. Call before the picture takes the mouse.
-/// Returns the top for the next sentence.
+/// Returns the top edge of the next sentence.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();

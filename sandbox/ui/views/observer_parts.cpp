@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t most_objects = 8, most_rays = 12;  ///< few enough that individual rays stay visible
 
-/// Draws the edges of near and far, and the side edges to far: from the eye, or from near if orthographic.
+/// Draws the edges of the near and far planes, and the side edges that lead to the far plane: from the eye or, if
+/// orthographic, from the near plane.
 void draw_pyramid(Overlay& overlay, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye, bool perspective,
                   ImU32 color) {
     for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -91,7 +92,7 @@ void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& d
 }
 
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
-    // Compute R from the plane: the one in use may be entered by hand, or filled by rows.
+    // Compute R from the plane: the R in use may have been entered by hand or filled by rows.
     const glm::dmat4 mirrored_world_from_world = mirror_matrix(derived.chosen_plane().unit_plane);
     const auto mirrored = [&](const glm::dvec3& point) {
         return glm::dvec3(mirrored_world_from_world * glm::dvec4(point, 1.0));

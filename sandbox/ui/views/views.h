@@ -28,7 +28,7 @@ struct PresetPicture {
     ImTextureID texture = nullptr;
 };
 
-/// Finished pictures to show, null if there is none, and the results that belong to them.
+/// The finished pictures to show (null where there is none), and the results that belong to them.
 struct Pictures {
     ImTextureID camera = nullptr, beside = nullptr;
     std::array<ImTextureID, 2> lower{};  ///< one for each Slot
@@ -37,7 +37,7 @@ struct Pictures {
     HiddenStatus hidden;
     DepthData depth;
     PresetPicture preset;
-    std::vector<PresetPicture> cards;  ///< of lessons and steps, by key
+    std::vector<PresetPicture> cards;  ///< of lessons, steps and exercises; `name` is the card's key
 };
 
 /// The lower view that the user prefers if only one fits; valid while the two slots show these topics.
@@ -49,15 +49,15 @@ struct LowerChoice {
 /// State of the views; persists between frames.
 struct ViewState {
     bool handles = true;
-    /// The fields and groups that handles may change, unless Ctrl is held, while a lesson's question is open. nullopt:
-    /// all.
+    /// While a lesson's question is open, the fields and groups that handles may change unless Ctrl is held. nullopt:
+    /// all of them.
     std::optional<std::vector<std::string>> movable;
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
-    float dragged_px = 0.0F;                  ///< pixels since the press; a click without motion picks a vertex
+    float dragged_px = 0.0F;                  ///< pixels since the press; tells a click from a drag
     glm::ivec2 camera_px{0};                  ///< last known size of the camera's picture
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
-    std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, origin top left
+    std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture, from its top left
     std::optional<glm::ivec2> method_pixel;   ///< under the pointer, in a hidden-surface method's picture
     std::optional<glm::ivec2> told_pixel;     ///< the last hovered_pixel, kept while the pointer is elsewhere
     ViewName hovered = ViewName::none;
@@ -82,8 +82,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
 /// Handles the mouse in the camera's view. Pressing grabs a handle or starts looking around, and dragging continues
-/// that; a click without motion picks a vertex, or clears the pick if it hits no object. `hovered`: the handle under
-/// the pointer.
+/// that. A click without motion chooses a pixel if a hidden-surface method or a view examines pixels; otherwise it
+/// picks a vertex, or clears the pick if it hits no object. `hovered`: the handle under the pointer.
 void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
                   const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion);
 
@@ -94,15 +94,15 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
 /// Pins a pixel of the camera's picture and replaces any other pin; a click on the pinned pixel removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
-/// Returns the camera's pixel under the pointer in another picture from the same camera, which must be the last item;
-/// nullopt outside the camera's picture.
+/// Returns the pixel of the camera's picture that corresponds to the pointer's position in another picture from the
+/// same camera, which fills `rect`; nullopt if the pointer is outside the camera's picture.
 std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px);
 
 /// Returns the lower view to show if only one fits.
 Slot lower_shown(const ViewState& state, const Params& params);
 
-/// Draws one of the two lower views. `plan`: the camera's frame. `is_alone`: the other view does not fit; its name
-/// becomes a button that shows it.
+/// Draws one of the two lower views. `plan`: the camera's frame. `is_alone`: the other view does not fit, so its name
+/// is a button that shows it.
 void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
                      const Rect& rect, const Pictures& pictures, bool is_alone);
 

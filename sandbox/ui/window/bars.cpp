@@ -44,7 +44,7 @@ float button_room(const char* label) {
 
 constexpr float step_padding = 5.0F;  ///< design pixels on each side of a step button's symbol
 
-/// Draws a button that opens the neighboring preset. Null: there is none, and `why` says why.
+/// Draws a button that opens the neighboring preset. If there is none, `preset` is null and `why` says why.
 bool step_button(const char* label, const NamedFile* preset, const char* why) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(step_padding), ImGui::GetStyle().FramePadding.y});
     const bool clicked = widgets::Button(label, preset != nullptr, why);
@@ -198,8 +198,8 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
 
 namespace {
 
-/// The column that the bar's button shows next, if only one fits. In a short window, one stop of the cycle shows only
-/// the views.
+/// The column that the bar's button shows next, if only one column fits. In a short window, one step of the cycle shows
+/// only the views.
 const char* next_column(const Arrangement& arrangement, const Layout& layout) {
     if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
     if (layout.is_short && arrangement.prefers_matrices) return marked("Views");

@@ -18,7 +18,8 @@ struct Caption {
     bool is_folded = false;  ///< shows only the preset's title
 };
 
-/// Returns the caption's height below a picture of this size. Needs the context's fonts, but no frame.
+/// Returns the caption's height below a picture of this size, and whether it is folded. Needs the context's fonts, but
+/// no frame.
 Caption caption_of(const NamedFile& preset, const widgets::Context& context, ImVec2 picture_px, CaptionFold wanted);
 
 /// Draws the caption. A click folds or unfolds it; "restore" returns to the preset's state.

@@ -40,8 +40,8 @@ constexpr Face regular{"Inter-Regular.otf", "NanumBarunGothic.ttf"},
     semibold{"Inter-SemiBold.otf", "NanumBarunGothicBold.ttf"},
     mono{"JetBrainsMono-Regular.ttf", "NanumBarunGothic.ttf"};
 
-constexpr float usual_korean = 0.95F;  ///< size of Korean relative to Latin
-constexpr float small_korean = 1.08F;  ///< syllables of three parts need it
+constexpr float usual_korean = 0.95F;  ///< size of Korean characters relative to Latin ones
+constexpr float small_korean = 1.08F;  ///< in small type, syllables of three parts need this size
 
 ImFont* font(const Face& face, float size_px, const ImWchar* korean, float korean_size = usual_korean) {
     size_px = std::round(size_px);

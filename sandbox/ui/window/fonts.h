@@ -13,15 +13,15 @@ namespace viewing {
 /// afterward, upload the atlas again before `korean` changes. Characters that no font has appear as a box.
 /// `small_type`: size of notes and of numbers in tables, in design pixels.
 widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
-/// The same without Korean.
+/// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
 
-/// The file whose font draws a character, and its em size when the font is drawn at its own size.
+/// The font file that draws a character, and its em size when the ImGui font is drawn at its own size.
 struct GlyphFace {
     const char* file = "";  ///< as embedded_font() names it
     float em_px = 0.0F;
 };
-/// `font`: one of load_fonts(). For a character that none of its merged fonts has, returns the first one.
+/// `font`: one of load_fonts(). If none of its merged fonts has the character, returns the first of them.
 GlyphFace face_of(const ImFont& font, ImWchar character);
 
 }  // namespace viewing

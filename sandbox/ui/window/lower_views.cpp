@@ -90,8 +90,8 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
     sentence_over_picture(ImGui::GetWindowDrawList(), rect, palette().light, whole, brief);
 }
 
-/// For another picture from the same camera, which must be the last item: reports the camera's pixel under the pointer.
-/// A click pins it if a view shows pinned pixels.
+/// Reports the camera's pixel under the pointer when the pointer is over another picture from the same camera, which
+/// must be the last item. A click pins the pixel if a view shows pinned pixels.
 void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     if (!ImGui::IsItemHovered()) return;
     state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);

@@ -16,7 +16,7 @@ public:
     void open() { requested_ = true; }
     bool is_open() const { return is_open_; }
     const std::string& search() const { return search_; }
-    /// Whether the list is open and its search is empty, so that keys cannot be meant for the text.
+    /// Whether the list is open and its search is empty, so that undo and redo cannot be meant for the search text.
     bool has_empty_search() const { return is_open_ && search_.empty(); }
 
     /// Draws the closed list, which shows `shown`, and below it the open list. `current`: the open preset; may be null.

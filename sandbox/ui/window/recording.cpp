@@ -40,7 +40,7 @@ public:
                 if (glyph.Visible) places_.try_emplace({glyph.U0, glyph.V0}, Place{font, &glyph});
     }
 
-    /// `corners`: the four corners of two triangles, upper left first.
+    /// Returns the character that a rectangle of two triangles draws. `corners`: its four corners, upper left first.
     std::optional<DrawnGlyph> at(const ImDrawVert* corners) const {
         const ImDrawVert &first = corners[0], &last = corners[2];
         const Place* const place = find(first.uv);
@@ -89,8 +89,8 @@ private:
 
 using Edge = std::pair<ImDrawIdx, ImDrawIdx>;
 
-/// Outline of the area that triangles cover. All triangles get the same winding, so an edge shared by two is traversed
-/// in both directions and cancels.
+/// Returns the outline of the area that triangles cover. All triangles get the same winding, so an edge shared by two
+/// of them is traversed in both directions and cancels.
 std::vector<Ring> outline(std::span<const ImDrawIdx> triangles, const std::map<ImDrawIdx, glm::vec2>& places) {
     std::map<Edge, int> edges;
     const auto add = [&edges](ImDrawIdx from, ImDrawIdx to) {
@@ -136,7 +136,7 @@ public:
         move_fringe(triangles);
         for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
             const std::span<const ImDrawIdx> triangle = triangles.subspan(i, 3);
-            // A triangle with only fringe vertices has no visible corner.
+            // Omit triangles that have only fringe vertices: they have no visible corner.
             if (std::any_of(triangle.begin(), triangle.end(), [&](ImDrawIdx at) { return !is_clear(color(at)); }))
                 triangles_.insert(triangles_.end(), triangle.begin(), triangle.end());
         }
@@ -181,7 +181,7 @@ public:
     }
 
 private:
-    /// The fringe fades out over one pixel, so the outline runs along its middle.
+    /// Moves the outer vertices of the fringe to its middle: it fades out over one pixel, so the outline runs there.
     void move_fringe(std::span<const ImDrawIdx> triangles) {
         if (places_.size() == 4) return;  // a gradient rectangle has no fringe
         std::map<ImDrawIdx, ImDrawIdx> partners;
@@ -230,7 +230,7 @@ private:
         }
     }
 
-    /// Returns the end of the piece. Triangles belong together while each shares vertices with earlier ones. The
+    /// Returns the end of the piece. Triangles belong together as long as each shares vertices with earlier ones. The
     /// vertices from one ImDrawList call have consecutive indices, so a new piece begins at a triangle whose indices
     /// are all above, or all below, the earlier ones: Dear ImGui draws a table column by column (ImDrawListSplitter),
     /// but creates its vertices row by row.

@@ -1,4 +1,5 @@
-// Collects Korean text that is not in the catalog, for the fonts. The catalog's own texts come with the language.
+// Collects Korean text that is not in the catalog, for the fonts. The catalog's own texts are collected when the
+// language changes.
 #include "ui/window/workbench.h"
 
 namespace viewing {

@@ -1,4 +1,4 @@
-// The palette of the state's theme. Widgets know nothing about the state.
+// Returns the palette of the state's theme, since widgets know nothing about the state.
 #pragma once
 
 #include "state/params.h"

@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Whether a column ("panel" or "matrices") is folded; fold() folds or unfolds it.
+/// Returns whether a column ("panel" or "matrices") is folded; fold() folds or unfolds it.
 bool is_folded(const Params& params, std::string_view column);
 void fold(Params& params, std::string_view column, bool folded);
 

@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// Held keys as motion along the camera's own axes.
+/// Converts held keys to motion along the camera's own axes.
 MotionInput motion_of(const FrameInput& input) {
     const auto axis = [&](Key plus, Key minus) {
         return (input.is_down(plus) ? 1.0 : 0.0) - (input.is_down(minus) ? 1.0 : 0.0);
@@ -289,7 +289,7 @@ void Workbench::draw_loading(Session& session, const Layout& layout) {
 
 void Workbench::draw_message(Session& session, const Layout& layout) {
     if (!session.message.is_error) return;
-    // Without a status bar (when presenting or embedded), place the message above the strip or the window's edge.
+    // Without a status bar (for example when presenting), place the message above the strip or the window's edge.
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float bottom = !layout.status_bar.empty() ? layout.status_bar.min.y
                          : !layout.strip.empty()    ? layout.strip.min.y

@@ -28,7 +28,7 @@ namespace viewing {
 struct StatusLine {
     std::string renderer;           ///< "OpenGL 3.3 · llvmpipe"
     std::string frame_time;         ///< "–" in pictures that must be reproducible
-    std::vector<std::string> told;  ///< about the pixel under the pointer, or coarse drawing; most important first
+    std::vector<std::string> told;  ///< on the pixel under the pointer, or on coarse drawing; most important first
 };
 
 /// Requests that only the surrounding program can fulfill.
@@ -56,12 +56,12 @@ public:
     Guide guide;  ///< runs the current lesson, if any
     PresenterMode presenter;
     StartPage start_page;
-    ExerciseDesk exercises;  ///< of the current student
+    ExerciseDesk exercises;  ///< the current student's exercises
     ExercisePage exercise_page;
     FlightRecorder recorder;          ///< the program's draw loop adds each frame
-    Replay replay;                    ///< of a flight or a hand-in, while it plays
+    Replay replay;                    ///< the replay of a flight or a hand-in, while it plays
     bool is_checking = false;         ///< an answer is being judged in the background
-    LessonsProgress progress;         ///< the user's, in every lesson
+    LessonsProgress progress;         ///< the user's progress in every lesson
     std::vector<std::string> recent;  ///< opened files, latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "": no problem
     Syllables korean;                 ///< characters shown so far, for the next frame's fonts
@@ -90,11 +90,11 @@ public:
 
 private:
     void set_stage();
-    /// Commits typed text before a key or a dropped file moves the focus away: holds that input back for one frame.
-    /// Also commits the text when the window loses focus.
+    /// Commits typed text before a key or a dropped file moves the focus away, by holding that input back for one
+    /// frame. Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
-    /// When presenting, returns the only switches to offer: `kinds`, and controls that the step names. Otherwise
-    /// nullopt: all.
+    /// When presenting, returns the switches to offer: `kinds`, the controls that the state's layout lists, and the
+    /// step's highlighted parts. Otherwise returns nullopt, for all switches.
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
     bool take_lesson_key(const KeyPress& press, Session& session);
@@ -133,7 +133,7 @@ private:
     void draw_message(Session& session, const Layout& layout);
 
     std::vector<NamedFile> presets_, scenes_;
-    /// Collects texts that may be Korean in any language: file and object names, lessons, typed text.
+    /// Collects texts that may be Korean whatever the window's language is: file and object names, lessons, typed text.
     void want_korean(const Session& session);
 
     FrameInput waiting_;  ///< keys and files held back until typed text is committed

@@ -1,4 +1,5 @@
-// Loaded into the program before its libraries: every lookup of a user's home returns $OTHER_HOME.
+// This library is loaded into the program before its other libraries, so that getpwuid_r() returns $OTHER_HOME as every
+// user's home.
 #include <dlfcn.h>
 #include <pwd.h>
 

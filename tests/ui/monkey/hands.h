@@ -1,6 +1,6 @@
-// The monkey's hands: from a seed they choose actions that a user could perform with mouse, keys, text, wheel, window
-// size, dropped files and the clipboard, mostly on an item. The owner of a window performs them: monkey.cpp without a
-// window, acting and observing in one program, and monkey_window with a real one. Read monkey.cpp next.
+// The monkey's hands. From a seed, they choose actions that a user could perform with mouse, keys, text, wheel, window
+// size, dropped files and the clipboard, mostly on an item. monkey.cpp performs the actions without a window and
+// observes their effect in the same program; monkey_window performs them on a real window. Read monkey.cpp next.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,7 @@ struct Deed {
     std::vector<Touch> touches;
 };
 
-/// A key as the window system reports it. `name` is the one xdotool takes.
+/// A key as the window system reports it. `name` is the name that xdotool takes.
 struct KeyOnBoard {
     const char* name;
     std::size_t code;  ///< GLFW's code
@@ -73,8 +73,8 @@ private:
     std::vector<std::filesystem::path> things_;
 };
 
-/// Creates everything that is dropped and pasted: states, scenes, meshes and figures, intact and broken ones, and files
-/// of no known kind.
+/// Creates the files that are dropped and pasted: intact and broken states, scenes, meshes and figures, and files of no
+/// known kind.
 void make_things(const std::filesystem::path& folder);
 
 /// Returns the lines that monkey_window reads: xdotool commands for the window `id`, or "resize W H", "clipboard FILE",

@@ -1,8 +1,8 @@
 // A monkey for the whole interface, without a window: it drives the studio and its input queue as the main loop does.
-// After each action GL has reported no error and the state reads back equal. After each episode of a hundred actions,
-// the camera's picture equals the snapshot of its state, undo leads to the start and redo to the end. Episodes begin in
-// presets, lessons and exercises. Every second episode runs background work as on screen; the others wait for it and
-// repeat exactly.
+// After each action, it checks that GL has reported no error and that the state reads back equal. After each episode of
+// a hundred actions, it checks that the camera's picture equals the snapshot of its state, that undo leads to the
+// start, and that redo leads to the end. Episodes begin in presets, lessons, exercises or on the start page. Every
+// second episode runs background work as on screen; the others wait for it and are exactly reproducible.
 //   monkey [--seed S] [--events N | --minutes N] [--episode K]    writes into the working folder
 //   monkey --script WIDTH HEIGHT WINDOW SEED COUNT STATE           actions for monkey_window
 //   monkey --confined COMMAND…                                     writes only into the working folder
@@ -42,7 +42,7 @@ void require(bool holds, const std::string& what) {
     if (!holds) throw Finding(what);
 }
 
-/// The fields that differ, for a message.
+/// Returns the fields that differ, for a message.
 std::string difference(const Params& a, const Params& b) {
     std::string text;
     for (const std::string& path : differing_fields(a, b)) text += " " + path;
@@ -71,7 +71,7 @@ public:
 
     const std::vector<RecordedItem>& items() const { return studio.workbench.widgets.recorded; }
 
-    /// With `bursts`, all events arrive before the first frame, as on a busy machine.
+    /// Performs an action. With `bursts`, all its events arrive before the first frame, as on a busy machine.
     void take(const Deed& deed, bool bursts) {
         for (const Touch& touch : deed.touches) {
             std::visit([this](const auto& one) { feel(one); }, touch);
@@ -322,7 +322,7 @@ private:
             require(first == start, "undo does not lead to the start:" + difference(first, start));
             require_it_reads_back(session);
         }
-        for (int step = 0; step < steps; ++step) {  // not beyond: the last action may have been an undo
+        for (int step = 0; step < steps; ++step) {  // no further: the last action may have been an undo
             window.tap("z", true, true);
             session.finish_loading();
         }
@@ -408,7 +408,7 @@ int write_script(char** argv) {
     const glm::ivec2 size_px(number<int>(argv[2]), number<int>(argv[3]));
     const auto seed = number<std::uint32_t>(argv[5]);
     const Result<LoadedState> state = load_state(argv[7]);
-    const bool is_whole = state && Session::make(*state);  // otherwise a file that it names is gone
+    const bool is_whole = state && Session::make(*state);  // false if a file that it names is gone
     Desk desk({static_cast<float>(size_px.x), static_cast<float>(size_px.y)}, is_whole ? argv[7] : "opening");
     const fs::path things = fs::current_path() / "things";
     if (!fs::exists(things)) make_things(things);

@@ -1,4 +1,4 @@
-// Embedded files: the assembler's way (.incbin) and the arrays of a browser build yield the bytes on disk.
+// Embedded files: both the assembler (.incbin) and the arrays of a browser build yield the bytes on disk.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -68,7 +68,7 @@ TEST(Svg, AnInchHasTheGivenPixels) {
     EXPECT_NE(as_svg(some_drawing(), {100.0, "", ""}).find("width=\"2in\" height=\"1in\""), std::string::npos);
 }
 
-/// A large picture drawn smaller ends at its box.
+/// A large picture that is scaled down must end exactly at the edge of its box.
 TEST(Svg, PicturesFillTheirBox) {
     const int width = 3000;
     const auto image = std::make_shared<const Image>(Image{width, 1, std::vector<std::uint8_t>(4 * width, 255)});
@@ -184,7 +184,7 @@ TEST(Backgrounds, AreRemovedUsingTwoPictures) {
         }
         remove_ground(on_black, on_white, cut);
         EXPECT_NEAR(cut[3], ink[3], 1);
-        // On any background it looks like the ink.
+        // On any background, the cut-out pixel looks like the original ink.
         for (int i = 0; i < 3; ++i) {
             const double ground = 90.0 * i, found = cut[3] / 255.0;
             EXPECT_NEAR(cut[i] * found + ground * (1.0 - found), ink[i] * alpha + ground * (1.0 - alpha), 2.0);

@@ -1,4 +1,4 @@
-// Animation: it begins without motion, the jitter stays within its amplitude, and the light stays on its circle.
+// Animation starts from the unanimated state, the jitter stays within its amplitude, and the light on its circle.
 #include "frame/animation.h"
 
 #include "unit/frame/frame_test.h"
@@ -6,7 +6,7 @@
 namespace viewing {
 namespace {
 
-/// Animates for this time in steps like those of a window.
+/// Animates for the given time, in steps as a window does.
 Params animated_after(const Params& params, double time_s) {
     Moment moment;
     for (int step = 0; step < 100; ++step) moment = advanced(moment, params, time_s / 100.0);
@@ -41,7 +41,7 @@ TEST(Animation, JittersByAThousandthOfTheTargetDistance) {
 }
 
 TEST(Animation, RotatesTheLightLeftAboutTheWorldY) {
-    // Seen from above with x to the right and z toward the viewer, a quarter turn to the left takes x to −z.
+    // Seen from above, with x to the right and z down the page, a quarter turn to the left takes x to −z.
     const Params quarter =
         testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true", "animation.light_speed=30"});
     const glm::dvec4 turned = animated_after(quarter, 3.0).lights.front().position;

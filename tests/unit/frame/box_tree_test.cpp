@@ -1,5 +1,5 @@
-// Boxes around a mesh's vertices and triangles give the same results as a test of each vertex and triangle: on random
-// meshes, planes, lights and views, and exactly at the limits.
+// Boxes around a mesh's vertices and triangles must give the same results as testing each vertex and triangle, on
+// random meshes, planes, lights and views, and exactly at the limits.
 #include "frame/box_tree.h"
 
 #include <limits>
@@ -127,7 +127,7 @@ TEST(BoxForm, BoundsTheValuesAtVertices) {
             ASSERT_LE(in_box.least(box), value);
             ASSERT_GE(in_box.greatest(box), value);
         }
-        for (const glm::vec3& vertex : object.mesh->positions) {  // for a single point the bound is the value
+        for (const glm::vec3& vertex : object.mesh->positions) {  // for a single point, the bound is the value itself
             const Bounds point{vertex, vertex};
             ASSERT_NEAR(in_box.least(point), in_box.greatest(point), 1e-9 * width);
         }
@@ -186,7 +186,7 @@ TEST(ObjectReach, EnclosesTheImageOfEveryVertex) {
                 return hits == is_inside;
             });
         };
-        const auto is_stretched = [&](const SceneObject& object) {  // from the patch to infinity
+        const auto is_stretched = [&](const SceneObject& object) {  // the shadow reaches from the patch to infinity
             return lands(object, true) && any_linear(object, [&](const glm::dvec4& point) {
                        return (sends * point).w <= 0.0 && side * glm::dot(plane, point) >= -standing;
                    });
@@ -211,7 +211,7 @@ TEST(ObjectReach, EnclosesTheImageOfEveryVertex) {
     }
 }
 
-/// Clips a triangle to the positive side of a plane in view space. Source: Sutherland and Hodgman 1974.
+/// Clips a polygon to the positive side of a plane in view space. Source: Sutherland and Hodgman 1974.
 std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, const glm::dvec4& side) {
     std::vector<glm::dvec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

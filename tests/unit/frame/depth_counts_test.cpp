@@ -1,5 +1,5 @@
-// The histogram of a depth buffer against depths converted to distances one by one, in double precision and by formulas
-// written out here.
+// Compares the histogram of a depth buffer with depths that are converted to distances one by one, in double precision
+// and by formulas written out here.
 #include "frame/depth/depth_counts.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,8 @@ TEST(DepthCounts, MatchEveryDepthByItself) {
         const double levels = std::exp2(each.read_as.bits) - 1.0;
         std::vector<std::uint32_t> stored;
         std::uint64_t unwritten = 0;
-        // Depths surely in a bin, and depths possibly in it because they are within float32's precision of an edge.
+        // The number of depths that are surely in each bin, and the number that may be in it because they are within
+        // float32's precision of an edge.
         std::vector<std::uint32_t> least(bins, 0), most(bins, 0);
         for (int i = 0; i < 5000; ++i) {
             double depth = random.number(0.0, 1.0);

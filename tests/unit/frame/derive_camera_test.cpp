@@ -1,5 +1,5 @@
-// The views of derive(): the camera with its mistakes, the uploaded projection, the observer, the moving world, the
-// frustum. Also that no possible setting yields a non-finite number.
+// The views of derive(): the camera with its mistakes, the uploaded projection, the observer, the moving world, and the
+// frustum. Also checks that no possible setting yields a non-finite number.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -61,7 +61,7 @@ TEST(DeriveCamera, ParallelViewHasADirectionAsEye) {
     EXPECT_NEAR(derived.eye_world.y, 0.5, 1e-12);
     EXPECT_NEAR(derived.eye_world.z, std::sqrt(0.75), 1e-12);
     EXPECT_NEAR(derived.planes[0].eye_side, 0.5, 1e-12);
-    // Looking up from above the plane shows its lower side, wherever the camera is.
+    // A parallel view that looks up shows the plane's lower side, even though the camera is above the plane.
     params.camera.pitch = 30.0;
     derived = derived_camera(params);
     EXPECT_NEAR(derived.planes[0].eye_side, -0.5, 1e-12);

@@ -143,7 +143,7 @@ TEST(DeriveFacts, DescribeTheOpeningState) {
     EXPECT_LT(shadow_residual(shadow, 5.2), 1e-12);
     EXPECT_LT(mirror_residual(mirror), 1e-12);
     EXPECT_LT(facts.view_residual, 1e-12);
-    // −z of the target in view space from the angles alone; the eye is at (3.9, 2.25, 6.6) relative to the target.
+    // −z of the target in view space, computed from the angles alone; the eye minus the target is (3.9, 2.25, 6.6).
     const double yaw = glm::radians(30.6), pitch = glm::radians(-16.4);
     const glm::dvec3 back(std::sin(yaw) * std::cos(pitch), -std::sin(pitch), std::cos(yaw) * std::cos(pitch));
     const double distance = glm::dot(back, glm::dvec3(3.9, 2.25, 6.6));

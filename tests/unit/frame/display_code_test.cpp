@@ -1,4 +1,4 @@
-// The lecture's display(): its code is parsed as by a compiler, and its matrices are multiplied.
+// The lecture's display(): the test parses its code as a compiler would and multiplies its matrices.
 #include "frame/display_code.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::string code_of(const Params& params, const Derived& derived) {
     return code;
 }
 
-/// Returns the numbers between a word and the closing parenthesis.
+/// Returns the numbers in the call of a function, with those inside radians() converted.
 std::vector<double> arguments(const std::string& code, const std::string& function) {
     const std::size_t at = code.find(function + "(");
     EXPECT_NE(at, std::string::npos) << function << " in\n" << code;

@@ -1,4 +1,4 @@
-// The draw calls of a frame in GL's order, and the way back through them triangle by triangle.
+// The draw calls of a frame in GL's order, and stepping back through them one triangle at a time.
 #include "frame/draw_calls.h"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ TEST(DrawLimits, StopWithinTheirCall) {
     EXPECT_EQ(triangles_drawn({-1, 5}, 4, 12), 12);
 }
 
-/// Counts the triangles of all calls that a limit admits.
+/// Counts the triangles that a limit admits in all calls.
 int drawn(const DrawLimit& limit, const std::vector<DrawCall>& calls) {
     int sum = 0;
     for (std::size_t i = 0; i < calls.size(); ++i)

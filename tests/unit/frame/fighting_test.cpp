@@ -1,5 +1,5 @@
-// Pairs of objects that can fight and the gap where the formulas predict it: worked examples, and properties of any
-// lens.
+// Pairs of objects that can fight, and the gap at which the formulas predict fighting: worked examples, and properties
+// that hold for any lens.
 #include "frame/depth/fighting.h"
 
 #include "frame/depth/pair_prediction.h"
@@ -73,7 +73,7 @@ TEST(FightingPairs, KnowWhichSquareIsOnTop) {
     EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
-/// With C uploaded as V the picture is that of a camera at the opposite place, and its fighting is too.
+/// With C uploaded as V, the picture and its fighting are those of a camera at the opposite place.
 TEST(PairPredictions, UseTheUploadedMatrix) {
     const Scene scene = scene_of({turned(square(0.0), {0.0, 90.0, 0.0}), turned(square(0.006), {0.0, 90.0, 0.0})});
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
@@ -95,7 +95,7 @@ TEST(PairPredictions, UseTheUploadedMatrix) {
 }
 
 TEST(FightingOnset, IsAboutAStepForWideCodes) {
-    // The table: near, far, z and the step at 16 bits.
+    // Rows of the table in unit/geometry/projection_test.cpp: near, far, z and the step at 16 bits.
     const double rows[][4] = {{20, 100, 60, 2.197e-3},
                               {1, 100, 10, 1.511e-3},
                               {1, 100, 100, 1.511e-1},
@@ -164,8 +164,8 @@ TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
     expect(share_of_random_codes(0.5, 0.5, 3.0, true), 0.0, 1.0);
 }
 
-/// Compares the share with a simulation of rounding: depths spread over some codes, the farther one behind by `gap`,
-/// both perturbed at random by the arithmetic.
+/// Compares the share with a simulation of rounding. The farther depths fall on every phase within a code; the nearer
+/// ones are `gap` in front of them and shifted by a random bias, which stands for the arithmetic.
 TEST(FightingShare, BoundsAnyArithmetic) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {
@@ -194,7 +194,7 @@ std::optional<ShareInterval> share_of(const Scene& scene, const Params& params) 
 }
 
 TEST(FightingPrediction, CountsTiesAsWrongIfTheWrongSurfaceWins) {
-    // Seen from 20 units above at 8 bits: a gap of 0.1 is far below a code, and every pixel has the same one.
+    // At 8 bits, seen from 20 units above, a gap of 0.1 is far below a code, and every pixel has the same code.
     const auto share_with = [](const Scene& scene, const char* setting) {
         return share_of(scene, params_with({"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0",
                                             "depth.format=d8", "projection.far=100", setting}));
@@ -209,7 +209,7 @@ TEST(FightingPrediction, CountsTiesAsWrongIfTheWrongSurfaceWins) {
 }
 
 /// Returns the share of wrong pixels of a poster on a wall, seen from 20 units above unless the settings change the
-/// camera, at 8 bits by default. −1 without a prediction, −2 if it is no better than to a fifth.
+/// camera, at 8 bits by default. Returns −1 without a prediction, and −2 if the predicted interval is wider than 0.2.
 double share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
     std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",
                                  "projection.far=100"};
@@ -230,8 +230,8 @@ TEST(FightingPrediction, KnowsTheCuresOfDecals) {
 }
 
 TEST(FightingPrediction, CountsTheCodesOfAnOffset) {
-    // At 8 bits the sandbox itself applies the offset: a unit is a code.
-    const auto seen_aslant = [](const char* units) {  // over some twenty codes
+    // At 8 bits, the sandbox itself applies the offset, so one unit is one code.
+    const auto seen_aslant = [](const char* units) {  // the pixels span some twenty codes
         return share_of_decal({"camera.position=[0,1.2,3.2]", "camera.pitch=-20", units});
     };
     EXPECT_NEAR(seen_aslant("depth.offset.units=-0.25"), 0.75, 0.05);
@@ -240,7 +240,7 @@ TEST(FightingPrediction, CountsTheCodesOfAnOffset) {
     EXPECT_EQ(share_of_decal({"depth.offset.units=-1"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.offset.units=1"}), 1.0);
     EXPECT_EQ(share_of_decal({"depth.offset.factor=-1"}), -1.0) << "depends on the slope";
-    // GL does not fix how many codes a unit is, only that it is at least one.
+    // GL does not define how many codes a unit spans, only that it spans at least one.
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-0.5"}), -1.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=2"}), 1.0);
@@ -266,7 +266,7 @@ TEST(FightingPrediction, IsAbsentWithoutAFormula) {
 
 TEST(FightingPrediction, MeasuresAlongTheViewRay) {
     const Scene scene = scene_of({square(0.0), square(0.1)});
-    // 45° above the horizon the same gap is √2 times as long along the view ray.
+    // At 45° above the horizon, the same gap is √2 times as long along the view ray.
     const Params params = params_with({"camera.position=[0,10,10]", "camera.pitch=-45", "camera.yaw=0"});
     const PairPrediction predicted =
         predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}), Viewport{}.size_px);

@@ -21,7 +21,7 @@ using testing::scene_of;
 
 constexpr glm::ivec2 fragment_px(64, 48), center_px(32, 24);
 
-/// Looks along −z from the origin; no patch, no shadow, no mirror image.
+/// Returns settings that look along −z from the origin and draw no patch, shadow or mirror image.
 std::vector<std::string> at_origin(std::vector<std::string> more = {}) {
     std::vector<std::string> settings{"camera.position=[0,0,0]",       "camera.yaw=0",       "camera.pitch=0",
                                       "shadow.enabled=false",          "plane.extent=0.001", "reflection.enabled=false",
@@ -30,7 +30,7 @@ std::vector<std::string> at_origin(std::vector<std::string> more = {}) {
     return settings;
 }
 
-/// Makes a square at that distance that is front-facing or back-facing.
+/// Makes a front-facing or back-facing square at the given distance.
 SceneObject facing_quad(const std::string& name, double distance, bool back = false) {
     SceneObject quad = object(name, quad_mesh(), {0, 0, 0});
     quad.world_from_model = world_from_model({0, 0, -distance}, {0, back ? -90.0 : 90.0, 0}, glm::dvec3(30.0));
@@ -47,7 +47,7 @@ std::vector<Fragment> fragments_of(const std::vector<std::string>& settings, con
 }
 
 TEST(Fragments, HaveTheDepthsOfTheFormulas) {
-    // near 1, far 100, z = 10: a row of the table.
+    // near 1, far 100, z = 10 is a row of the table in unit/geometry/projection_test.cpp.
     const Scene scene = scene_of({facing_quad("far", 60), facing_quad("near", 10)});
     const auto code = [&](const char* format, const char* mapping) {
         const std::vector<Fragment> found =
@@ -73,7 +73,8 @@ TEST(Fragments, HaveTheDepthsOfTheFormulas) {
 }
 
 TEST(Fragments, ComeInDrawOrder) {
-    // The patch is first, then objects in the scene's order, here the nearest last: each passes and is overdrawn.
+    // The patch comes first, then the objects in the scene's order. Here the nearest object is last, so each one passes
+    // and the next one draws over it.
     const Params params = params_with({"camera.position=[0,5,0]", "camera.pitch=-90", "camera.yaw=0"});
     SceneObject low = object("low", quad_mesh(), {0, 1, 0}), high = object("high", quad_mesh(), {0, 2, 0});
     std::vector<Fragment> found = fragments_of(params, scene_of({low, high}));
@@ -147,7 +148,7 @@ TEST(Fragments, AreCulledByFacing) {
     EXPECT_EQ(culled("front", "ccw"), std::pair(false, true));
     EXPECT_EQ(culled("back", "cw"), std::pair(false, true));
     EXPECT_EQ(culled("front_and_back", "ccw"), std::pair(true, true));
-    // A culled fragment takes no depth test and writes no depth: the farther one passes behind it.
+    // A culled fragment takes no depth test and writes no depth, so the farther fragment behind it passes.
     EXPECT_FALSE(
         fragments_of({"cull.enabled=true"}, scene_of({facing_quad("a", 5), facing_quad("b", 5, true)}))[1].tie);
     EXPECT_TRUE(fragments_of({"cull.enabled=true"}, scene)[1].drawn);
@@ -173,8 +174,8 @@ TEST(Fragments, OfDecalsAreOffset) {
 }
 
 TEST(Fragments, OfDecalsAreOffsetByTheirSlope) {
-    // The plane y = −1 seen from the origin, fovy 90: a row at slope Y below the horizon is at distance z = 1 / Y, so
-    // window depth f/(f−n) − f n Y/(f−n) changes by f n/(f−n) times 2/height from row to row.
+    // This is the plane y = −1 seen from the origin at fovy 90. A row at slope Y below the horizon is at z = 1 / Y, so
+    // its window depth f/(f−n) − f n Y/(f−n) changes by f n/(f−n) times 2/height from row to row.
     SceneObject decal = object("decal", quad_mesh(), {0, -1, 0}, {50, 1, 50});
     decal.description.decal = true;
     const Scene scene = scene_of({decal});
@@ -189,7 +190,8 @@ TEST(Fragments, OfDecalsAreOffsetByTheirSlope) {
 }
 
 TEST(Fragments, OfAClosedSurfaceComeInPairs) {
-    // Edges run through pixel centers here by symmetry; exactly one of two triangles is hit.
+    // By symmetry, edges run through pixel centers here; a ray hits exactly one of the two triangles that share an
+    // edge.
     const Params params = params_with(at_origin());
     const std::vector<Mesh> meshes{box_mesh(), sphere_mesh(16, 8), torus_mesh(16, 8), cylinder_mesh(12), cone_mesh(12)};
     for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -256,8 +258,8 @@ TEST(Fragments, MatchARayInTheWorld) {
 }
 
 TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
-    // A grid of separate squares at known places: the boxes around runs of triangles must lose none, in any order of
-    // triangles.
+    // A grid of separate squares at known places. The boxes around runs of triangles must lose none of them, whatever
+    // the order of the triangles.
     Random random(seed);
     constexpr int side = 60;
     Mesh grid;
@@ -287,7 +289,8 @@ TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
 }
 
 TEST(Fragments, OfThePatchNeedTheMirrorMask) {
-    // The mask is drawn with the depth function, the patch over it with ALWAYS: without the mask there is no patch.
+    // The mask is drawn with the depth function, and the patch is drawn over it with ALWAYS. Without the mask, there is
+    // no patch.
     const Scene scene = testing::box_scene();
     const auto of_patch = [&](const std::vector<std::string>& settings) {
         std::vector<std::string> all{"camera.position=[3,4,0]", "camera.yaw=0", "camera.pitch=-90"};
@@ -311,7 +314,7 @@ TEST(Fragments, AreEmptyWithoutASurface) {
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({facing_quad("behind", -3)})).empty());
     EXPECT_TRUE(fragments_of({"projection.near=4"}, scene_of({facing_quad("too near", 3)})).empty());
     EXPECT_TRUE(fragments_of({"projection.far=2"}, scene_of({facing_quad("too far", 3)})).empty());
-    // Edge-on: the plane y = 0 seen from y = 0.
+    // The plane y = 0 is edge-on when it is seen from y = 0.
     EXPECT_TRUE(fragments_of(std::vector<std::string>{}, scene_of({object("edge", quad_mesh(), {0, 0, -3})})).empty());
 }
 

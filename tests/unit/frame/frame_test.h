@@ -19,7 +19,7 @@
 
 namespace viewing::testing {
 
-/// Makes an object without files.
+/// Makes an object without reading a file.
 inline SceneObject object(const std::string& name, Mesh mesh, const glm::dvec3& position,
                           const glm::dvec3& scale = glm::dvec3(1.0)) {
     ObjectDescription description;
@@ -38,7 +38,7 @@ inline Scene scene_of(std::vector<SceneObject> objects) {
     return scene;
 }
 
-/// Returns a unit box from y = 0 to y = 2; its vertices are known only by position.
+/// Returns a box of side 2 that reaches from y = 0 to y = 2.
 inline Scene box_scene() {
     return scene_of({object("box", box_mesh(), {0.0, 1.0, 0.0})});
 }

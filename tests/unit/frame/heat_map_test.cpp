@@ -1,5 +1,5 @@
-// The table that the heat map's shader reads, against the formulas of frame/depth/fighting.h and worked examples; its
-// colors.
+// Checks the table that the heat map's shader reads against the formulas of frame/depth/fighting.h and worked examples.
+// Also checks its colors.
 #include "frame/depth/heat_map.h"
 
 #include "frame/depth/fighting.h"
@@ -67,7 +67,7 @@ TEST(HeatMap, IsPositiveAndFiniteForAnyLens) {
 }
 
 TEST(HeatMap, NoGapIsWideEnoughJustBehindNear) {
-    // At four bits the first codes span a wide range: just behind near, no surface in front has another code.
+    // At four bits, the first codes span a wide range, so just behind near, no surface in front has another code.
     const HeatMap map = map_of({"projection.near=1", "projection.far=100", "depth.format=d4"});
     for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(map.onset_at(z), z - 1.0) << z;
 }

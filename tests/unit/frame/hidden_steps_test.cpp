@@ -161,8 +161,8 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     }
 }
 
-/// Returns false if rounding decides; otherwise `meets_it` says whether the ray hits the polygon, by its plane and the
-/// side of every edge.
+/// Returns false if rounding decides; otherwise `meets_it` says whether the ray hits the polygon, judged by its plane
+/// and the side of every edge.
 bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it) {
     const double slope = glm::dot(glm::dvec3(polygon.plane), ray.direction);
     if (std::abs(slope) < 1e-9) return false;

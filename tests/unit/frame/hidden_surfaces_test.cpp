@@ -1,5 +1,5 @@
 // The methods as the frame uses them: the meaning of an order and a counter, caching between requests, and nearly empty
-// input. unit/visibility tests that the methods are right. See also hidden_steps_test.cpp.
+// input. The tests in unit/visibility check that the methods are correct. See also hidden_steps_test.cpp.
 #include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <numeric>
@@ -25,7 +25,7 @@ using testing::with_method;
 constexpr std::array software_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                       VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
 
-/// Expects two results that are equal except for times.
+/// Expects two results to be equal except for their times.
 void expect_same(const HiddenResult& a, const HiddenResult& b) {
     EXPECT_EQ(a.order, b.order);
     EXPECT_EQ(a.drawn, b.drawn);
@@ -52,7 +52,7 @@ void expect_same(const HiddenResult& a, const HiddenResult& b) {
     EXPECT_EQ(counters(a.counters), counters(b.counters));
 }
 
-/// Expects every index exactly once.
+/// Expects the order to have every index exactly once.
 void expect_permutation(std::vector<int> order, std::size_t count) {
     std::sort(order.begin(), order.end());
     std::vector<int> all(count);
@@ -112,7 +112,8 @@ TEST(HiddenOrders, MatchThePictureOfRayCasting) {
     }
 }
 
-/// As in OpenGL 3.3, section 3.6.1: the sign of the area on the screen, for triangles in front of the near plane.
+/// Decides as in OpenGL 3.3, section 3.6.1, by the sign of the area on the screen. The triangle must be in front of the
+/// near plane.
 bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -153,7 +154,7 @@ TEST(HiddenCulling, MatchesTheScreenAndTheMirror) {
             for (const Polygon& polygon : solver.surface()->polygons)
                 for (const glm::dvec3& vertex : polygon.vertices)
                     all_before_near_plane &= asked.viewpoint.distance(vertex) > params.projection.near;
-            if (!all_before_near_plane) continue;  // true for half of the mirrored eyes
+            if (!all_before_near_plane) continue;  // half of the mirrored eyes are skipped
             for (const Polygon& polygon : solver.surface()->polygons) {
                 EXPECT_EQ(!left.contains(polygon.source), is_culled_by_area(polygon, asked));
                 ++(left.contains(polygon.source) ? kept : culled);
@@ -204,7 +205,7 @@ TEST(HiddenSolver, ReportsCancellationAndForgetsIt) {
     }
 }
 
-/// After cancellation a small scene is drawn completely, a large one in part, and the sentence says so.
+/// After cancellation, the solver draws a small scene completely and a large one in part; the sentence says so.
 TEST(HiddenSolver, DrawsPartOfALargeSceneWhenCanceled) {
     Random random(seed + 5);
     Scene scene;
@@ -347,7 +348,7 @@ TEST(HiddenRays, HitExactCurvesUnlessCulled) {
     }
 }
 
-/// Makes large interpenetrating triangles: the number of cuts explodes.
+/// Makes large interpenetrating triangles, for which the number of cuts explodes.
 Scene explosive_scene(int count) {
     Random random(seed);
     std::vector<Polygon> polygons;

@@ -1,5 +1,6 @@
-// Runs the lecture's code: a small parser of C expressions executes every line into an array of sixteen numbers, which
-// is read column by column as in GL and compared with the S and R defined by their effect on points.
+// Runs the lecture's code: a small parser for C expressions evaluates every line and fills an array of sixteen numbers.
+// The array is read column by column, as GL does, and compared with S and R, which are defined by their effect on
+// points.
 #include "frame/planes/lecture_code.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// plane, lightpos and dot, with the function's own line for dot.
+/// The variables plane, lightpos and dot; dot is computed as in the function's own line.
 struct Arguments {
     glm::dvec4 plane, light;
     double dot = plane[0] * light[0] + plane[1] * light[1] + plane[2] * light[2] + plane[3] * light[3];
@@ -45,7 +46,7 @@ double evaluate(const std::string& expression, const Arguments& arguments) {
     return sum + sign * product;
 }
 
-/// Returns the array after the function as the matrix that GL reads; NaN for entries that no line sets.
+/// Returns the matrix that GL reads from the array after the function has run; entries that no line sets are NaN.
 glm::dmat4 read_by_gl(const CodeLines& lines, const Arguments& arguments) {
     std::array<double, 16> array;
     array.fill(std::nan(""));
@@ -56,7 +57,7 @@ glm::dmat4 read_by_gl(const CodeLines& lines, const Arguments& arguments) {
     return matrix;
 }
 
-/// Expects the place in GL's matrix and the value that each line states for its entry.
+/// Expects each line to state the correct place in GL's matrix and the correct value for its entry.
 void expect_entries(const CodeLines& lines, const glm::dmat4& matrix) {
     for (int index = 0; index < 16; ++index) {
         const CodeLine& line = lines[static_cast<std::size_t>(index)];
@@ -88,7 +89,7 @@ TEST(LectureCode, ShadowMatrixProjectsPointsAlongTheirRays) {
         const CodeLines lines = shadow_code(plane, arguments.light);
         const glm::dmat4 read = read_by_gl(lines, arguments);
         expect_entries(lines, read);
-        // S² = (Π·L) S, S L = 0, and points of the plane stay: only one matrix satisfies all three.
+        // S² = (Π·L) S, S L = 0, and points of the plane stay where they are: only one matrix satisfies all three.
         EXPECT_LT(worst_difference(read * read, arguments.dot * read), 1e-9);
         EXPECT_LT(glm::length(read * arguments.light), 1e-9);
         const glm::dvec3 foot = -plane.w * glm::dvec3(plane);

@@ -1,4 +1,4 @@
-// The light's view: the caster hides every shadow, and no slider value breaks the view.
+// The light's view: each caster hides its shadow, and no slider value breaks the view.
 #include <cmath>
 
 #include "unit/frame/frame_test.h"

@@ -1,4 +1,4 @@
-// Measures of matrices, on matrices with known values.
+// Measures of matrices, tested on matrices with known values.
 #include "frame/matrix_facts.h"
 
 #include <gtest/gtest.h>

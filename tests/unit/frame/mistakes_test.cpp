@@ -1,4 +1,4 @@
-// The common mistakes of projection and mirror, and a window without a depth buffer: their effect on P, R and the
+// The common mistakes with projection and mirror, and a window without a depth buffer: their effect on P, R and the
 // passes, and the sentences about them.
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST(Plus2ab, FlipsOneSignAndIsReportedWhereItShows) {
     }
     EXPECT_TRUE(slipped.mirror_has_slip);
     EXPECT_TRUE(testing::says(problems_of_slips({tilted, "slips.plus_2ab=true"}), "reflection", "+2ab = 0.539"));
-    // The floor has a = 0: no change and no sentence.
+    // The floor has a = 0, so there is no change and no sentence.
     EXPECT_FALSE(derived_with_slips(params_with({"slips.plus_2ab=true"})).planes[0].mirror_has_slip);
     EXPECT_FALSE(testing::says(problems_of_slips({"slips.plus_2ab=true"}), "reflection", "mistake"));
     EXPECT_FALSE(testing::says(problems_of_slips({tilted, "slips.plus_2ab=true", "reflection.enabled=false"}),
@@ -161,7 +161,7 @@ TEST(EffectiveCamera, IsWhereTheUploadedMatrixPutsTheEye) {
 }
 
 TEST(DepthStep, MatchesTheStateAtAnyDistance) {
-    // The worked width of a code.
+    // The width of a code in worked examples.
     EXPECT_NEAR(depth_step(params_with({"projection.near=1", "projection.far=100", "depth.format=d16"}), 10.0),
                 1.511e-3, 1e-6);
     EXPECT_NEAR(depth_step(params_with({"projection.near=0.1", "projection.far=100", "depth.format=d24"}), 100.0),

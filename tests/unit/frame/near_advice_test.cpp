@@ -1,4 +1,4 @@
-// Distances in view against random points on the triangles, and the advice to change near.
+// Checks the distances in view against random points on the triangles. Also checks the advice to change near.
 #include "frame/depth/near_advice.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Params looking_from(double near, double far = 100.0) {
     return params;
 }
 
-/// Makes a unit box with its front face `z` in front of the eye.
+/// Makes a box of side 2 whose front face is `z` in front of the eye.
 SceneObject box_at(double z, double x = 0.0, const std::string& name = "box") {
     return object(name, box_mesh(), {x, 0.0, -z - 1.0});
 }
@@ -83,7 +83,7 @@ TEST(SeenThings, EncloseEveryVisiblePointOfTheirTriangles) {
             farthest = std::max(farthest, -point.z);
         }
         const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-        if (nearest > farthest) continue;  // too little in view for random points
+        if (nearest > farthest) continue;  // the view has too little of the triangle for random points
         ASSERT_EQ(seen.size(), 1U);
         EXPECT_LE(seen[0].nearest, nearest + 1e-6);
         EXPECT_GE(seen[0].farthest, farthest - 1e-6);
@@ -116,7 +116,7 @@ TEST(NearAdvice, QuantifiesTheGain) {
     EXPECT_EQ(found->near, 3.6);
     EXPECT_EQ(found->sentence.rfind("Nothing is nearer than 4: with near = 3.6, the safe gap at z = 80 would be ", 0),
               0U);
-    // The step is proportional to 1/n − 1/f: 99.99 against 0.2678.
+    // The step is proportional to 1/n − 1/f, which changes from 99.99 to 0.2678.
     const std::size_t end = found->sentence.find(" times smaller.");
     ASSERT_NE(end, std::string::npos) << found->sentence;
     EXPECT_NEAR(std::stod(found->sentence.substr(found->sentence.rfind(' ', end - 1))), 373.4, 0.05 * 373.4);

@@ -1,4 +1,4 @@
-// Depth steps in an image whose near plane is the mirror, against small moves along each view ray.
+// Checks the depth steps in an image whose near plane is the mirror against small moves along each view ray.
 #include "frame/planes/oblique_depth.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Pins by object and by fraction hit the same object at every picture size. Rays against the boxes of the objects,
-// independent of fragments, decide.
+// Pins by object and by fraction hit the same object at every picture size. The tests decide this by intersecting rays
+// with the objects' boxes, independently of fragments.
 #include "frame/pinned_pixel.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using testing::scene_of;
 
 constexpr glm::ivec2 sizes[] = {{64, 48}, {426, 520}, {800, 600}, {1187, 611}, {1920, 1080}};
 
-/// Looks from the origin along −z at a box that sticks out over another one, and one at the right.
+/// Looks from the origin along −z. One of the boxes there sticks out from behind another, and a third is at the right.
 Params looking() {
     return params_with({"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "shadow.enabled=false",
                         "reflection.enabled=false", "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});
@@ -29,7 +29,7 @@ Scene boxes() {
                      object("right", box_mesh(), {1.2, 0.3, -6})});
 }
 
-/// Returns where a ray enters a unit box that is only translated; infinity for a miss.
+/// Returns where a ray enters a box that is only translated; infinity for a miss.
 double entry(const Ray& ray, const SceneObject& box) {
     const glm::dvec3 middle(box.world_from_model[3]);
     const Bounds bounds = bounds_of(*box.mesh);

@@ -17,7 +17,7 @@ using testing::scene_of;
 constexpr glm::ivec2 size_px(32, 24);
 constexpr std::array methods_by_hand{"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"};
 
-/// Returns a box on the ground and one that crosses it.
+/// Two scenes: a box on the ground, and a box that crosses the ground.
 Scene scene_above() {
     return scene_of({object("box", box_mesh(), {0, 1, 0})});
 }
@@ -35,7 +35,7 @@ FramePlan plan_by(std::vector<std::string> settings, const Scene& scene, const s
     return plan(params, derived, answer_hidden_question(solver, *question).pictures);
 }
 
-/// Fragments sent in order take no depth test; pixels found by a method always pass and write their depth.
+/// Fragments that are drawn in order take no depth test; pixels that a method found always pass and write their depth.
 TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
     for (const Scene& scene : {scene_above(), scene_through()})
         for (const char* method : methods_by_hand)

@@ -138,7 +138,7 @@ TEST(PlanPasses, PatchFacingAwayFromTheLightIsUnlit) {
               Shading::lit);
 }
 
-/// Returns one field with the name of every pass.
+/// Returns one field's name with the name of every pass, such as "Shadow.depth".
 std::set<std::string> in_every_pass(const FramePlan& frame, const std::string& field) {
     std::set<std::string> keys;
     for (const Pass& pass : frame.passes) keys.insert(pass.name + "." + field);
@@ -164,7 +164,7 @@ TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
         {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
         {{"depth.clear=false"}, {"frame.clear_depth"}},
         {{"depth.format=d16"},
-         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks are not samples
+         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks have one value per pixel
         {{"depth.format=d32f"}, {"frame.depth_format", "frame.stored_depth"}},
         {{"depth.write_while_clearing=false"}, {"frame.mask_on_while_clearing"}},
         {{"depth.logarithm_per_vertex=true"}, {"frame.logarithm_per_vertex"}},
@@ -177,7 +177,7 @@ TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
         {{"view.beside.shows=depth"}, {}},
         {{"coplanar.gap=1"}, {}},
         {{"animation.jiggle=true"}, {}},
-        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping", "frame.stored_depth"}},  // its shader offsets by codes
+        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping", "frame.stored_depth"}},  // the shader adds the offset
         {{"depth.mapping=reversed"}, reversed},
         {{"depth.offset.factor=-2"}, {"frame.decal_offset"}},
         {{"cull.enabled=true"}, {"Mirror image.cull", "Objects.cull"}},
@@ -242,7 +242,7 @@ TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
     }
 }
 
-/// Returns a pass without any default value.
+/// Returns a pass in which no member has its default value.
 Pass other_pass() {
     return {.name = "Other",
             .reason = "is other",
@@ -273,7 +273,7 @@ Pass other_pass() {
             .color = glm::dvec4(1.0)};
 }
 
-/// Returns a plan without any default value except its passes.
+/// Returns a plan in which no member except the passes has its default value.
 FramePlan other_plan() {
     FramePlan other;
     other.background = other.unwritten = other.patch_light = other.patch_dark = other.patch_line = Color{1, 2, 3};
@@ -409,7 +409,7 @@ TEST(PlanDecals, HaveTheirOwnPassUnlessAnOffsetMovesThem) {
     const FramePlan stencil = frame_with("depth.decals=stencil");
     EXPECT_FALSE(pass_named(stencil, "Decals").depth.test);
     EXPECT_TRUE(pass_named(stencil, "Objects").marks_objects);
-    // Walls, posters and posts alternate: a poster has only the mark of its own wall, a post has none.
+    // Walls, posters and posts alternate. A poster has only the mark of its own wall, and a post has none.
     ASSERT_EQ(stencil.object_marks.size(), 12U);
     std::set<int> marks;
     for (std::size_t wall = 0; wall < 12; wall += 3) {
@@ -469,11 +469,12 @@ TEST(PlanMirror, DepthIsLimitedByStencilAndImageCount) {
     EXPECT_EQ(depth({}), 1);
     EXPECT_EQ(depth({"reflection.enabled=false"}), 0);
     EXPECT_EQ(depth({two, "reflection.bounces=16"}), 13);   // 4 bits: 15 values for 2 planes and 13 mirrors
-    EXPECT_EQ(depth({three, "reflection.bounces=16"}), 4);  // 3 (1 + 2 + 4 + 8) = 45 images; one deeper 93
+    EXPECT_EQ(depth({three, "reflection.bounces=16"}), 4);  // 3 (1 + 2 + 4 + 8) = 45 images; 93 at the next depth
     EXPECT_EQ(depth({two, "reflection.bounces=5", "visibility.method=painter"}), 1);
 }
 
-/// The (−S) uploaded for one sign of the plane is S for the other, and the product's name says which.
+/// Replaces (−S) with S in the names of the products, because the same upload is (−S) for one sign of the plane and S
+/// for the other.
 FramePlan without_told_sign(FramePlan frame) {
     const std::string told = "(−S)";
     for (Pass& pass : frame.passes)
@@ -542,9 +543,9 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
         Params params = testing::RandomParams(first_seed + run).make();
         clamp_to_ranges(params);
         const FramePlan frame = plan_of(params, run % 2 == 0);
-        // A small raster shows only the results of the method.
+        // With a small raster, the frame shows only the results of the method.
         ASSERT_FALSE(frame.passes.empty() && !has_raster(params.visibility));
-        // The other methods have no results yet; the heat map uses none of them.
+        // The methods that GL does not draw alone have no results yet; the heat map uses none of them.
         const bool draws_objects =
             is_drawn_by_gl_alone(params.visibility.method) || params.view.shows == Shows::fighting;
         const bool has_objects = std::ranges::any_of(
@@ -607,7 +608,7 @@ TEST(PlanCalls, ListTheChangesOfEachPass) {
                      "drawObjects()"}));
 }
 
-/// Each artifact changes a line: the uploaded S and R, their plane and light, and their sign.
+/// The name of a product says which S or R is uploaded, for which plane and light, and with which sign.
 TEST(PlanCalls, NameTheUploadedMatrices) {
     const auto products_of = [](const std::vector<std::string>& settings) {
         std::set<std::string> products;

@@ -1,4 +1,4 @@
-// The settings that problems offer as a fix: applied to the presets that break something, each removes its problem.
+// The settings that problems offer as fixes. Applied to the presets that break something, each fix removes its problem.
 #include <algorithm>
 
 #include "state/presets.h"

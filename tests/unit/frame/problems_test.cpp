@@ -27,7 +27,8 @@ std::string all_of(const std::vector<Problem>& problems) {
     return text;
 }
 
-/// Returns a box on the floor in front of the eye, one that crosses the floor, and one that is higher than the light.
+/// Scenes with a box on the floor in front of the eye and another box: one that crosses the floor, one below the floor,
+/// and one that is higher than the light.
 Scene crossing_scene() {
     return scene_of({object("box", box_mesh(), {0, 1, 0}), object("sunk", box_mesh(), {2, 0, 0})});
 }
@@ -60,7 +61,7 @@ struct Case {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
-        // shadow: artifacts 22 to 33
+        // shadow
         {"shadow",
          "the shadow is darker wherever",
          box_scene,
@@ -177,7 +178,7 @@ const std::vector<Case>& cases() {
         // plane
         {"plane", "the eye lies in plane 2", box_scene, {"planes=[{\"equation\":[1,0,0,-3.9]}]"}, {wall}},
         {"plane", "draws only one plane", box_scene, {wall, "visibility.method=bsp"}, {wall}},
-        // mirror: artifacts 34 to 45
+        // mirror
         {"reflection",
          "beyond the mirror's edge",
          box_scene,
@@ -277,7 +278,7 @@ const std::vector<Case>& cases() {
          box_scene,
          {"shadow.sign=none", "planes=[{\"equation\":[0,0,-1,-3]}]"},
          {"shadow.sign=none", wall}},
-        // entered by hand
+        // matrices entered by hand
         {"shadow",
          "but its transpose does",
          box_scene,

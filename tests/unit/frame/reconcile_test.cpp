@@ -1,4 +1,5 @@
-// Fragments against a pixel read back, made by hand: the visible surface afterward, and the unchanged fragments.
+// Handmade fragments are reconciled with a pixel read back. The tests check which surface is visible afterward and
+// which fragments stay unchanged.
 #include "frame/depth/reconcile.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 constexpr double greatest = 16'777'215.0;
 constexpr std::uint32_t cleared = 16'777'215;
 
-/// Draws one after the other with GL_LESS, like FragmentFinder.
+/// Draws the surfaces one after the other with GL_LESS, as FragmentFinder does.
 std::vector<Fragment> drawn_in_order(const std::vector<std::pair<const char*, std::uint32_t>>& surfaces) {
     std::vector<Fragment> fragments;
     std::uint32_t stands = cleared;
@@ -110,7 +111,7 @@ TEST(Reconcile, ComparesWithThePreviousFrameIfDepthIsNotCleared) {
     EXPECT_TRUE(fragments[1].tie);
     for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
 
-    // With GL_LEQUAL the same surface is drawn again.
+    // With GL_LEQUAL, the same surface is drawn again.
     again[1].depth.func = CompareFunc::lequal;
     again[1].tie = again[1].passes = again[1].drawn = true;
     reconcile(again, read_back("near", 5'002), false);

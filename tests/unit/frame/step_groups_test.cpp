@@ -1,5 +1,5 @@
-// The two levels of a method's steps, the steps that touch a pixel, and the small raster, each against a method run
-// step by step or rays traced one by one.
+// The two levels of a method's steps, the steps that touch a pixel, and the small raster. Each is compared with a
+// method run step by step or with rays traced one by one.
 #include "frame/hidden/step_groups.h"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ class StepGroups : public ::testing::Test {
 protected:
     StepGroups() {
         params.visibility.raster = glm::ivec2(11, 7);
-        // Follow the pixel painted most often. It depends on the scene, and so on the order in which a compiler
-        // evaluates random numbers.
+        // Follow the pixel that is painted most often. Which one that is depends on the scene, and so on the order in
+        // which a compiler evaluates the calls for random numbers.
         const auto drawn = at(VisibilityMethod::painter, -1);
         const auto& written = drawn->written_per_pixel;
         const auto most = static_cast<int>(std::max_element(written.begin(), written.end()) - written.begin());
@@ -133,7 +133,7 @@ TEST_F(StepGroups, TouchesAreTheStepsThatTestThePixel) {
     for (auto step = previous_touch(*all, all->step_count + 1); step; step = previous_touch(*all, *step))
         backwards.insert(backwards.begin(), *step);
     EXPECT_EQ(forwards, expected);
-    if (expected.back() == all->step_count) expected.pop_back();  // already there
+    if (expected.back() == all->step_count) expected.pop_back();  // the finished picture is already at this step
     EXPECT_EQ(backwards, expected);
 }
 
@@ -216,7 +216,7 @@ TEST_F(StepGroups, SmallRasterSamplesTheCentersOfItsSquares) {
     int seen = 0;
     for (const glm::ivec2 raster : {glm::ivec2(11, 7), glm::ivec2(5, 9), glm::ivec2(1, 1), glm::ivec2(48, 36)}) {
         params.visibility.raster = raster;
-        // As large as fits, centered.
+        // The raster is centered and as large as fits.
         const double side = std::min(48.0 / raster.x, 36.0 / raster.y);
         const glm::dvec2 corner = 0.5 * (glm::dvec2(view_px) - side * glm::dvec2(raster));
         for (const VisibilityMethod method : {VisibilityMethod::newell, VisibilityMethod::bsp,

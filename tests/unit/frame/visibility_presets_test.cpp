@@ -1,5 +1,5 @@
-// Computes the promises of the hidden-surface presets: the methods and sort keys that fail from the preset's camera and
-// those that do not, against ray casting.
+// Checks the promises of the hidden-surface presets against ray casting: the methods and sort keys that fail from the
+// preset's camera, and those that do not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int width = 640, height = 360;
 
-/// A preset, its scene as polygons, its camera, and the picture of ray casting.
+/// A preset, its scene as polygons, its camera, and the picture that ray casting gives.
 class Stage {
 public:
     explicit Stage(const std::string& preset) {
@@ -75,7 +75,7 @@ public:
     IdImage reference;
 };
 
-/// A hundredth of the picture in another color: enough to be noticed.
+/// A hundredth of the picture in another color is enough to be noticed.
 constexpr std::int64_t many = width * height / 100;
 constexpr std::array keys{PainterKey::nearest, PainterKey::farthest, PainterKey::centroid};
 
@@ -155,7 +155,7 @@ TEST(VisibilityPresets, OfThePainterNameTheWrongPair) {
         const bool is_painter = params.visibility.method == VisibilityMethod::painter;
         ASSERT_EQ(answer.painter_fails.has_value(), is_painter);
         if (!is_painter) continue;
-        // The reported place, in the picture of the view itself.
+        // Find the reported pair in the picture of the view itself.
         const WrongPair& wrong = *answer.painter_fails;
         HiddenRequest exact = question->camera;
         exact.visibility.method = VisibilityMethod::ray_cast;

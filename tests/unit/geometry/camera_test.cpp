@@ -27,7 +27,7 @@ TEST(Camera, ViewIsTheInverseOfTheCamera) {
 }
 
 TEST(Camera, RowsOfViewAreRightUpBack) {
-    // Yaw 90° to the left: looks along −x, so right is −z, up y, back x.
+    // At a yaw of 90° to the left, the camera looks along −x, so right is −z, up is y, and back is x.
     const glm::dmat4 view = view_from_world(world_from_view({1, 2, 3}, {90, 0, 0}));
     const glm::dmat4 rows = glm::transpose(view);
     EXPECT_EQ(glm::dvec3(rows[0]), glm::dvec3(0, 0, -1));

@@ -38,7 +38,7 @@ TEST(Framing, FillsThePictureWithTheWholeBox) {
         lens.height = found.height;
         const double reach = reach_of(box, found.eye, angles, lens, aspect);
         EXPECT_LE(reach, 0.95) << i;
-        EXPECT_GE(reach, 0.7) << i;  // a deep box close to the camera fills less
+        EXPECT_GE(reach, 0.7) << i;  // a deep box close to the camera fills less of the picture
     }
 }
 

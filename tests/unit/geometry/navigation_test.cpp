@@ -266,7 +266,7 @@ TEST(Step, IsIndependentOfTheFrameRate) {
             EXPECT_LT(worst_difference(rotation_from_angles(pose.angles), rotation_from_angles(reference.angles)),
                       2e-3);
         }
-        // At full speed, where rotation bends the path most.
+        // At full speed, rotation bends the path most.
         Motion one = reference_motion;
         Pose cruising = hold(start, one, everything_held(), mode, 1.0, 0.01);
         Motion ten = one;

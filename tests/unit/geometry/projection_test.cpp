@@ -60,7 +60,7 @@ TEST(WindowDepth, AgreesWithTheMatrices) {
 }
 
 TEST(WindowDepth, WorkedValues) {
-    // d = f/(f−n) − f n/((f−n) z) with 1, 101, 2: 1.01 − 0.505.
+    // With n = 1, f = 101 and z = 2, d = f/(f−n) − f n/((f−n) z) = 1.01 − 0.505.
     EXPECT_NEAR(window_depth({.near = 1, .far = 101}, DepthMapping::standard, 2), 0.505, 1e-15);
     EXPECT_NEAR(window_depth({.near = 1, .far = 101}, DepthMapping::reversed, 2), 0.495, 1e-15);
     EXPECT_NEAR(window_depth({.near = 1, .far = 100}, DepthMapping::logarithmic, 10), 0.5, 1e-15);
@@ -124,7 +124,7 @@ TEST(DepthStep, FloatsAreLimitedByTheEyeDepth) {
     const auto step = [](double z, DepthMapping mapping, DepthPrecision precision) {
         return resolvable_depth_step({.near = 0.1, .far = 100}, mapping, precision, z);
     };
-    // From 64 to 128 floats are 2⁻¹⁷ apart; near a window depth of 0 the stored floats are far finer.
+    // Between 64 and 128, floats are 2⁻¹⁷ apart; near a window depth of 0, the stored floats are far finer.
     EXPECT_DOUBLE_EQ(step(100, DepthMapping::reversed, {32, true}), std::exp2(-18));
     EXPECT_DOUBLE_EQ(step(0.1, DepthMapping::standard, {32, true}), std::exp2(-28));
     EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage is the limit";

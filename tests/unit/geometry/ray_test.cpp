@@ -25,7 +25,7 @@ TEST(RayThroughPixel, ItsPointsProjectToThePixel) {
                 EXPECT_NEAR(glm::length(ray.direction), 1, 1e-12);
                 const glm::dvec4 start = clip_from_world * glm::dvec4(ray.origin, 1);
                 EXPECT_NEAR(start.z / start.w, -1, 1e-6);
-                // An orthographic near-plane point is a difference of numbers as large as far.
+                // A point on an orthographic near plane is computed as a difference of numbers as large as far.
                 const double tolerance = orthographic ? 1e-16 * far + 1e-8 : 1e-8;
                 for (const double t : {0.0, 1.0, 30.0}) {
                     const glm::dvec4 clip = clip_from_world * glm::dvec4(ray.at(t), 1);
@@ -46,7 +46,7 @@ TEST(IntersectPlane, ByHand) {
 }
 
 TEST(ClosestPointOnLine, ByHand) {
-    // A ray along −z one above the x axis passes over x = 4.
+    // A ray along −z, one unit above the x axis, passes over x = 4.
     EXPECT_DOUBLE_EQ(*closest_point_parameter_on_line({{4, 1, 9}, {0, 0, -1}}, {0, 0, 0}, {2, 0, 0}), 2.0);
     EXPECT_FALSE(closest_point_parameter_on_line({{0, 1, 0}, {3, 0, 0}}, {0, 0, 0}, {1, 0, 0})) << "parallel";
     EXPECT_FALSE(closest_point_parameter_on_line({{4, 1, 9}, {0, 0, 1}}, {0, 0, 0}, {1, 0, 0})) << "behind";

@@ -1,4 +1,5 @@
-// Shapes: watertight, outward winding, unit normals that agree with the winding, the contract's sizes, volumes.
+// Shapes are watertight and wound outward, with unit normals that agree with the winding; their sizes and volumes match
+// the contract.
 #include "geometry/shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ std::array<float, 3> key(const glm::vec3& p) {
     return {p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};
 }
 
-/// Counts edges, compared by exact position, without exactly one opposite edge.
+/// Counts the edges, compared by exact position, that do not have exactly one opposite edge.
 std::size_t open_edges(const Mesh& mesh) {
     std::map<Edge, int> balance;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -1,4 +1,4 @@
-// Simplified meshes against the originals: how far vertices move, the enclosed volume, and the facing of triangles.
+// Compares simplified meshes with the originals: how far vertices move, the enclosed volume, and how triangles face.
 #include "geometry/simplify.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the volume by the divergence theorem: positive where triangles are counterclockwise seen from outside.
+/// Returns the volume by the divergence theorem; it is positive if triangles are counterclockwise as seen from outside.
 double volume_of(const Mesh& mesh) {
     double volume = 0.0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

@@ -1,5 +1,5 @@
-// The teapot against numbers printed with the data set (patch corners, height, radii), against some patches written out
-// and evaluated by de Casteljau, and against the properties of a solid mesh.
+// Checks the teapot against numbers printed with the data set (patch corners, height, radii), against some patches
+// written out here and evaluated by de Casteljau's algorithm, and against the properties of a solid mesh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::array<glm::dvec3, 16>;
 
-/// Returns positions in Newell's units, z up, table at 0: undoes centering, scale and rotation.
+/// Returns the positions in Newell's units, with z up and the table at 0, by undoing the centering, scale and rotation.
 std::vector<glm::dvec3> newell_points(const Mesh& mesh) {
     const Bounds bounds = bounds_of(mesh);
     const double scale = 3.15 / bounds.size().y;
@@ -67,7 +67,8 @@ TEST(Teapot, IsCenteredWithLongestSideTwo) {
 
 TEST(Teapot, MatchesKnownMeasures) {
     const std::vector<glm::dvec3> points = newell_points(teapot_mesh(16));
-    // Rim, widest ring, foot, edge of the lid and neck of the knob, all around; top of the knob, center of the bottom.
+    // The inner and outer rim, the widest ring, the foot, the edge of the lid and the neck of the knob, all around;
+    // then the top of the knob and the center of the bottom.
     const double rings[][2] = {{1.4, 2.4}, {1.5, 2.4}, {2.0, 0.9}, {1.5, 0.15}, {1.3, 2.4}, {0.2, 2.7}};
     for (const auto& ring : rings) {
         for (int quarter = 0; quarter < 4; ++quarter) {
@@ -78,7 +79,7 @@ TEST(Teapot, MatchesKnownMeasures) {
     }
     EXPECT_LT(distance_to_nearest(points, {0, 0, 3.15}), 1e-5);
     EXPECT_LT(distance_to_nearest(points, {0, 0, 0}), 1e-5);
-    // Where handle and spout begin and end.
+    // Points where the handle and the spout begin and end.
     const double ends[][2] = {{-1.6, 2.025}, {-1.5, 2.25}, {-2.7, 1.8}, {-3.0, 1.8}, {-2.0, 0.9}, {-1.9, 0.6},
                               {1.7, 1.425},  {1.7, 0.6},   {2.7, 2.4},  {3.3, 2.4},  {2.8, 2.4},  {3.2, 2.4}};
     for (const auto& end : ends) {
@@ -122,7 +123,7 @@ TEST(Teapot, MatchesPatchesWrittenOut) {
           {-0.2, 0.112, 2.7},
           {-0.112, 0.2, 2.7},
           {0, 0.2, 2.7}}},
-        // the lower half of the handle, one side
+        // one side of the lower half of the handle
         {{{-2.7, 0, 1.8},
           {-2.7, -0.3, 1.8},
           {-3, -0.3, 1.8},
@@ -139,7 +140,7 @@ TEST(Teapot, MatchesPatchesWrittenOut) {
           {-2, -0.3, 0.9},
           {-1.9, -0.3, 0.6},
           {-1.9, 0, 0.6}}},
-        // the spout, the other side
+        // the other side of the spout
         {{{1.7, 0, 0.6},
           {1.7, 0.66, 0.6},
           {1.7, 0.66, 1.425},
@@ -173,7 +174,7 @@ TEST(Teapot, MatchesPatchesWrittenOut) {
           {-1.12, -2, 0.9},
           {-2, -1.12, 0.9},
           {-2, 0, 0.9}}},
-        // of the lower body
+        // a quarter of the lower body
         {{{0, -2, 0.9},
           {-1.12, -2, 0.9},
           {-2, -1.12, 0.9},
@@ -190,7 +191,7 @@ TEST(Teapot, MatchesPatchesWrittenOut) {
           {-0.84, -1.5, 0.15},
           {-1.5, -0.84, 0.15},
           {-1.5, 0, 0.15}}},
-        // of the lid
+        // a quarter of the lid
         {{{0, 0.2, 2.7},
           {0.112, 0.2, 2.7},
           {0.2, 0.112, 2.7},
@@ -207,7 +208,7 @@ TEST(Teapot, MatchesPatchesWrittenOut) {
           {0.728, 1.3, 2.4},
           {1.3, 0.728, 2.4},
           {1.3, 0, 2.4}}},
-        // of the bottom
+        // a quarter of the bottom
         {{{0, 0, 0},
           {0, 0, 0},
           {0, 0, 0},
@@ -300,7 +301,7 @@ TEST(Teapot, NormalsAreUnitAndAgreeWithTheWinding) {
 }
 
 TEST(Teapot, FacesOutward) {
-    // Volume by part: handle and spout come last, four patches each, and are nearly closed tubes.
+    // Normals by part: the handle and the spout come last, with four patches each.
     const int n = 12;
     const Mesh mesh = teapot_mesh(n);
     const std::vector<glm::dvec3> points = newell_points(mesh);
@@ -323,7 +324,7 @@ TEST(Teapot, FacesOutward) {
     }
     for (std::uint32_t i = 24 * patch_points; i < 32 * patch_points; ++i) {
         const glm::dvec3 p = points[i], normal = newell_normal(i);
-        if (std::abs(p.y) > 0.1 && p.z < 2.39) {  // above, the spout's lip curls in
+        if (std::abs(p.y) > 0.1 && p.z < 2.39) {  // above this, the spout's lip curls in
             EXPECT_GT(normal.y * p.y, 0.0) << "sides of handle and spout face away from the plane of symmetry";
         }
     }
@@ -345,7 +346,7 @@ TEST(Teapot, NormalsAtThePolesAreVertical) {
 
 TEST(Teapot, HasNoCracks) {
     // Every directed edge has an opposite edge at the very same positions, except along the six known rims: one each
-    // for pot and lid, two each for the tubes of handle and spout.
+    // for the pot and the lid, and two each for the tubes of the handle and the spout.
     const int n = 10;
     const Mesh mesh = teapot_mesh(n);
     const auto key = [&](std::uint32_t v) {

@@ -1,5 +1,5 @@
-// Comparisons of pictures, against a slow and obvious implementation on seeded random edits, and on hand-made pictures
-// at the thresholds.
+// Comparisons of pictures, checked against a slow and obvious implementation on seeded random edits, and on handmade
+// pictures at the thresholds.
 #include "image/compare.h"
 
 #include <gtest/gtest.h>
@@ -174,12 +174,12 @@ TEST(Compare, BoxesMergeAtSixteenPixelsApartAndNotAtSeventeen) {
 TEST(Compare, ABoxThatGrowsSwallowsOneThatEndedLongBefore) {
     const Image a = plain(300, 300);
     Image b = a;
-    fill(b, 140, 20, 4, 4, 90);   // ends far above …
-    fill(b, 20, 10, 4, 250, 90);  // … two bars joined only at the bottom …
+    fill(b, 140, 20, 4, 4, 90);   // a small square that ends far above …
+    fill(b, 20, 10, 4, 250, 90);  // … the bottom bar, which joins these two
     fill(b, 260, 10, 4, 250, 90);
     fill(b, 20, 258, 244, 2, 90);
     const CompareReport report = compare_images(a, b);
-    ASSERT_EQ(report.boxes.size(), 1U);  // … around it
+    ASSERT_EQ(report.boxes.size(), 1U);  // the U includes the square inside it
     EXPECT_EQ(report.boxes[0].x, 20);
     EXPECT_EQ(report.boxes[0].y, 10);
     EXPECT_EQ(report.boxes[0].width, 244);

@@ -1,4 +1,4 @@
-// Rectangles and pictures as comparison masks, against pixels counted one by one.
+// Rectangles and pictures as comparison masks, checked against pixels counted one by one.
 #include "image/mask.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Pictures compared with a reach of one pixel, so that edges moved by one do not count: on pictures drawn here as text,
-// and against the definition on seeded random ones.
+// Compares pictures with a reach of one pixel, so that edges that moved by one pixel do not count. The pictures are
+// drawn here as text; seeded random ones are checked against the definition.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr CompareOptions alike{.worst = 2, .share = 0.0, .reach_px = 1};
 
-/// A picture of rows of letters: '.' is black, 'o' is gray, '#' is white, and '1' to '9' are that many levels above
-/// gray.
+/// Draws a picture from rows of letters: '.' is black, 'o' is gray, '#' is white, and '1' to '9' are that many levels
+/// above gray.
 Image drawn(const std::vector<std::string>& rows) {
     Image image{static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), {}};
     for (const std::string& row : rows)
@@ -26,7 +26,7 @@ Image drawn(const std::vector<std::string>& rows) {
     return image;
 }
 
-/// The differences found, as text.
+/// Returns the differences found, as text.
 std::vector<std::string> marks(const Image& a, const Image& b) {
     std::vector<std::string> rows(static_cast<std::size_t>(a.height));
     const std::vector<std::uint8_t> levels = pixel_differences(a, b, alike);
@@ -89,8 +89,8 @@ TEST(MovedEdges, AreNotSearchedBeyondThePicture) {
     EXPECT_TRUE(pixel_differences({}, {}, alike).empty());
 }
 
-/// By definition a pixel differs if nothing in the other picture's 3 × 3 block is within two levels, in either
-/// direction.
+/// By definition, a pixel of either picture differs if no pixel in the other picture's 3 × 3 block is within two levels
+/// of it.
 TEST(MovedEdges, MatchTheDefinitionInRandomPictures) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {

@@ -1,5 +1,5 @@
-// PNG files: written files read back, every kind of PNG reads as RGBA, and broken ones give an error sentence. Unusual
-// kinds are written here with libpng directly, so that reader and writer cannot share a mistake.
+// PNG files: written files read back, every kind of PNG is read as RGBA, and broken files yield an error sentence.
+// Unusual kinds are written here with libpng directly, so that the reader and the writer cannot share a mistake.
 #include "image/png.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A separate folder for a test, removed afterwards.
+/// A separate folder for a test, removed afterward.
 class PngFiles : public testing::Test {
 protected:
     void SetUp() override {
@@ -141,7 +141,7 @@ TEST_F(PngFiles, EveryKindReadsAsRgba8) {
                {std::string("\x10\x20\x30\x00", 4), "\x50\x60\x70\xFF"});
     check({"grey alpha, interlaced", pixels({16, 16, 16, 32, 48, 48, 48, 0, 80, 80, 80, 96, 112, 112, 112, 255})});
 
-    // 0x0190 is 1.56 of 255: rounded, not truncated.
+    // 0x0190 is 1.56 of 255, which must be rounded, not truncated.
     write_kind(path, {16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE},
                {std::string("\xFF\xFF\x00\x00\x80\x80\x01\x90\x00\x00\x00\x00", 12),
                 std::string("\x00\x00\xFE\xFE\x00\x01\x12\x12\x34\x34\x56\x56", 12)});
@@ -188,7 +188,7 @@ TEST_F(PngFiles, EveryFlippedByteReadsOrGivesASentence) {
     EXPECT_GT(refused, static_cast<int>(bytes.size()) / 2);
 }
 
-/// The signature and an IHDR chunk with the right checksum, and an empty IDAT.
+/// Returns the signature, an IHDR chunk with the correct checksum, and an empty IDAT.
 std::string header_of(std::uint32_t width, std::uint32_t height) {
     const auto big_endian = [](std::uint32_t v) {
         return std::string{static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8),
@@ -287,7 +287,7 @@ TEST_F(PngFiles, AWriteInterruptedHalfwayLeavesTheOldFile) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "something was left behind";
 }
 
-/// A PNG of one pixel with a chunk before it, made by hand.
+/// Returns a PNG of one pixel with a handmade chunk after IHDR.
 std::string with_chunk(const std::string& type, const std::string& data) {
     const auto number = [](std::uint32_t value) {
         std::string bytes;

@@ -1,5 +1,5 @@
-// The portable profile on constructed edges with known movements, and its parts against a slow and obvious count on
-// seeded random pictures.
+// The portable profile on constructed edges with known movements. Its parts are checked against a slow and obvious
+// count on seeded random pictures.
 #include "image/portable.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// A gray picture; `level` of the pixel whose center is (x + ½, y + ½).
+/// Draws a gray picture; `level` gives the value at a pixel's center, (x + ½, y + ½).
 Image drawn_edge(int width, int height, const std::function<double(double, double)>& level) {
     Image image{width, height, {}};
     for (int y = 0; y < height; ++y)
@@ -27,7 +27,8 @@ Image drawn_edge(int width, int height, const std::function<double(double, doubl
     return image;
 }
 
-/// The half-plane x·cos + y·sin < offset at level 200, the rest at 80, with this many samples per pixel side.
+/// Draws the half-plane x·cos + y·sin < offset at level 200 and the rest at 80, with this many samples along a pixel's
+/// side.
 Image half_plane(double angle_deg, double offset, int samples) {
     const double cosine = std::cos(angle_deg * 0.017453292519943295), sine = std::sin(angle_deg * 0.017453292519943295);
     return drawn_edge(48, 48, [&](double x, double y) {
@@ -89,7 +90,7 @@ TEST(Portable, FlatPartsAreHeldToTheThreshold) {
 TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
     const Image flat = drawn_edge(64, 64, [](double, double) { return 50.0; });
     for (const int length : {4, 5}) {
-        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal: corners connect
+        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal, whose pixels connect at corners
             return x - 20 == y - 20 && x > 20 && x < 20 + length ? 90.0 : 50.0;
         });
         const CompareReport found = compare_images(dots, flat, portable_options);

@@ -1,5 +1,5 @@
-// Exercises: how a pattern becomes a step with a student's own numbers, the errors of a broken file, and that the
-// shipped exercises are complete in both languages.
+// Exercises: how a pattern becomes a step with a student's own numbers, and the errors of a broken file. Also checks
+// that the shipped exercises are complete in both languages.
 #include "lesson/exercise.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ const char* const goal_exercise = R"({
                    "wrong": [{"when": "camera.yaw < 0", "try": {"camera.yaw": "=-k"}, "say": "The other way."}]}}
 })";
 
-/// Knows only the camera of the start state, and a P of the state that constants must hide.
+/// Returns surroundings that know only the start state's camera, and a P that the exercise's constant P must hide.
 Result<Surroundings> camera_alone(const LoadedState& start) {
     const CameraParams camera = start.params.camera;
     Surroundings surroundings;
@@ -71,7 +71,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
     return at == std::string::npos ? text : text.replace(at, part.size(), other);
 }
 
-/// Returns the step of the variant that contains this text; the shuffle decides the order.
+/// Returns the step of the variant that contains this text; the shuffle decides the order of the variants.
 Result<LessonStep> step_of(const std::string& json, const std::string& variant = "\"k\":") {
     const Result<Exercise> exercise = parse_exercise(json, "mine.json", "");
     if (!exercise) return Error{exercise.error()};
@@ -400,7 +400,7 @@ TEST(Exercise, HostileExpressionsEndWithASentence) {
 
 TEST(Exercise, HugeStringsAndDeepNestingEndWithASentence) {
     EXPECT_TRUE(has(trouble_with("Twice", std::string(1'000'000, 'x')), "longer than 4000 bytes"));
-    // A text that becomes long only in its variant.
+    // This text becomes long only in its variant.
     const std::string filled =
         with(number_exercise, "\"n\": [3]", "\"n\": [3], \"s\": [\"" + std::string(5000, 'y') + "\"]");
     EXPECT_TRUE(has(trouble_with(with(filled, "Twice {k}.", "{s}")), "longer than 4000 bytes"));
@@ -534,7 +534,7 @@ TEST(ShippedExercises, KeepTheVariantsOfTheirShuffle) {
     EXPECT_GT(stored, 0);
 }
 
-/// Returns the word if it is only a particle; 라 in 라디안 is not.
+/// Returns the word at this place if it is only a particle; 라 in 라디안 is not one.
 std::string particle_at(const std::string& text, std::size_t at) {
     const auto is_hangul = [&](std::size_t place) {
         const auto byte = static_cast<unsigned char>(place < text.size() ? text[place] : ' ');
@@ -579,7 +579,7 @@ TEST(ShippedExercises, CoverBothLanguages) {
     EXPECT_GT(texts, 24 * 4);
 }
 
-/// Covers every text a student reads. A text without Korean appears in English, so it must be a formula.
+/// Covers every text that a student reads. A text without Korean appears in English, so it must be a formula.
 TEST(ShippedExercises, AskInBothLanguages) {
     for (const fs::path& file : shipped()) {
         const nlohmann::json document = nlohmann::json::parse(contents(file));

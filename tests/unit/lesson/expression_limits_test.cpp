@@ -1,5 +1,5 @@
-// Expressions against everything that Lua can compute: random values, most of them hostile, end within the limits with
-// a value or one sentence, and no disguise hides a word from the check.
+// Tests expressions that compute whatever Lua can. Random values, most of them hostile, end within the limits with a
+// value or one sentence, and no disguise hides a word from the check.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -45,7 +45,7 @@ void expect_one_sentence(const std::string& sentence, const std::string& source)
     for (const char c : sentence) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) << sentence;
 }
 
-/// Writes a string as a Lua literal, each byte as a numeric escape.
+/// Writes a string as a Lua literal with each byte as a numeric escape.
 std::string as_lua_bytes(const std::string& bytes) {
     std::string text = "\"";
     for (const char byte : bytes) {
@@ -55,7 +55,7 @@ std::string as_lua_bytes(const std::string& bytes) {
     return text + "\"";
 }
 
-/// The expected result of a source: a value, an error, or either.
+/// A source and its expected result: a value, an error, or either.
 struct Case {
     std::string source;
     std::optional<Json> value = {};
@@ -99,7 +99,8 @@ private:
         return {in_lua(value), value};
     }
 
-    /// Makes a list that contains another list `width` times, which contains another: small in Lua, large outside.
+    /// Makes a list that contains another list `width` times, which in turn contains another, and so on. It is small in
+    /// Lua but large outside.
     Case fan() {
         const int width = 1 + below(10), levels = 1 + below(8);
         std::string again = "t";
@@ -165,7 +166,7 @@ private:
         return made;
     }
 
-    /// Uses values with metatables: lists of the state are values, its groups are not.
+    /// Uses values with metatables. Lists of the state are valid values, but its groups are not.
     Case state() {
         if (below(2) == 0) return {"{V, camera.position}", Json::parse("[[[1.0, 2.0], [3.0, 4.0]], [1.0, 2.0, 3.0]]")};
         constexpr const char* none[] = {"camera",         "{V, camera}", "apply",   "{1, apply}", "{}",

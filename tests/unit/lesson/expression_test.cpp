@@ -1,4 +1,4 @@
-// Expressions of lesson files: their values against numbers computed by hand, and proof that none can do harm.
+// Expressions of lesson files: their values, checked against numbers computed by hand, and proof that none can do harm.
 #include "lesson/expression.h"
 
 #include <gtest/gtest.h>

@@ -134,7 +134,7 @@ TEST(HandIn, MatrixIsWrittenInFourRows) {
     EXPECT_EQ(text.back(), '\n');
 }
 
-/// Replaces one part of the file and returns the error, one sentence.
+/// Replaces one part of the file and returns the error, which is one sentence.
 std::string hand_in_trouble(const std::string& part, const std::string& other) {
     std::string text = whole;
     const std::size_t at = text.find(part);
@@ -150,7 +150,7 @@ std::string hand_in_trouble(const std::string& part, const std::string& other) {
 
 // ---- one file, several windows --------------------------------------------------------------------------------------
 
-/// A window that writes: the hand-in it last knew and its current one.
+/// A window that writes, with the hand-in it last knew and its current one.
 struct WritingWindow {
     HandIn known, now;
     void write(HandIn& file) {
@@ -166,8 +166,8 @@ Attempt attempt_of(const std::string& at, double number) {
     return attempt;
 }
 
-/// For any actions of two windows and any order of writes, every attempt is there once, ordered by time. The draft is
-/// that of the last window to change and write one.
+/// For any actions of two windows and any order of writes, every attempt is there once, ordered by time. The draft
+/// comes from the last window that changed a draft and wrote it.
 TEST(MergedHandIn, KeepsTheWorkOfBothWindows) {
     constexpr unsigned seed = 11;
     SCOPED_TRACE(seed);

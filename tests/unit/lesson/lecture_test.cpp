@@ -1,6 +1,6 @@
-// The shipped lessons follow the plan of the lecture: sixteen in its order, 103 steps. Each step asks before it shows,
-// responds to common mistakes, and changes something when it shows. Checking their claims and answers needs the
-// renderer: `viewing-sandbox lesson --check` does that.
+// The shipped lessons follow the plan of the lecture: sixteen lessons in its order, with 103 steps. Each step asks
+// before it shows, responds to common mistakes, and changes something when it shows. Checking their claims and answers
+// needs the renderer: `viewing-sandbox lesson --check` does that.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::vector<std::string> texts_of(const LessonStep& step) {
     return texts;
 }
 
-/// Counts ends of sentences: a period followed by a space or nothing.
+/// Counts the ends of sentences: a period, question mark or exclamation point before a space or at the end of the text.
 int sentence_count(const std::string& text) {
     int count = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {

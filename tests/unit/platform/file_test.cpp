@@ -121,7 +121,7 @@ TEST_F(Files, OfOneResultAreWrittenTogether) {
     EXPECT_EQ(read(folder / "old") + read(folder / "second"), "newnew");
 }
 
-/// Removing the second file's folder keeps it from taking its name; the first write must then be rolled back.
+/// The second file cannot take its name once its folder is removed; the first write must then be rolled back.
 TEST_F(Files, AreAllRolledBackWhenOneFails) {
     for (const bool was_there : {true, false}) {
         const fs::path first = folder / "first", sub = folder / "sub";
@@ -182,7 +182,8 @@ TEST_F(Files, UnreadableOnesAreReported) {
     std::ofstream(folder / "closed" / "file") << "file";
     fs::permissions(folder / "closed", fs::perms::none);
     fs::permissions(folder, fs::perms(0711));
-    // The superuser reads as another user. Without that right these calls change nothing and are not needed.
+    // The superuser may read every file, so the test reads as another user. For an ordinary user, these calls change
+    // nothing and are not needed.
     const auto own = static_cast<uid_t>(::setfsuid(65534));
     const Status secret = check_readable(folder / "secret"), inside = check_readable(folder / "closed" / "file");
     ::setfsuid(own);

@@ -1,5 +1,5 @@
-// The heap's reserve and large pages: where the heap is, and that a shortage of memory loses nothing. Each test runs in
-// a child process, because a process keeps its heap and the reserve is set up at startup.
+// The heap's reserve and large pages. The tests check where the heap is and that a shortage of memory loses nothing.
+// Each test runs in a child process, because a process keeps its heap and sets up the reserve at startup.
 #include "platform/heap.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::uintptr_t end_of_heap() {
     return reinterpret_cast<std::uintptr_t>(::sbrk(0));
 }
 
-/// False under a sanitizer, which has its own heap elsewhere.
+/// Returns false under a sanitizer, which has its own heap elsewhere.
 bool has_the_librarys_heap() {
     void* volatile block = std::malloc(64);
     const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
@@ -97,7 +97,7 @@ int memory_where_it_may_not_grow() {
     return is_there ? 0 : 3;
 }
 
-/// Measured before any other test uses up memory, after which malloc may switch to another arena.
+/// These are measured before any other test uses up memory, because malloc may switch to another arena after that.
 struct Found {
     bool has_heap = has_the_librarys_heap();
     int reserved = status_of_child(reserved_untouched), taken = status_of_child(taken_while_quick),

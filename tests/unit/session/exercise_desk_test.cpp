@@ -1,5 +1,5 @@
-// The desk: every student's own sheet, and answers on the disk before anything can lose them. The steps are made by
-// hand, since the content of an exercise does not matter here.
+// The desk gives every student a sheet of their own and writes answers to the disk before anything can lose them. The
+// steps are made by hand, since the content of an exercise does not matter here.
 #include "session/exercise_desk.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr const char *number_id = "E06-radians", *matrix_id = "E16-shadow-matrix
                      *order_id = "E08-bsp-order";
 const Student anna{"viewing-2026", "32201234", "김학생"}, ben{"viewing-2026", "32201235", "Ben"};
 
-/// Makes a matrix, list, goal or number step by its id; the right number is 7.
+/// Makes a matrix, list, goal or number step, depending on its id; the correct number is 7.
 LessonStep step_of(const std::string& id) {
     LessonStep step;
     step.id = id;
@@ -72,7 +72,7 @@ Verdict wrong(const std::string& tag = "") {
 
 class ExerciseDeskTest : public testing::ScratchFolder {
 protected:
-    /// Returns a desk with this student and every step made.
+    /// Returns a desk where this student sits and every step is made.
     std::unique_ptr<ExerciseDesk> desk_of(const Student& student) {
         auto desk = std::make_unique<ExerciseDesk>();
         desk->keep_in(answers_, "viewing-sandbox test");
@@ -122,7 +122,7 @@ protected:
         ADD_FAILURE() << id;
         return 0;
     }
-    /// Returns all exercises, positioned at this one.
+    /// Returns a run through all exercises, positioned at the given one.
     static LessonRun run_at(const ExerciseDesk& desk, const std::string& id) {
         std::vector<std::size_t> places;
         for (std::size_t i = 0; i < desk.entries().size(); ++i) places.push_back(i);
@@ -217,7 +217,7 @@ TEST_F(ExerciseDeskTest, TypedAnswersAreSavedAutomatically) {
     EXPECT_EQ(read.find(number_id)->draft, std::optional(std::vector{0.125}));
     EXPECT_EQ(read.find(number_id)->variant, desk->entries()[place(*desk, number_id)].variant);
     EXPECT_TRUE(read.find(number_id)->attempts.empty());
-    // Changes during a write are written too.
+    // Changes made during a write are written too.
     for (int i = 1; i <= 50; ++i) {
         type(*desk, number_id, {static_cast<double>(i)});
         wait(*desk, 0.01);
@@ -437,7 +437,7 @@ TEST_F(ExerciseDeskTest, SheetInProgressStaysWithItsStudent) {
     desk->follow(run, run.step().start.params, true, now_s());
     desk->sit_down(ben);
     settle(*desk);
-    // The window's guide still shows the exercise started before the number changed.
+    // The window's guide still shows the exercise that was started before the other student sat down.
     desk->follow(run, run.step().start.params, true, now_s());
     desk->record(run, wrong("M02"), run.step().start.params);
     EXPECT_TRUE(desk->hand_in().items.empty()) << "the sheet was the other student's";
@@ -716,7 +716,7 @@ TEST_F(ExerciseDeskTest, StudentChosenBeforeExercisesLoadHasTheirSheet) {
         check(*desk, number_id, {{7.0}, {}}, right());
         finish(*desk);
     }
-    ExerciseDesk desk;  // as a window starts
+    ExerciseDesk desk;  // as when a window starts
     desk.keep_in(answers_, "p");
     desk.sit_down(anna);
     desk.open();
@@ -778,7 +778,7 @@ TEST_F(ExerciseDeskTest, PracticeWithoutNumberOrCourseHasOneFile) {
 }
 
 TEST_F(ExerciseDeskTest, PracticeIsAdoptedWhereTheNumbersMatch) {
-    // A student whose numbers equal those of practice in one exercise and differ in another.
+    // Find a student whose numbers equal those of practice in one exercise and differ in another.
     Student student{"viewing-2026", "", ""};
     {
         const auto practice = desk_of({});

@@ -56,7 +56,7 @@ TEST(FlightRecorder, EndsWhenNoMorePicturesFit) {
     EXPECT_TRUE(parse_state_document(write_flight(*flight), "f.json"));
 }
 
-/// Frames that each change a lot fill the file before there are 10,000.
+/// If each frame changes a lot, the frames fill the file before there are 10,000.
 TEST(FlightRecorder, EndsBeforeItsFileIsTooLarge) {
     FlightRecorder recorder;
     Params params;

@@ -1,4 +1,4 @@
-// Undo and redo: one step between two pauses.
+// Undo and redo: all changes between two pauses are one step.
 #include "session/history.h"
 
 #include <gtest/gtest.h>

@@ -71,7 +71,8 @@ private:
 /// A window that writes consecutive numbers, starting at `first`.
 using Window = std::function<void(int first, const std::function<void(int)>& tell)>;
 
-/// Returns the numbers reported as written: at least `wanted`, by two windows at a time, each killed now and then.
+/// Runs two windows at a time, kills each now and then, and returns the numbers reported as written, at least `wanted`
+/// of them.
 std::set<int> written_by_two(const Window& window, int wanted, unsigned seed) {
     constexpr int most_by_one = 1'000'000;
     std::mt19937 random(seed);
@@ -121,7 +122,7 @@ protected:
     const unsigned seed = 20261126;
 };
 
-/// Expects every answer that two windows reported in `writes` writes.
+/// Expects to find every answer that two windows reported in `writes` writes.
 void TwoWindows::expect_all_answers(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::array ids{"E01", "E02", "E03", "E04", "E05"};

@@ -1,4 +1,4 @@
-// The scene `coplanar` against its design values, and the effect of its three parameters.
+// Checks the scene `coplanar` against its design values, and checks the effect of its three parameters.
 #include "state/mesh/coplanar.h"
 
 #include <gtest/gtest.h>

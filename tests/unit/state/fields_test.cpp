@@ -1,4 +1,4 @@
-// The list of fields against the contract, which is written out here by hand.
+// Checks the list of fields against the contract, which is written out here by hand.
 #include "state/fields.h"
 
 #include <gtest/gtest.h>
@@ -234,7 +234,7 @@ TEST(Fields, EachPathReachesItsOwnMember) {
     }
 }
 
-// Copies every field of a random state one by one. A member that the list cannot reach would keep its value.
+// Copies every field of a random state one by one. A member that the list cannot reach would keep its default value.
 TEST(Fields, CoverAllOfParams) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -333,7 +333,7 @@ TEST(Clamp, ReturnsNumbersToTheirRanges) {
     EXPECT_EQ(params.projection.height, 1e4);
 }
 
-// Between 0 and the smallest aspect nothing is valid: a drag jumps over the gap.
+// Nothing between 0 and the smallest aspect is valid, so a drag jumps over the gap.
 TEST(Clamp, JumpsOverAspectsThatAreTooNarrow) {
     for (const auto& [dragged, mended] : {std::pair(-1.0, 0.0), {0.04, 0.0}, {0.06, 0.1}, {0.1, 0.1}, {99.0, 10.0}}) {
         Params params;
@@ -381,7 +381,7 @@ TEST(Clamp, RepairsRelationsBetweenFields) {
     EXPECT_EQ(params.follow->vertex, 0);
 }
 
-// The extremes to which near and far can be pushed: the repair must work at both ends of their ranges.
+// Pushes near and far to their extremes. The repair must work at both ends of their ranges.
 TEST(Clamp, KeepsNearBelowFarAtTheEnds) {
     for (const double near : {1e-9, 1e-6, 1e-5, 1.0, 1e6, 1e12}) {
         for (const double far : {0.0, 1e-6, 1e-5, 1e6, 1e9, 1e12}) {

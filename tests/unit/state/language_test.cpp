@@ -1,4 +1,4 @@
-// Languages come from .po files alone: another language needs only its file, shown here with the pseudo-language. A
+// Languages come from .po files alone, so another language needs only its file, as the pseudo-language shows here. A
 // faulty file is reported in one sentence, and the language stays English.
 #include "state/person/language.h"
 

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Returns "#1" and the deflated bytes, whatever they are.
+/// Returns "#1" and the deflated text in base64url, whatever the text is.
 std::string link_of(const std::string& text) {
     static constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     uLongf size = compressBound(text.size());
@@ -122,7 +122,7 @@ TEST(Link, RefusesBrokenLinksWithASentence) {
         std::string changed = whole;
         changed[at] = changed[at] == 'A' ? 'B' : 'A';
         const Result<LoadedState> state = load_state(changed);
-        if (state)  // the padding bits of the last byte carry nothing
+        if (state)  // the padding bits of the last character carry nothing
             EXPECT_EQ(state->params, load_state("room")->params) << at;
         else
             EXPECT_TRUE(state.error().starts_with("link: ")) << at << ": " << state.error();

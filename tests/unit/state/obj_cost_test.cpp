@@ -1,5 +1,5 @@
-// Small OBJ files with a high cost: the steps to read one are proportional to its length, or the file is refused before
-// it costs them.
+// Small OBJ files that are expensive to read. The number of steps is proportional to the file's length, or the file is
+// refused before it takes more.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,7 @@ TEST(ObjCost, ConvexFaceIsCutWithoutATest) {
     EXPECT_EQ(cutter.tests(), 0U);
 }
 
-/// Returns a polygon around the origin with corners at random distances: no two edges cross.
+/// Returns a polygon around the origin with corners at random distances, so that no two edges cross.
 std::vector<glm::dvec3> star(std::mt19937& random, int corners) {
     std::vector<glm::dvec3> polygon;
     for (int i = 0; i < corners; ++i) {
@@ -95,8 +95,8 @@ TEST(ObjCost, ConcaveFacesAreCoveredOnceWithinThePromisedTests) {
     }
 }
 
-/// Returns a comb with close valleys and one distant reflex corner: a grid over all reflex corners has all valleys in
-/// one cell.
+/// Returns a comb with close valleys and one distant reflex corner, so that a grid over all reflex corners has all
+/// valleys in one cell.
 std::vector<glm::dvec3> stubborn(int teeth) {
     const double far_away = 1e9;
     std::vector<glm::dvec3> polygon = {{0.0, -1.0, 0.0},
@@ -111,7 +111,7 @@ std::vector<glm::dvec3> stubborn(int teeth) {
     return polygon;
 }
 
-/// Writes this many OBJ faces with the same corners, counted from the end.
+/// Writes this many OBJ faces with the same corners, which are counted back from the end.
 std::string faces(const std::vector<glm::dvec3>& polygon, int count) {
     std::ostringstream text;
     text.precision(17);

@@ -1,4 +1,4 @@
-// Shapes of Wavefront OBJ files against the test's own reader: doubles by strtod, centered in long double.
+// Compares the shapes of Wavefront OBJ files with the test's own reader, which uses strtold and centers in long double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,7 +75,7 @@ Text random_solid(std::mt19937& random, const glm::dvec3& offset, double scale) 
     return text;
 }
 
-/// Expects each vertex of the mesh at the place of its vertex in the text, in the order of the fan.
+/// Expects each vertex of the mesh to be where the text has it, in the order of the fan.
 void expect_places(const Mesh& mesh, const Text& text, double within) {
     const std::vector<glm::dvec3> places = centered(text);
     ASSERT_EQ(mesh.indices.size(), 30U);
@@ -175,7 +175,7 @@ bool is_inside(const Polygon2& polygon, const glm::dvec2& point) {
     return inside;
 }
 
-/// Makes a star around the origin with random distances.
+/// Makes a star around the origin with corners at random distances.
 Polygon2 star(std::mt19937& random, int corners) {
     Polygon2 polygon;
     for (int i = 0; i < corners; ++i) {

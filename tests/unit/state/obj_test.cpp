@@ -76,7 +76,7 @@ TEST_F(Obj, QuadsBecomeTwoTriangles) {
     EXPECT_NEAR(bounds.size().x, 2.0, 1e-6);
 }
 
-// An L of six corners covers 3 of its 2 × 2 square. A fan would cover the notch.
+// An L with six corners covers 3 of the 4 cells of its 2 × 2 square. A fan would cover the notch.
 TEST_F(Obj, ConcavePolygonsAreCutCorrectly) {
     const std::string corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
     for (const char* face : {"f 1 2 3 4 5 6", "f 2 3 4 5 6 1", "f 3 4 5 6 1 2", "f 4 5 6 1 2 3", "f 5 6 1 2 3 4"}) {

@@ -217,7 +217,7 @@ std::vector<glm::dvec3> corners_world(const Scene& scene, std::size_t object) {
     return corners;
 }
 
-// A shed with the measures of an exercise sheet, and a copy at map coordinates.
+// A shed with the measurements from an exercise sheet, and a copy at map coordinates.
 TEST_F(SceneFiles, UnfittedMeshKeepsItsFileCoordinates) {
     write("shed.obj", "v 10 0 -6\nv 16 0 -6\nv 16 4 -2\nv 10 4 -2\nf 1 2 3 4\n");
     write("map.obj",
@@ -336,7 +336,7 @@ TEST(Presets, StateKnowsItsPreset) {
     EXPECT_FALSE(file->preset) << "a custom file has no sentence";
 }
 
-/// The first slides: moving the camera and moving the world are equivalent.
+/// As the first slides say, moving the camera and moving the world are equivalent.
 TEST(Presets, MovingTheWorldByMinusTenMovesTheCameraByTen) {
     const Params camera = load_state("camera-plus-ten")->params, world = load_state("world-minus-ten")->params;
     const glm::dvec3 step(0.0, 0.0, 10.0);

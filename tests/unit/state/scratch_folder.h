@@ -1,4 +1,4 @@
-// A temporary folder for a test, deleted at its end.
+// A temporary folder for a test, deleted when the test ends.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// The JSON schema of a suite and its reader accept the same documents. The test gives both random documents, valid and
-// invalid; rules that a schema cannot express (names that collide, a picture's pixels, what an entry tests) are left
-// out.
+// The JSON schema of a suite and its reader accept the same documents. The test gives random documents, valid and
+// invalid, to both. It leaves out the rules that a schema cannot express: names that collide, a picture's pixels, and
+// what an entry tests.
 #include "suite/schema.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Valid, then invalid values of each key, as JSON.
+/// A key with valid and invalid values, as JSON.
 struct Choices {
     const char* key;
     std::vector<const char*> right, wrong;
@@ -93,7 +93,7 @@ private:
         return text + "}";
     }
 
-    /// Up to `most` keys with their values, each once.
+    /// Returns up to `most` keys with their values, each key once.
     std::string some_of(const std::vector<Choices>& all, std::size_t most) {
         std::string text;
         for (std::size_t i = random_() % (most + 1); i > 0; --i) {

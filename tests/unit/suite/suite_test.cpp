@@ -117,7 +117,7 @@ done
     RunWish wish(int count) const {
         RunWish wish;
         wish.worker = {(folder_ / "worker").string()};
-        wish.entry_timeout_s = 4.0;  // also for the start of a worker
+        wish.entry_timeout_s = 4.0;  // also the limit for the start of a worker
         for (int i = 0; i < count; ++i) wish.chosen.push_back(static_cast<std::size_t>(i));
         return wish;
     }
@@ -240,7 +240,7 @@ protected:
     const fs::path folder = fs::temp_directory_path() / ("suite-files-" + std::to_string(::getpid()));
 };
 
-/// Small files that would expand too much are refused before expansion.
+/// Small files that would expand too much are refused before they are expanded.
 TEST_F(SuiteFiles, ThatExpandTooMuchAreRefused) {
     const std::string too_much =
         "suite.json: entries: have more than 128 MiB of settings, masks and texts, including the defaults";

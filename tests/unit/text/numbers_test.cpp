@@ -1,4 +1,4 @@
-// Numbers as characters, each expected text written out by hand.
+// Numbers written as text and read from text. Each expected text is written out by hand.
 #include "text/numbers.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Korean particles by the last sound before them. The expected forms are written out by hand, as a reader says them.
+// Korean particles, chosen by the last sound before them. The expected forms are written by hand, as they are said.
 #include "text/particles.h"
 
 #include <gtest/gtest.h>

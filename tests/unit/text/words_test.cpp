@@ -1,4 +1,4 @@
-// UTF-8 characters, checked against counts made by eye.
+// UTF-8 characters, checked against counts made by hand.
 #include "text/words.h"
 
 #include <gtest/gtest.h>

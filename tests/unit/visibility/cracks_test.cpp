@@ -25,10 +25,10 @@ IdImage covered(const IdImage& image, const std::vector<Polygon>& polygons) {
 
 struct Seams {
     std::int64_t holes = 0;  ///< background pixels with surface all around
-    std::int64_t wrong = 0;  ///< away from edges
+    std::int64_t wrong = 0;  ///< wrong pixels away from edges
 };
 
-/// Sums over nine views from the front, 480 × 270.
+/// Sums over nine views of 480 × 270 pixels from the front.
 Seams seams_of(const std::vector<Polygon>& polygons, double relative_epsilon, int subpixel_bits) {
     constexpr int width = 480, height = 270;
     const RayScene rays{polygons};

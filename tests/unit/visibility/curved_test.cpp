@@ -105,7 +105,7 @@ TEST(IntersectCurved, IsExactFromFarAwayAndNearTangents) {
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 500; ++i) {
-        // Through a known point of the tube, from a million units away.
+        // Aim at a known point of the tube from a million units away.
         const double u = random.number(0, 6.28), v = random.number(0, 6.28);
         const glm::dvec3 outward(std::cos(u), 0, std::sin(u));
         const glm::dvec3 normal = std::cos(v) * outward + glm::dvec3(0, std::sin(v), 0);
@@ -122,7 +122,7 @@ TEST(IntersectCurved, IsExactFromFarAwayAndNearTangents) {
         EXPECT_EQ(hits.size() % 2, 0U);
     }
     for (const double gap : {1e-3, 1e-6, 1e-9}) {
-        // Near the top of the tube, whose height is 0.34: in and out, or a miss.
+        // Near the top of the tube, whose height is 0.34, a ray either enters and leaves the tube or misses it.
         const double half = std::sqrt(0.34 * 0.34 - (0.34 - gap) * (0.34 - gap));
         const auto low = intersect_curved(CurvedKind::torus, {{5, 0.34 - gap, 0}, {-1, 0, 0}});
         ASSERT_EQ(low.size(), 4U) << gap;

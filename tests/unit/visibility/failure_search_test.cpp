@@ -16,8 +16,8 @@ Orbit orbit_about(const glm::dvec3& target, bool orthographic = false) {
     return {target, 8.0, clip_from_view({.orthographic = orthographic}, 16.0 / 9.0)};
 }
 
-/// Counts the wrong pixels of the painter's picture away from edges without the search's own code: the view comes from
-/// its angles by world_from_view, and the picture is larger.
+/// Counts the wrong pixels away from edges in the painter's picture without the search's own code: world_from_view()
+/// makes the view from its angles, and the picture is larger.
 std::int64_t wrong_pixels(std::span<const Polygon> polygons, const Orbit& orbit, const FailureView& found,
                           PainterKey key) {
     const Viewpoint viewpoint{
@@ -35,7 +35,7 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const Orbit& orbit,
     return difference(reference, painted).different;
 }
 
-/// Returns a slanted wall and a small card in front of or behind it, on which the key fails from some view in front.
+/// Returns a slanted wall and a small card in front of or behind it. The key fails for them from some view in front.
 std::vector<Polygon> scene_for(PainterKey key) {
     std::vector<Polygon> polygons;
     add(polygons, {{-2, -1, 2}, {2, -1, -3}, {2, 1, -3}, {-2, 1, 2}});
@@ -79,7 +79,7 @@ TEST(FailureSearch, FoundViewsAlsoFailOnRandomScenes) {
         if (found.wrong_pixels > 10) {
             EXPECT_GT(wrong_pixels(polygons, orbit, found, key), 0);
         }
-        // No view of an independent scan is much worse than the found one.
+        // No view of an independent scan is much worse than the one found.
         FailureView other = found;
         for (int i = 0; i < 12; ++i) {
             other.view = {start.yaw_deg + 30.0 * i, start.pitch_deg};
@@ -92,7 +92,7 @@ TEST(FailureSearch, FoundViewsAlsoFailOnRandomScenes) {
 TEST(FailureSearch, ReportsThatNoViewFails) {
     std::vector<Polygon> one;
     add(one, {{-1, -1, 0}, {1, -1, 0.5}, {0, 1, 1}});
-    // Two equal parallel triangles, one behind the other: every key sorts them right from everywhere.
+    // Two equal parallel triangles, one behind the other: every key sorts them correctly from everywhere.
     std::vector<Polygon> two = one;
     add(two, {{-1, -1, 3}, {1, -1, 3.5}, {0, 1, 4}});
     for (const std::vector<Polygon>& polygons : {one, two}) {

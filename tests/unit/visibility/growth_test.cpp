@@ -1,5 +1,5 @@
-// Growth of costs: the rows, their counts, how budgets and cancellation end a curve, and the report. Never how long
-// anything takes.
+// Growth of costs: the rows, their counts, how budgets and cancellation end a curve, and the report. The tests never
+// check how long anything takes.
 #include "visibility/growth.h"
 
 #include <gtest/gtest.h>
@@ -154,7 +154,7 @@ TEST(Growth, CountsAreRepeatable) {
     }
 }
 
-/// Counts the pixel centers in the triangle's picture by testing each.
+/// Counts the pixel centers in the triangle's picture by testing each center.
 std::int64_t covered_pixels(const Polygon& triangle, const Viewpoint& viewpoint, int width, int height) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -305,7 +305,7 @@ TEST(Growth, TimeBudgetStopsARunningMethod) {
     EXPECT_EQ(newell[0].problem, "With 50,000 polygons, Newell's sort stopped at its limit of 30 ms.");
 }
 
-/// Parses records of fields as in RFC 4180.
+/// Parses records of fields as RFC 4180 defines them.
 std::vector<std::vector<std::string>> parsed_csv(std::string_view text) {
     std::vector<std::vector<std::string>> records;
     std::vector<std::string> record(1);
@@ -376,7 +376,7 @@ TEST(GrowthReport, CsvReadsBack) {
 TEST(GrowthReport, WinnerDoesTheLeastWorkOfTheRightMethods) {
     Random random(seed);
     for (int round = 0; round < 200; ++round) {
-        std::map<std::int64_t, GrowthMethod> by_work;  // of the valid rows with 100 polygons
+        std::map<std::int64_t, GrowthMethod> by_work;  // the valid rows with 100 polygons
         std::vector<GrowthRow> rows;
         for (const GrowthMethod method : all_methods()) {
             for (const int polygons : {10, 100, 1000}) {

@@ -41,7 +41,8 @@ Sight sight_through(const Viewpoint& viewpoint, double x, double y) {
     return {at(-1.0), glm::normalize(at(1.0) - at(-1.0))};
 }
 
-/// Projects the part of a polygon in front of the eye and the near plane, counterclockwise on the screen.
+/// Projects the part of a polygon in front of the eye and the near plane, and returns its corners counterclockwise on
+/// the screen.
 std::vector<glm::dvec2> on_screen(const Polygon& polygon, const Viewpoint& viewpoint) {
     std::vector<glm::dvec4> corners;
     for (const glm::dvec3& vertex : polygon.vertices)

@@ -20,7 +20,7 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const NewellOrder& 
     return difference(ray_cast_image(polygons, viewpoint), paint(result.fragments, result.order, viewpoint)).different;
 }
 
-/// Returns the steps of two polygons seen from +z and expects a right picture.
+/// Returns the steps of two polygons seen from +z and expects a correct picture.
 std::vector<NewellStep> ladder(std::vector<glm::dvec3> first, std::vector<glm::dvec3> second) {
     std::vector<Polygon> polygons;
     add(polygons, std::move(first));
@@ -38,11 +38,11 @@ TEST(Newell, EachTestDecidesItsOwnPair) {
     EXPECT_EQ(decider(rectangle(-1, 1, -1, 1, -2, -2), rectangle(-1, 1, -1, 1, 0, 0)), depth_extents);
     EXPECT_EQ(decider(rectangle(-2, -1, -1, 1, -2, 0), rectangle(1, 2, -1, 1, -1, 1)), x_extents);
     EXPECT_EQ(decider(rectangle(-1, 1, -2, -1, -2, 0), rectangle(-1, 1, 1, 2, -1, 1)), y_extents);
-    // P spans z = −3 to −1. Q's plane is behind Q's far edge at −2 only outside P.
+    // P spans z = −3 to −1, which overlaps Q's −2 to 0, but all of P is one unit behind Q's plane.
     EXPECT_EQ(decider(rectangle(-1, 1, -1, 1, -3, -1), rectangle(-1, 1, -1, 1, -2, 0)), p_behind_q);
-    // A small Q in front of P's plane while Q's own plane cuts P.
+    // A small Q is in front of P's plane, while Q's own plane cuts P.
     EXPECT_EQ(decider(rectangle(-2, 2, -1, 1, -4, 0), rectangle(-1, -0.5, -0.5, 0.5, 1, -2)), q_in_front_of_p);
-    // Triangles in the two halves of a square whose planes cross.
+    // The triangles are in the two halves of a square, and their planes cross.
     EXPECT_EQ(decider({{-1, -1, -3}, {0.9, -1, 0}, {-1, 0.9, 0}}, {{1, 1, -2}, {-0.9, 1, 1}, {1, -0.9, -2.5}}),
               projections_disjoint);
 }
@@ -140,8 +140,8 @@ TEST(Newell, NeverComparesAReleasedPairAgain) {
             again += !let_go.emplace(step.p, step.q).second;
         }
     }
-    // The exceptions are polygons Q exactly as far as one that P waited for, such as other pieces with the same
-    // farthest corner.
+    // The exceptions are polygons Q that are exactly as far as one that P waited for, such as other pieces with the
+    // same farthest corner.
     EXPECT_LE(again, let_go_count / 100);
     const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 60);
     const NewellOrder result = newell_order(large, viewpoint_on_z());

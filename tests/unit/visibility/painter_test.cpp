@@ -1,4 +1,4 @@
-// The naive painter's algorithm: it sorts right, counts its work, and fails where it must.
+// The naive painter's algorithm: it sorts correctly, counts its work, and fails where it must.
 #include "visibility/painter.h"
 
 #include <gtest/gtest.h>
@@ -74,8 +74,8 @@ TEST(PainterOrder, ShowsTheLowerIndexOfEqualKeys) {
     EXPECT_EQ(painter_order(polygons, viewpoint_on_z(), PainterKey::centroid).order, (std::vector{2, 1, 0}));
 }
 
-// A long wall that recedes from z = 1 to z = −9 and a small card in front of or behind it: two of the three keys sort
-// each scene right.
+// A long wall that recedes from z = 1 to z = −9 and a small card in front of or behind it. Two of the three keys sort
+// each scene correctly.
 struct FailureScene {
     PainterKey fails;
     std::vector<std::vector<glm::dvec3>> polygons;
@@ -93,10 +93,10 @@ TEST(PainterOrder, EveryKeyFailsOnItsOwnScene) {
     // At x, the wall from z_left to z_right is at z_left + (x + 2) / 4 · (z_right − z_left).
     const std::vector<FailureScene> scenes{
         {PainterKey::nearest,
-         {wall(1, -9), card(1, 0)}},  // nearest: wall 1, in front of the card; the wall is at −6.5 there
+         {wall(1, -9), card(1, 0)}},  // the wall's nearest point is at 1, but at the card the wall is at −6.5
         {PainterKey::farthest,
-         {wall(1, -9), card(-1, -5)}},  // farthest: wall −9, behind the card; the wall is at −1.5 there
-        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // centroid: wall −4; the wall is at −1.5 there
+         {wall(1, -9), card(-1, -5)}},  // the wall's farthest point is at −9, but at the card the wall is at −1.5
+        {PainterKey::centroid, {wall(1, -9), card(-1, -3.5)}}};  // its centroid is at −4, but at the card it is at −1.5
     for (const FailureScene& scene : scenes) {
         std::vector<Polygon> polygons;
         for (const auto& corners : scene.polygons) add(polygons, corners);

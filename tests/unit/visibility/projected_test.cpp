@@ -1,4 +1,4 @@
-// The projections that Newell's cheap tests compare: separate on an axis, or separate at all.
+// Tests whether the projections that Newell's cheap tests compare are separate on an axis, or separate at all.
 #include "visibility/projected.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rays against triangles: the hierarchy against brute force, pictures, replay, counters.
+// Rays against triangles: the hierarchy compared with brute force, pictures, replay, counters.
 #include "visibility/ray_cast.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Returns all hits by geometry's own intersection, nearest first.
+/// Returns all hits that geometry's own intersection finds, nearest first.
 std::vector<RayHit> brute_force(std::span<const Polygon> polygons, const Ray& ray) {
     std::vector<RayHit> hits;
     for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -61,7 +61,7 @@ TEST(Bvh, MatchesBruteForce) {
     EXPECT_GT(hit_count, 2000);
 }
 
-/// Holds for any size and place of the scene: only boxes use single precision.
+/// This holds for any size and place of the scene, because only the boxes use single precision.
 TEST(Bvh, RayBundlesMatchSingleRays) {
     SCOPED_TRACE(seed);
     Random random(seed);

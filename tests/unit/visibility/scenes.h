@@ -36,7 +36,7 @@ inline Viewpoint viewpoint_at(const glm::dvec3& eye, const glm::dvec3& target, c
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))), clip_from_view(lens, aspect)};
 }
 
-/// Looks straight down −z, from z = 10 or, in perspective, from closer.
+/// Looks straight down −z, from z = 10 or, in perspective, from z = 7.
 inline Viewpoint viewpoint_on_z(bool orthographic = false) {
     return viewpoint_at({0, 0, orthographic ? 10 : 7}, {0, 0, 0}, {.orthographic = orthographic});
 }

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Makes a polygon from pixels of an 8 × 8 picture, y down, z as window depth.
+/// Makes a polygon from pixels of an 8 × 8 picture, with y down and z as window depth.
 Polygon on_screen(std::vector<glm::dvec3> corners, int source) {
     for (glm::dvec3& c : corners) c = {c.x / 4 - 1, 1 - c.y / 4, 2 * c.z - 1};
     return make_polygon(std::move(corners), source, source).value();

@@ -25,7 +25,7 @@ const kept = (() => {
   const unmerged = [];  // [path, text] written by other tabs
   let is_open = false;
 
-  /// The program reads another tab's text and adds its own; if that adds anything, it writes the result.
+  /// Makes the program read another tab's text and add its own; if that adds anything, the program writes the result.
   const take = (path, text) => {
     if (text === seen.get(path)) return;
     put(path, text);
@@ -82,8 +82,8 @@ const kept = (() => {
     $('bar-buttons').replaceChildren(lost.length ? net.button(net.say('Save answers'), save) : net.button(net.say('Hide'), hide));
   };
 
-  /// Asks before closing the page loses answers. Listens only after the first refusal: with a beforeunload listener,
-  /// browsers cannot restore the page unchanged when the person comes back.
+  /// Asks for confirmation before the page closes and answers are lost. Listens only after the first refusal: with a
+  /// beforeunload listener, browsers cannot restore the page unchanged when the person comes back.
   const askBeforeItGoes = () => {
     if (asks_before) return;
     asks_before = true;
@@ -125,7 +125,7 @@ const kept = (() => {
     show();
   };
 
-  /// One tab reads and writes at a time, under a lock if the browser grants one within this time.
+  /// Only one tab at a time reads and writes, under a lock if the browser grants one within this time.
   const lock_wait_ms = 1000;
   const flushUnderLock = () => {
     if (!navigator.locks) return flush();
@@ -137,7 +137,7 @@ const kept = (() => {
     flushUnderLock();
     if (!isAnswers(path) || has_asked) return;
     has_asked = true;
-    navigator.storage?.persist?.().catch(() => {});  // otherwise a browser may drop it when its disk is full
+    navigator.storage?.persist?.().catch(() => {});  // otherwise a browser may drop the storage when the disk is full
   };
 
   /// Keeps a file of settings or answers that the program has written. Returns false for any other file.
@@ -145,7 +145,7 @@ const kept = (() => {
     if (!path.startsWith(net.settings)) return false;
     if (net.hasEnded()) return true;
     store(path, new TextDecoder().decode(bytes));
-    // The program renames a file that it cannot read, in its own folder only: keep that copy, too.
+    // If the program cannot read a file, it renames it, but only in its own folder: keep that copy, too.
     const [, folder, name] = /^(.*\/)([^/]*)$/.exec(path);
     for (const other of FS.readdir(folder))
       if (other.startsWith(name + '.unreadable') && !seen.has(folder + other)) store(folder + other, FS.readFile(folder + other, {encoding: 'utf8'}));
@@ -166,13 +166,13 @@ const kept = (() => {
     if (unmerged.length === 1) setTimeout(merge);
   });
 
-  /// The program has started: merges what other tabs wrote while it was loading.
+  /// Call when the program has started: merges the texts that other tabs wrote while it was loading.
   const start = () => {
     is_open = true;
     merge();
   };
 
-  /// The page may not come back: writes all text that is not kept yet, without waiting for the lock.
+  /// Writes all text that is not kept yet, without waiting for the lock, since the page may not come back.
   const leave = () => {
     merge();
     flush();

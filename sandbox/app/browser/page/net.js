@@ -34,7 +34,7 @@ const net = (() => {
     '{file} has {size} bytes, but the limit is {limit}': '{file} 파일의 크기는 {size}바이트이며, {limit}바이트까지만 읽습니다.',
   };
 
-  // Keys of the browser's storage: this prefix, then the name of a file of the program.
+  // Keys of the browser's storage: this prefix, then the name of one of the program's files.
   const kept = 'viewing-sandbox:', settings = '/home/web_user/.config/viewing-sandbox/';
   const answers_folder = settings + 'answers/';
   const unkept = new Map();  // path: text that the browser has not kept yet, or refused to

@@ -50,7 +50,7 @@ const page = (() => {
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   };
 
-  /// Calls `changed` when the number of pixels per CSS pixel changes: another screen, or the page's zoom.
+  /// Calls `changed` when the number of pixels per CSS pixel changes, because of another screen or the page's zoom.
   const watchScale = (changed) =>
     matchMedia(`(resolution: ${scale()}dppx)`).addEventListener('change', () => {
       changed();
@@ -73,13 +73,13 @@ const page = (() => {
     if (!frame_asked && !net.hasEnded()) frame_asked = requestAnimationFrame(draw);
   };
 
-  /// Requests a frame as after an event.
+  /// Requests a frame, as an event would.
   const again = () => {
     Module._page_event();
     wake();
   };
 
-  /// The page is hidden and may never return: saves now, since the next frame may never come.
+  /// Saves now, since the page is hidden and may never return, so the next frame may never come.
   const leave = () => {
     if (!is_open || net.hasEnded()) return;
     const most_frames = 8;
@@ -99,7 +99,7 @@ const page = (() => {
     const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the host page
     if (may_focus && wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
     const now = ask('page_opened');
-    if (now !== said && !is_embedded) {  // if equal: still loading, and the address already names the new state
+    if (now !== said && !is_embedded) {  // if equal, the new state is still loading, and the address already names it
       said = now;
       const is_state = now === '' && opened.startsWith('#1');  // only its own link can name it
       if (now !== opened && !is_state) enter(now);
@@ -118,7 +118,7 @@ const page = (() => {
     if (location.hash !== now) write(is_same_lesson ? 'replaceState' : 'pushState', now);
   };
 
-  /// An address that was just typed arrives as an event later: until then it is not overwritten.
+  /// An address that the person has just typed arrives later, as an event; until then, do not overwrite it.
   const write = (how, fragment) => {
     if (location.hash !== known) return;
     history[how](null, '', fragment || location.pathname + location.search);
@@ -139,7 +139,7 @@ const page = (() => {
     if (!is_embedded) keepState();
   };
 
-  /// At rest the address names what is shown, so that a reload or a copied address restores it.
+  /// At rest, the address names the state shown, so that a reload or a copied address restores it.
   const keepState = () => {
     if (opened.startsWith('#lesson=')) return;
     const address = Module._page_departs() ? ask('page_link') : opened;
@@ -186,7 +186,7 @@ const page = (() => {
       if (fingers.size !== 2) return;
       const now = both();
       Module._page_pointer(now.x, now.y, 1);
-      const step = 20;  // change of the fingers' distance, in CSS pixels, for one line of the wheel
+      const step = 20;  // change in the fingers' distance, in CSS pixels, that counts as one line of the wheel
       const lines = Math.trunc((now.apart - pair.apart) / step);
       if (lines !== 0) {
         Module._page_wheel(0, lines);
@@ -244,7 +244,7 @@ const page = (() => {
       const is_used = used.has(event.code);
       if (is_embedded && !is_used) return messages.handOn(event);
       const prints = event.key.length === 1 && !event.ctrlKey && !event.metaKey;
-      if (document.activeElement === typed && prints) return;  // its input event delivers it
+      if (document.activeElement === typed && prints) return;  // the text field's input event delivers it
       if (prints && event.repeat === false) characters(event.key);
       if (is_used) event.preventDefault();
     });
