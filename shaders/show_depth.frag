@@ -1,4 +1,5 @@
-// Shows the depth buffer: black near, white far, or bands of color; pixels that were never written are tinted.
+// Shows the depth buffer, from black (near) to white (far) or in bands of color. Pixels that were never written are
+// tinted.
 in vec2 position_texture;
 
 uniform highp sampler2D depth_texture;

@@ -2,7 +2,7 @@
 in vec2 position_texture;
 
 uniform sampler2D value_texture;
-uniform vec3 colors[OVERDRAW_COLORS];  // sRGB: for 0, 1, 2 … times; the last one also for more
+uniform vec3 colors[OVERDRAW_COLORS];  // sRGB: for counts of 0, 1, 2 …; the last color also for higher counts
 
 out vec4 color;
 

@@ -3,7 +3,7 @@
 in vec2 position_texture;
 
 uniform sampler2D value_texture;
-// sRGB: nothing, a patch, a light missing on it, a light missing beside a patch
+// sRGB, in this order: nothing, a patch, a light missing on a patch, a light missing outside the patches
 uniform vec3 colors[STENCIL_COLORS];
 
 out vec4 color;
@@ -14,6 +14,6 @@ void main() {
     int count = 0;
     for (int bits = missing; bits > 0; bits >>= 1) count += bits & 1;
     vec3 marked = missing == 0 ? colors[region == 0 ? 0 : 1] : colors[region == 0 ? 3 : 2];
-    // The next patch and the next missing light are each a little darker.
+    // Each further patch and each further missing light is a little darker.
     color = vec4(marked * pow(0.82, float(max(region - 1, 0)) + 1.5 * float(max(count - 1, 0))), 1.0);
 }

@@ -2,13 +2,13 @@
 // of a shadow caster, or with an ID to read back. Light is added in linear space and converted to sRGB here, so that no
 // sRGB target is needed.
 //
-// FROM_PICTURE: the surface point and its depth come from textures, one texel per pixel, as a software method found
+// FROM_PICTURE: the surface point and its depth come from textures, one texel per pixel, as a software method computed
 // them.
 #ifdef FROM_PICTURE
 in vec2 position_texture;
-uniform highp sampler2D surface_positions;  // xyz world; w standard window depth, 2 if nothing is seen
-uniform highp sampler2D surface_normals;    // xyz toward the eye; w 1 front face, 0 back face
-uniform highp sampler2D surface_colors;     // linear; w the object ID, from 1
+uniform highp sampler2D surface_positions;  // xyz: world; w: standard window depth, or 2 if nothing is seen
+uniform highp sampler2D surface_normals;    // xyz: toward the eye; w: 1 for a front face, 0 for a back face
+uniform highp sampler2D surface_colors;     // xyz: linear color; w: object ID, from 1
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
 uniform vec2 picture_share;                 // share of the view that the picture fills, centered
 uniform mat4 relative_from_model;
@@ -60,9 +60,10 @@ uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the p
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
-uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, spaced by the logarithm of the eye distance, near to far
-uniform vec3 heat_tones[HEAT_COLORS];       // sRGB, for ratios: from 0 to just below 1, then powers of 2 from 1 on
-uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
+// Logarithms of the gap that is resolved, at eye distances from near to far in equal logarithmic steps.
+uniform vec4 heat_onsets[HEAT_ENTRIES / 4];
+uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: first half for ratios from 0 to just below 1, rest for 1, 2, 4 …
+uniform vec4 heat_gap;                       // xyz: unit normal in view space; w: gap along it, negative: none
 
 vec3 heat_color() {
     vec3 position_view = (heat_view_from_relative * vec4(position_relative, 1.0)).xyz;
@@ -93,7 +94,7 @@ AT(6) in vec2 clip_distance;
 #ifndef FROM_PICTURE
 AT(5) in vec2 view_zw;
 #endif
-uniform float depth_levels;      // 2^bits - 1; 0: the buffer's precision
+uniform float depth_levels;      // 2^bits - 1; 0: the buffer's own precision
 uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic
 uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times the smallest step
 #endif
@@ -135,8 +136,8 @@ int mask_after() {
 }
 #endif
 
-// 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, with an error of at most a hundredth of a level: in
-// a software renderer, pow is slow to compile and to run.
+// Converts linear light to sRGB. Replaces 1.055 x^(1/2.4) - 0.055 with a polynomial in the fourth root of x, since pow
+// is slow to compile and to run in a software renderer. The error is at most a hundredth of a level.
 vec3 srgb_from_linear(vec3 linear) {
     vec3 root = sqrt(sqrt(max(linear, vec3(0.0))));
     vec3 curve = (((0.0813307 * root - 0.3355051) * root + 1.1226862) * root + 0.1961336) * root - 0.0646112;
@@ -145,7 +146,8 @@ vec3 srgb_from_linear(vec3 linear) {
 
 #if SHADING == SHADING_LIT || SHADING == SHADING_UNLIT
 #ifdef IS_PATCH
-// Two alternating tones with thin lines between them, each faded to its mean where squares become smaller than pixels.
+// Returns two alternating tones with thin lines between them. Where squares become smaller than pixels, the tones blend
+// into their mean, and the lines fade out.
 vec3 patch_color() {
     vec2 cell = position_patch * patch_extent;
     vec2 width = max(fwidth(cell), vec2(1e-6));
@@ -166,12 +168,13 @@ float pow48(float x) {
 
 vec3 lit_color(vec3 surface_albedo) {
     vec3 eye = eye_relative.xyz - eye_relative.w * position_relative;
-    // The visible side of the surface, from its geometry: it must not depend on winding or culling.
+    // The normal points toward the eye. Its sign comes from the geometry, since it must not depend on winding or
+    // culling.
 #if defined(IS_PATCH)
     vec3 normal = patch_normal;
 #else
     vec3 normal = normalize(normal_world);
-#ifndef FROM_PICTURE  // there, it already points toward the eye
+#ifndef FROM_PICTURE  // a picture's normals already point toward the eye
     vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
     normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
 #endif

@@ -10,7 +10,7 @@ AT(3) out vec3 vertex_albedo;
 AT(4) flat out vec2 ids;
 #endif
 
-// SEPARATE: the outputs are the same for all fragment stages, whichever outputs a stage reads.
+// SEPARATE: the outputs are the same for all fragment stages, no matter which of them a stage reads.
 #ifdef SEPARATE
 out gl_PerVertex {
     vec4 gl_Position;
@@ -78,7 +78,8 @@ void main() {
     ids = vertex_ids;
 #endif
 #ifdef FORCE_SIGN
-    // Test the w that S yields, without the camera. GL then does not split a triangle in which this sign changes.
+    // Test the w that S yields, before the camera is applied. After the negation, GL does not split a triangle in which
+    // this sign changes.
     if (placed.w < 0.0) gl_Position = -gl_Position;
 #endif
 #ifdef CLIP_DISTANCE

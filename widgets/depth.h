@@ -20,21 +20,22 @@ struct DepthMark {
 };
 
 struct PrecisionChartStyle {
-    /// The range over which near and far can be dragged; it does not depend on them. If it is invalid, 10⁻³…10⁴.
+    /// The range over which near and far can be dragged; it does not depend on them. If it is invalid, the chart uses
+    /// 10⁻³…10⁴.
     ChartAxis x{.title = "eye distance z", .min = 1e-3, .max = 1e4};
-    ChartAxis y{.title = "width Δz"};              ///< without a range: the whole decades of the curves
+    ChartAxis y{.title = "width Δz"};              ///< without a range, spans the decades of the curves
     std::span<const ChartCurve> terms = {};        ///< parts of the step, drawn dotted; also in the readout
     std::span<const DepthMark> marks = {};         ///< the scene's objects
-    double cursor_z = 0.0;                         ///< distance of the pixel that another view points at; ≤ 0: none
+    double cursor_z = 0.0;                         ///< distance of the pixel pointed at in another view; ≤ 0: none
     double default_near = 0.1, default_far = 100;  ///< a right-click on a line resets to these
     const char* target = "";  ///< the chart's name as in targets.h; lines add ".near" and ".far", curves their names
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 160×120 design pixels
 };
 
-/// The step Δz of a depth buffer over the eye distance z, on logarithmic axes; curves that are not emphasized are
-/// faint, and none has markers. Near and far are vertical lines to drag (Alt for finer steps); a right-click resets
-/// one, or both if the other is in the way. 0 < near < far holds after every edit. A distance that is not finite and
-/// positive has no line; the line of a distance outside the axis is at the axis's end. The readout shows z, and Δz of
+/// Plots the step Δz of a depth buffer over the eye distance z, on logarithmic axes. Curves that are not emphasized are
+/// faint; no curve has markers. Near and far are vertical lines to drag (Alt for finer steps); a right-click resets
+/// one, or both if the other is in the way. 0 < near < far holds after every edit. If a distance is not finite and
+/// positive, it has no line; if it is outside the axis, its line is at the axis's end. The readout shows z, and Δz of
 /// the first emphasized curve. Returns true when near or far was edited.
 bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& near, double& far,
                     const PrecisionChartStyle& style);
@@ -50,10 +51,10 @@ struct CodeTicksStyle {
     ImVec2 size{0.0F, 0.0F};                    ///< in pixels; 0: the available size. At least 180×120 design pixels
 };
 
-/// Stored codes between near and far as two rows of ticks joined by lines: above, the codes, equally spaced; below, the
-/// eye distances that they represent. `eye_distances` belong to equally spaced codes, from left to right; if they are
-/// too dense, only some are drawn. A distance outside near…far has no line. Unless near < far and both are finite,
-/// shows a sentence. Returns the index of the tick under the pointer, otherwise −1.
+/// Draws stored codes between near and far as two rows of ticks joined by lines. The upper row has the codes, equally
+/// spaced; the lower row has the eye distances that they represent. `eye_distances` belong to equally spaced codes,
+/// from left to right; if they are too dense, only some are drawn. A distance outside near…far has no line. Unless both
+/// are finite and near < far, shows a sentence instead. Returns the index of the tick under the pointer, otherwise −1.
 int CodeTicks(const char* id, std::span<const double> eye_distances, double near, double far,
               const CodeTicksStyle& style = {});
 
@@ -68,11 +69,11 @@ struct HistogramStyle {
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 200×120 design pixels
 };
 
-/// Counts of values between `min` and `max` as bars of equal width, and two lines to drag around the range of interest
-/// (x < y within min…max after every edit). "Fit" or a double-click selects the range that has counts, a right-click
-/// the full range. An invalid range is shown as the full one. The highest of `counts` sets the vertical scale; the bar
-/// of unwritten values is cut off if it is higher. Without counts or with min ≥ max, shows a sentence and edits
-/// nothing. Returns true when `range` was edited.
+/// Draws counts of values between `min` and `max` as bars of equal width, and two lines that can be dragged around the
+/// range of interest (after every edit, x < y, both within min…max). "Fit" or a double-click selects the range that has
+/// counts; a right-click selects the full range. An invalid range is shown as the full one. The highest of `counts`
+/// sets the vertical scale; the bar of unwritten values is cut off if it is higher. Without counts or with min ≥ max,
+/// shows a sentence and edits nothing. Returns true when `range` was edited.
 bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min, double max, glm::dvec2& range,
                const HistogramStyle& style = {});
 
@@ -91,13 +92,14 @@ struct CellGridStyle {
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 40×40 design pixels
 };
 
-/// The maximum number of cells drawn, and of cells with text.
+/// The maximum number of cells that a grid can draw, and the maximum with which it draws their text.
 constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
-/// A block of pixels as large squares in the middle of the area, each with its text in black or white, whichever has
-/// more contrast; pointing at a cell shows text that does not fit. `cells`: row by row, top row first; missing ones
-/// stay empty. A click selects a cell. A click on the selected cell or beside the cells, or a right-click, clears the
-/// selection. With too many cells or none, shows a sentence. Returns true when `selected` (−1: none) changed.
+/// Draws a block of pixels as large squares in the middle of the area. Each square has its text in black or white,
+/// whichever has more contrast; pointing at a cell shows text that does not fit. `cells`: row by row, top row first;
+/// missing ones stay empty. A click selects a cell. A click on the selected cell or beside the cells, or a right-click,
+/// clears the selection. With too many cells or none, shows a sentence instead. Returns true when `selected` (−1: none)
+/// changed.
 bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows, int& selected,
               const CellGridStyle& style = {});
 
@@ -107,12 +109,13 @@ struct DividerStyle {
     const char* left = "";  ///< names of the two sides, shown beside the line at the top if they fit
     const char* right = "";
     float default_share = 0.5F;  ///< a right-click resets to it
-    bool* held = nullptr;        ///< receives whether the pointer is on the line or drags it, and so off the picture
+    bool* held = nullptr;        ///< receives whether the line has the pointer; the picture must then ignore it
 };
 
-/// A line from top to bottom over a picture in min…max, dragged sideways. `share`: the part to the left of the line,
-/// 0…1. Call after drawing the picture and before the item that handles its mouse, since the first item has priority.
-/// Leaves the cursor in place. A NaN share counts as the default. Returns true when it was edited.
+/// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the part of the
+/// width to the left of the line, 0…1. Call after drawing the picture and before the item that handles its mouse, since
+/// the first item has priority. Leaves the cursor in place. A NaN share counts as the default. Returns true when
+/// `share` was edited.
 bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const DividerStyle& style = {});
 
 }  // namespace widgets

@@ -12,7 +12,7 @@ namespace widgets {
 // ---- a binary tree ---------------------------------------------------------------------------------
 
 /// A node of a tree in a flat array: the root first, children after their parent. A link counts only if the child names
-/// the same parent, so any input is a tree. Nodes that the root does not reach are hidden.
+/// this node as its parent, so any input forms a tree. Nodes that the root does not reach are hidden.
 struct TreeNode {
     int parent = -1, front = -1, back = -1;  ///< indices; −1: none
     std::string_view label = {};             ///< short: a number
@@ -21,8 +21,8 @@ struct TreeNode {
     int eye_side = 0;                        ///< 1: the eye is in front, −1: behind; highlights that edge. 0: neither
 };
 
-/// Positions of a tree's nodes: one row per level, front before back, at least 1 apart in a row, each parent centered
-/// above its children. One pass over the nodes, without recursion. Source: Reingold and Tilford 1981.
+/// The positions of a tree's nodes: one row per level, front before back, at least 1 apart in a row, with each parent
+/// centered above its children. They are computed in linear time, without recursion. Source: Reingold and Tilford 1981.
 struct TreeLayout {
     std::vector<double> x;          ///< of each node, in node widths from the root; undefined if level < 0
     std::vector<int> level;         ///< of each node, 0 at the root; −1: hidden
@@ -43,11 +43,11 @@ struct TreeDiagramState {
     double zoom = 1.0;
     std::unordered_set<int> collapsed;  ///< nodes with folded subtrees
     bool fit_next = true;               ///< show the whole tree in the next frame, or only its top if it is too large
-    bool fit_whole_next = false;        ///< show all of it in the next frame, however small
+    bool fit_whole_next = false;        ///< show the whole tree in the next frame, however small
     int reveal_next = -1;               ///< in the next frame, unfold, zoom and move only as needed to show this node
     int hovered = -1;                   ///< output: the node under the pointer
 
-    TreeLayout layout;  ///< the layout of `laid_out_revision` with `laid_out_collapsed`
+    TreeLayout layout;  ///< the layout for `laid_out_revision` and `laid_out_collapsed`
     std::uint64_t laid_out_revision = 0;
     std::unordered_set<int> laid_out_collapsed;
     bool is_laid_out = false;
@@ -59,17 +59,17 @@ struct TreeDiagramState {
 };
 
 struct TreeDiagramStyle {
-    int shown_count = 1 << 30;  ///< draws only nodes below this index: the build steps so far
-    int current = -1;           ///< the node being visited, drawn filled; if a fold hides it, the folded node
-    int lit = -1;               ///< the node that the pointer in another view refers to; likewise for folds
+    int shown_count = 1 << 30;  ///< draws only this many nodes, those built so far
+    int current = -1;           ///< the visited node, or the folded one that hides it; drawn filled
+    int lit = -1;               ///< the node pointed at in another view, or the folded one that hides it
     ImVec2 size{0.0F, 0.0F};    ///< in pixels; 0: the available size
 };
 
-/// A tree that pans (drag), zooms (wheel), folds (double-click, or the triangle below a node; a large fold opens a few
-/// levels at a time) and selects (click; on the background: none). Otherwise it stays still: its layout depends only on
-/// folds and on `revision`, which must change when the nodes' links do. A new revision unfolds as many levels as are
-/// readable together, folds the rest and fits the view. The edge to the front child is marked +, the one to the back
-/// child −. Returns true when `selected` (−1: none) changed.
+/// Draws a tree that the user can pan (drag), zoom (wheel), fold (double-click, or the triangle below a node; a large
+/// fold opens a few levels at a time) and select from (click; a click on the background selects nothing). Apart from
+/// that, it stays still: its layout depends only on folds and on `revision`, which must change when the nodes' links
+/// do. A new revision unfolds as many levels as are readable together, folds the rest and fits the view. The edge to
+/// the front child is marked +, the one to the back child −. Returns true when `selected` (−1: none) changed.
 bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagramState& state,
                  int& selected, const TreeDiagramStyle& style = {});
 
@@ -82,7 +82,7 @@ struct ChartCurve {
     bool emphasized = false;
 };
 
-/// Without a valid range (0 < min < max), an axis spans the whole decades of its values.
+/// Without a valid range (0 < min < max), an axis spans the whole decades that contain its values.
 struct ChartAxis {
     const char* title = "";  ///< including the unit
     double min = 0.0, max = 0.0;
@@ -95,8 +95,9 @@ struct LogChartStyle {
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 160×120 design pixels
 };
 
-/// Curves over two logarithmic axes, named at their ends; they differ in marker and dash as well as in color. The
-/// readout shows the nearest point's values. Returns the index of its curve, otherwise −1.
+/// Draws curves over two logarithmic axes, with their names at their ends. The curves differ in marker and dash as well
+/// as in color. The readout shows the values of the point nearest to the pointer. Returns the index of that point's
+/// curve, otherwise −1.
 int LogChart(const char* id, std::span<const ChartCurve> curves, const LogChartStyle& style);
 
 /// Draws the same chart in a rectangle of any draw list, for export. `pointer` may be null.
@@ -113,15 +114,15 @@ struct StepPlayer {
     bool shown = false;        ///< the bar sets this when it is drawn
 };
 
-/// A bar for a step in 0…count, or −1 for all steps even if the count grows: buttons to the ends and to the neighbors,
-/// play and pause, a slider (drag; wheel and buttons move by one step; Ctrl-click to type), and the speed. Disabled
-/// without steps. Returns true when `step` changed.
+/// Draws a bar that sets `step` to 0…count, or to −1, which means all steps even if the count grows. It has buttons to
+/// the ends and to the neighbors, play and pause, a slider (drag; wheel and buttons move by one step; Ctrl-click to
+/// type), and the speed. Disabled without steps. Returns true when `step` changed.
 bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s);
 
 /// For custom bars: advances by `dt_s` while playing. Stops at the end; playing again starts over.
 void PlaySteps(int& step, int count, StepPlayer& player, double dt_s);
 
-/// Call at the end of each frame: stops playback if no bar was drawn, since the user could not stop it.
+/// Call at the end of each frame: stops playback if no bar was drawn, since the user could then not stop it.
 void StopUnlessShown(StepPlayer& player);
 
 }  // namespace widgets

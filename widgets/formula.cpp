@@ -1,4 +1,4 @@
-// Formulas in one line: subscripts and superscripts, real math signs, letters in the colors of their roles.
+// Formulas in one line, with subscripts and superscripts, real math signs, and letters in the colors of their roles.
 #include <algorithm>
 
 #include "text/words.h"
@@ -14,7 +14,7 @@ bool IsLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Number of bytes of the UTF-8 character at `s`; 0 if it is malformed.
+/// Returns the number of bytes of the UTF-8 character at `s`; 0 if the character is malformed.
 int CharacterBytes(const char* s) {
     const auto lead = static_cast<unsigned char>(*s);
     const int bytes = lead < 0x80 ? 1 : (lead >> 5) == 0x6 ? 2 : (lead >> 4) == 0xE ? 3 : (lead >> 3) == 0x1E ? 4 : 0;
@@ -95,7 +95,7 @@ private:
     ImU32 color_ = 0;
 };
 
-/// The character at `s`, which has `bytes` bytes; 0 if it is malformed.
+/// Returns the character at `s`, which has `bytes` bytes; 0 if it is malformed.
 char32_t CharacterAt(const char* s, int bytes) {
     if (bytes == 1) return static_cast<unsigned char>(*s);
     char32_t character = static_cast<unsigned char>(*s) & (0x7FU >> bytes);
@@ -110,7 +110,8 @@ ImU32 ColorOf(char32_t letter, std::span<const LetterRole> roles, ImU32 base) {
     return base;
 }
 
-/// Whether the space at `s` separates two one-letter factors, as in "l_x n_y", rather than a sign or a word.
+/// Whether the space at `s` separates two one-letter factors, as in "l_x n_y"; a space beside a sign or a word does
+/// not.
 bool IsThinSpace(const char* formula, const char* s) {
     const auto is_symbol = [](char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '}'; };
     if (s == formula || !is_symbol(s[-1]) || !IsLetter(s[1])) return false;

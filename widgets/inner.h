@@ -59,7 +59,7 @@ ImU32 Mix(ImU32 a, ImU32 b, float t);
 ImU32 WithAlpha(ImU32 color, float alpha);
 /// Returns black or white, whichever is readable on this color.
 ImU32 InkOn(ImU32 color);
-/// The color as currently drawn: paler inside ImGui::BeginDisabled.
+/// Returns the color as it is currently drawn: paler inside ImGui::BeginDisabled.
 inline ImU32 Shown(ImU32 color) {
     return ImGui::GetColorU32(color);
 }
@@ -68,12 +68,13 @@ inline bool IsDisabled() {
     return ImGui::GetStyle().Alpha < 0.99F;
 }
 
-/// The visible part of a label: up to "##".
+/// Returns the visible part of a label, which ends before "##".
 std::string_view ShownPart(const char* label);
-/// The recorder's part: the text after "###", otherwise the visible part, otherwise the text after "##".
+/// Returns the part that the recorder uses: the text after "###" or, if there is none, the visible part or, if that is
+/// empty, the text after "##".
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
-/// Does the same for controls that set a value, and for buttons.
+/// Like RecordRect, for buttons and for controls that set a value.
 void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
 /// Starts a new frame of covered and highlighted targets.
@@ -83,8 +84,8 @@ bool CoveredBox(const char* id_text, int component, ImVec2 size);
 /// Marks the last item with the name that its scope gives this box.
 void MarkBox(int component);
 
-/// Width available for a label, which may wrap. At least 160 design pixels, since a popup that fits its content has no
-/// width of its own.
+/// Returns the width available for a label, which may wrap: at least 160 design pixels, since a popup that fits its
+/// content has no width of its own.
 float LabelRoom();
 
 /// Draws the label to the right of a control, in the quiet color.
@@ -100,7 +101,7 @@ struct Labelled {
     const char* label_behind;  ///< null: the label is above
 };
 
-/// Draws a field's frame: rounded, tinted and outlined when `lit`, with a stripe in its role's color at the left.
+/// Draws a field's rounded frame, with a stripe in its role's color at the left. Tints and outlines it when `lit`.
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
 /// Draws a warning sign, a triangle with an exclamation mark, so that color is not the only cue. 0.95 × `size` wide.
 void DrawWarning(ImDrawList* draw, ImVec2 min, float size);
@@ -120,7 +121,8 @@ bool IsEntryLit(Links own, Links links);
 /// Whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first item
 /// that asks in a frame, so a part takes precedence over its group.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
-/// Maximum width of a tooltip's lines: limited by the space beside the column while that stays readable.
+/// Returns the maximum width of a tooltip's lines: they fit beside the column, unless they would then be too short to
+/// read comfortably.
 float TooltipTextWidth();
 /// Opens the tooltip window in its usual style; call EndTooltipWindow afterward, with the text to record in `told`.
 void BeginTooltipWindow();
@@ -150,7 +152,7 @@ struct FormulaLayout {
     ImFont* font;
 };
 
-/// The font and decimals that make all numbers of a row look alike. LookOf chooses them for boxes of this width.
+/// The font and the number of decimals that all numbers of a row share. LookOf chooses them for boxes of a given width.
 struct NumberLook {
     Face face;
     int decimals;
@@ -158,8 +160,8 @@ struct NumberLook {
 NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width);
 
 enum class BoxKind { drag, slider };
-/// The box of a Number without its label. `id` is unique in its ImGui id scope and names the box for the recorder. If
-/// `look` is null, the box chooses one for this number alone.
+/// Draws the box of a Number, without the label. `id` is unique in its ImGui id scope and names the box for the
+/// recorder. If `look` is null, the box chooses one for this number alone.
 bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
                const NumberLook* look = nullptr);
 

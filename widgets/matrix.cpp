@@ -1,5 +1,5 @@
-// The lecture's matrices: rows as on the slides, aligned columns, the symbolic entry under each number. First the
-// measures (Measures), then one cell (DrawCell), then the whole (ShowMatrix).
+// The lecture's matrices: rows as on the slides, aligned columns, the symbolic entry under each number. This file first
+// computes the measures (Measures), then draws one cell (DrawNumber, DrawSymbol), then the whole matrix (ShowMatrix).
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ using inner::Px;
 constexpr const char* cell_names[16] = {"r0c0", "r0c1", "r0c2", "r0c3", "r1c0", "r1c1", "r1c2", "r1c3",
                                         "r2c0", "r2c1", "r2c2", "r2c3", "r3c0", "r3c1", "r3c2", "r3c3"};
 
-/// Entry `cell` = 4 · row + column of a GLM matrix.
+/// Returns entry `cell` = 4 · row + column of a GLM matrix.
 double& Entry(glm::dmat4& m, int cell) {
     return m[cell % 4][cell / 4];
 }
@@ -22,10 +22,10 @@ double Entry(const glm::dmat4& m, int cell) {
     return m[cell % 4][cell / 4];
 }
 
-/// Layout for a given width: the cells' places, the number of decimals, and whether symbols fit.
+/// The layout for a given width: the cells' places, the number of decimals, and whether symbols fit.
 struct Measures {
     inner::Face number, symbol;
-    float bracket, inset;  ///< from the edge to the bracket's line, from the cell's edge to its text
+    float bracket, inset;  ///< from the edge to the bracket's line; from a cell's edge to its text
     float cell_width, cell_height, number_height;
     int columns;   ///< characters that fit
     int decimals;  ///< of every number that fits
@@ -54,7 +54,7 @@ bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     return true;
 }
 
-/// The largest number of decimals with which all entries fit, ignoring entries that never fit.
+/// Returns the largest number of decimals with which all entries fit, ignoring entries that never fit.
 int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
     const int fewest = std::min(decimals, 1);
     int best = decimals;
@@ -84,7 +84,7 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     decimals = FitDecimals(value, style.decimals, columns);
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
-    // Keep the same height when editing starts.
+    // Reserve the same height whether or not the symbols are shown, so that it stays the same when editing starts.
     const float shown_height = number.size + Px(9) + (has_symbols ? symbol.size * 1.1F : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
@@ -162,7 +162,7 @@ int CellUnderPointer(ImVec2 corner, const Measures& measures) {
     return 4 * static_cast<int>(row) + static_cast<int>(column);
 }
 
-/// Describes the entry: its place, its symbol, all its digits, and its GLM name.
+/// Describes the entry: its place, its symbol, its value with more decimals, and its GLM name.
 void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     const Context& context = CurrentContext();
     inner::BeginTooltipWindow();

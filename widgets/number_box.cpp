@@ -18,7 +18,7 @@ double Clamped(double value, const NumberStyle& style) {
     return std::clamp(value, style.min, style.max);
 }
 
-/// The same style, limited to the drag range.
+/// Returns the style with its range limited to the drag range.
 NumberStyle ForDrags(NumberStyle style) {
     if (style.drag_min != style.drag_max) {
         style.min = style.drag_min;
@@ -74,10 +74,10 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
                                           ImGuiInputTextFlags_CallbackCompletion;
     ImGui::PushID(editing.typing_count);  // a new id, to discard the undo history of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
-    // Called after the item: Dear ImGui 1.90 loses a request for the next item if another window had the focus.
+    // Called after the item: Dear ImGui 1.90 loses a request to focus the next item if another window had the focus.
     if (!editing.focused) ImGui::SetKeyboardFocusHere(-1);
     const bool active = ImGui::IsItemActive();
-    // From ImGui 1.89 on, the callback is called for Tab alone, not for Shift+Tab.
+    // From ImGui 1.89 on, only Tab calls the callback, not Shift+Tab.
     if (editing.focused && ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)))
         editing.tab = -1;
     ImGui::PopID();
@@ -91,7 +91,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
 
     editing.typing = 0;
     if (editing.tab < 0) editing.type_next = editing.last_number;
-    // Escape has restored the original text. Unchanged text keeps the value, even one that is out of range.
+    // On Escape, ImGui has restored the original text. Unchanged text keeps the value, even if it is out of range.
     if (std::string_view(editing.text) == editing.text_before) return std::nullopt;
     const std::optional<double> typed = ParseNumber(editing.text, style.unit);
     return typed ? std::optional(Clamped(*typed, style)) : std::nullopt;
@@ -148,7 +148,7 @@ double AtFraction(double fraction, bool fine, const NumberStyle& style) {
     return Clamped(RoundedTo(style.min + fraction * (style.max - style.min), style.decimals + more), style);
 }
 
-/// The knob's range, in screen x.
+/// The knob's range, in screen x coordinates.
 struct Track {
     float begin, end, knob_width;
 
@@ -177,7 +177,7 @@ std::optional<double> SlideInBox(double value, const NumberStyle& style, const T
 
 // ---- the box ---------------------------------------------------------------------------------------
 
-/// Number of characters of this size that fit into the box.
+/// Returns the number of characters of this size that fit into the box.
 int ColumnsOf(const NumberStyle& style, float width, const Face& face) {
     const float digit = face.font->GetCharAdvance('0') * face.size / face.font->FontSize;
     return std::max(1, static_cast<int>((width - Px(style.role == Role::none ? 6 : 9)) / digit + 0.01F));
@@ -191,8 +191,8 @@ int WantedDecimals(const NumberStyle& style) {
     return style.integer ? 0 : style.decimals;
 }
 
-/// The largest number of decimals with which the number fits, including its unit and, if it may be negative, a sign.
-/// Empty if it does not fit at all; it is then written as a power of ten.
+/// Returns the largest number of decimals with which the number fits, including its unit and, if it may be negative, a
+/// sign. Returns nullopt if the number does not fit at all; it is then written as a power of ten.
 std::optional<int> DecimalsInBox(double value, const NumberStyle& style, int columns) {
     const int wanted = WantedDecimals(style);
     const double widest = style.min < 0.0 ? -std::abs(value) : value;
@@ -239,7 +239,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
-/// In a number, Tab leads to the next number drawn, Shift+Tab to the previous one.
+/// While the user types in a number, Tab leads to the next number drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
     if (editing.tab > 0 && editing.typing == 0) {

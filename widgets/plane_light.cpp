@@ -14,7 +14,7 @@ double NormalLength(const glm::dvec4& plane) {
     return glm::length(glm::dvec3(plane));
 }
 
-/// Buttons for the coordinate planes through the origin and for normalizing. Returns whether `plane` was edited.
+/// Draws buttons for the coordinate planes through the origin and for normalizing. Returns whether `plane` was edited.
 bool PlaneButtons(glm::dvec4& plane) {
     struct Preset {
         const char* name;

@@ -188,8 +188,8 @@ void Word(std::string_view word, float width, bool to_right = false) {
               Shown(CurrentContext().palette.quiet), word);
 }
 
-/// "step 12 of 340" or "all 340 steps", with an editable number, which stays in place when the words change. If the
-/// words do not fit: "12 / 340".
+/// The text "step 12 of 340" or "all 340 steps". Its number is editable and stays in place when the words change. If
+/// the words do not fit, the text is "12 / 340".
 struct StepText {
     const char *step_word, *all_word, *steps_word;
     std::string of;
@@ -214,7 +214,7 @@ struct StepText {
         word = std::ceil(std::max(face.Measure(step_word).x, face.Measure(all_word).x));
         rest = std::ceil(std::max(face.Measure(of).x, face.Measure(steps_word).x));
     }
-    /// The ImGui id of this number's NumberBox.
+    /// Returns the ImGui id of this number's NumberBox.
     static ImGuiID BoxId() {
         ImGui::PushID("step");
         const ImGuiID id = ImGui::GetID("##box");
@@ -255,7 +255,7 @@ void Speed(float& steps_per_s, float width) {
     Tooltip("Speed", "Steps per second during playback.");
 }
 
-/// Seconds until the next step.
+/// Returns the seconds until the next step, at most 0.5.
 float NextStepIn(double steps_per_s, double carry) {
     return static_cast<float>(steps_per_s > 0.0 ? std::clamp((1.0 - carry) / steps_per_s, 0.0, 0.5) : 0.5);
 }

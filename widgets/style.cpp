@@ -31,7 +31,8 @@ constexpr Palette dark{
     .trouble = Rgb(0xE4572E),
 };
 
-// On a light background the role colors keep their hue and darken to a contrast of 3 : 1 on every background color.
+// On a light background, the role colors have the same hues but are darker: their contrast is at least 3 : 1 on every
+// background color.
 constexpr Palette light{
     .ground = Rgb(0xF4F5F7),
     .raised = Rgb(0xE6E9EE),
@@ -51,7 +52,8 @@ constexpr Palette light{
     .trouble = Rgb(0xE43401),
 };
 
-// Projectors wash out colors: white background, black text, thicker strokes, role colors at 4.5 : 1.
+// Projectors wash out colors, so this palette has a white background, black text, thicker strokes, and role colors with
+// a contrast of 4.5 : 1.
 constexpr Palette projector{
     .ground = Rgb(0xFFFFFF),
     .raised = Rgb(0xE8EBF0),

@@ -17,7 +17,7 @@ std::string Shortened(std::string text, float width) {
 
 namespace {
 
-/// `width_of` measures a line.
+/// Wraps a text at spaces. `width_of` measures a line.
 template <typename Measure>
 std::string Broken(std::string_view text, float width, const Measure& width_of) {
     std::string broken, line;
@@ -50,7 +50,7 @@ namespace {
 /// Draws text in one color, wrapped at the window's edge, and records it.
 void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0.0F);  // for words wider than a line
+    ImGui::PushTextWrapPos(0.0F);  // for words that are wider than a line
     ImGui::TextUnformatted(BrokenAtBlanks(tr(text), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -202,17 +202,17 @@ Labelled::~Labelled() {
 namespace {
 
 constexpr float tooltip_gap = 8.0F, tooltip_padding = 11.0F;  ///< design pixels
-constexpr float column_share = 0.5F;                          ///< of the window's width; wider windows are not columns
+constexpr float column_share = 0.5F;                          ///< of the display's width; wider windows are not columns
 
-/// Space in pixels beside the current window, on the side that has more; 0 if the window is not a column.
+/// Returns the space in pixels beside the current window, on the side that has more; 0 if the window is not a column.
 float RoomBesideColumn() {
     const float screen = ImGui::GetIO().DisplaySize.x, left = ImGui::GetWindowPos().x;
     if (ImGui::GetWindowWidth() > column_share * screen) return 0.0F;
     return std::max(left, screen - left - ImGui::GetWindowWidth()) - 2.0F * Px(tooltip_gap);
 }
 
-/// Position of a tooltip of this size: beside the column, so that it covers neither the item nor its neighbors; if it
-/// does not fit there, below or above the item.
+/// Returns the position of a tooltip of this size: beside the column, so that it covers neither the item nor its
+/// neighbors, or, if it does not fit there, below or above the item.
 ImVec2 TooltipPlace(const ImVec4& item, ImVec2 size) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = Px(tooltip_gap);

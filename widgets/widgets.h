@@ -1,6 +1,6 @@
 // A small library that extends Dear ImGui for a lecture on viewing: numbers with units, planes, lights, matrices with
-// symbolic entries, lamps. It depends on imgui.h and GLM, not on the sandbox. Every widget edits the value it is given
-// and returns whether it did. Run `widgets-demo` to see each one.
+// symbolic entries, lamps. It depends on imgui.h, GLM, and text/, and on nothing else in the sandbox. Every widget
+// edits the value it is given and returns whether it did. Run `widgets-demo` to see each one.
 //
 // Conventions, as in Dear ImGui: `bool Name(label, value&, tuning…)`; true only in a frame in which the value changed;
 // "##id" parts of a label are hidden. Labels are to the right of a control, in the quiet color, or above it if they do
@@ -84,7 +84,7 @@ struct Editing {
     float drag_distance = 0.0F;  ///< pixels since the press
     double value_before = 0.0;   ///< the value before a slider's knob jumped to the pointer
     double jumped_at_s = -1.0;   ///< time of that jump, by ImGui's clock; negative: none
-    glm::vec3 color{0.0F};       ///< of the open color picker; finer than 8 bits
+    glm::vec3 color{0.0F};       ///< color of the open picker, finer than 8 bits
 
     ImVec4 tooltip_of{-1.0F, -1.0F, -1.0F, -1.0F};  ///< rectangle of the item under the resting pointer
     int tooltip_frame = 0;
@@ -117,7 +117,7 @@ struct Context {
     Editing editing;
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
-    bool printed = false;  ///< for a figure: nothing can be pressed, so nothing looks pressable
+    bool printed = false;  ///< for a printed figure, where nothing should look pressable
     std::string offered;   ///< advice that an empty view shows in this frame
     /// Over all scrolling windows in this frame: the smallest visible share of a window's content, the largest used
     /// share of a window's height, and the number of windows.
@@ -167,7 +167,7 @@ void Record(const char* label);
 /// `is_filled`: another counted window fills it, so its own height is ignored.
 void CountScrolled(bool is_filled = false);
 
-/// A label for ImGui itself: the text in the current language, with a language-independent English id.
+/// Returns a label for ImGui itself: the text in the current language, with an id that is English in every language.
 std::string LabelText(const char* label);
 /// Returns the same label, wrapped to the width available at the cursor, of which ImGui itself needs `taken` pixels.
 std::string BrokenLabelText(const char* label, float taken);
@@ -175,7 +175,7 @@ std::string BrokenLabelText(const char* label, float taken);
 // ---- text ------------------------------------------------------------------------------------------
 
 /// Parses a typed number: "1e-3", "−2" with either minus sign, a decimal comma, surrounding spaces, a trailing unit, or
-/// the output of number_text. Empty unless it is exactly one finite number.
+/// the output of number_text. Returns nullopt unless the text is exactly one finite number.
 std::optional<double> ParseNumber(std::string_view text, std::string_view unit = {});
 
 /// Wraps text only at spaces, so that lines are at most `width` pixels wide in the current font if possible. ImGui
@@ -196,15 +196,16 @@ struct LetterRole {
     Role role;
 };
 
-/// Draws a formula such as "-l_x n_y", "n·l - l_x n_x", "1 - 2a^2": `_x` is a subscript, `^2` a superscript (one
-/// character or `{…}`), "-" a real minus, "*" a dot, "l" alone ℓ, a space between two one-letter factors a thin space.
-/// Letters have the color of their role, subscripts and superscripts that of their letter, everything else `base`.
-/// Three or more letters in a row are a word without roles. Returns the size. Draws nothing if `draw` is null.
+/// Draws a formula such as "-l_x n_y", "n·l - l_x n_x", "1 - 2a^2": `_x` becomes a subscript and `^2` a superscript (of
+/// one character or `{…}`), "-" becomes a real minus, "*" a dot, a lone "l" ℓ, and a space between two one-letter
+/// factors a thin space. Letters have the color of their role, subscripts and superscripts that of their letter,
+/// everything else `base`. Three or more letters in a row are a word without roles. Returns the size. Draws nothing if
+/// `draw` is null.
 ImVec2 Formula(ImDrawList* draw, ImVec2 position, const char* formula, std::span<const LetterRole> roles, ImU32 base,
                ImFont* font = nullptr);
 
-/// A delayed tooltip for the last item, beside the item's column, or below the item if the column is as wide as the
-/// window. A click or typing hides it. A semibold `title` is followed by lines; empty ones are skipped, and if all are
+/// Draws a delayed tooltip for the last item: beside the item's column or, if it does not fit there, below or above the
+/// item. A click or typing hides it. A semibold `title` is followed by lines; empty ones are skipped, and if all are
 /// empty, there is no tooltip. `formula` may hold several formulas, separated by "; ". `path`, the name for scripts, is
 /// at the bottom, small and quiet. Works on disabled items. Inside a group, the item's own tooltip takes precedence
 /// over the group's.
@@ -227,16 +228,16 @@ struct NumberStyle {
     Role role = Role::none;
 };
 
-/// A number to drag; a double-click or Ctrl-click starts typing, a right-click resets. `width` 0: the item width. If
-/// the number does not fit, a final zero is dropped; then it is written smaller, then with fewer decimals. Reserves
-/// space for a sign, so that the decimals stay in place when it appears.
+/// Draws a number that can be dragged; a double-click or Ctrl-click starts typing, and a right-click resets it. `width`
+/// 0: the item width. A number that does not fit loses a final zero; if that is not enough, it is written smaller, and
+/// then with fewer decimals. Reserves space for a sign, so that the decimals stay in place when it appears.
 bool Number(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
-/// A number as a slider, with a knob between min and max.
+/// Draws a number as a slider, with a knob between min and max.
 bool Slider(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
-/// Several numbers in one row, with equal decimals and size and one label after them. `links[i]` belongs to component
-/// i, if given.
+/// Draws several numbers in one row, all with the same size and number of decimals, and one label after them.
+/// `links[i]` belongs to component i, if given.
 bool Numbers(const char* label, std::span<double> values, const NumberStyle& style,
              std::span<const double> defaults = {}, std::span<const Links> links = {});
 bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value = {},
@@ -254,9 +255,9 @@ float ChoiceWidth(std::span<const char* const> names);  ///< width that shows th
 bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
               std::span<const char* const> tips = {});
 
-/// A closed list that looks like a Choice, for items that are not an enumeration. If it returns true, draw the items,
-/// then call EndChoice. The label is hidden. `width` in pixels, 0: the item width. A preview that is too long is
-/// written smaller, in two lines if necessary, and shortened if that is not enough.
+/// Draws a list that looks like a Choice, for items that are not an enumeration. If it returns true, draw the items,
+/// then call EndChoice. The label is hidden. `width` in pixels, 0: the item width. If the preview is too long, it is
+/// written smaller, in two lines if necessary; if that is not enough, it is shortened.
 bool BeginChoice(const char* label, const char* preview, float width = 0.0F);
 void EndChoice();
 
@@ -264,17 +265,17 @@ void EndChoice();
 bool ClosedList(const char* label, const char* preview, float width);
 
 /// Closes the current popup on Escape; call right after its Begin. Returns whether it did. A number being typed and an
-/// open list inside the popup take precedence. Choices and colors close by themselves.
+/// open list inside the popup take precedence. Choices and color pickers already do this themselves.
 bool ClosePopupOnEscape();
 
 bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value);
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 
-/// ImGui's text field, with the width set for the next item, for text that other code may also change. Returns ImGui's
-/// result. `hint` shows in an empty field.
+/// Draws ImGui's text field, with the width set for the next item. Use it for text that other code may also change.
+/// Returns ImGui's result. `hint` shows in an empty field.
 bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0);
-/// A field for text that counts only when complete: `value` changes in the frame in which the field is left with a
-/// different text, by Enter, Tab, a click elsewhere or EndTyping. Escape restores the old text.
+/// Draws a field for text that counts only when complete: `value` changes only in the frame in which the user leaves
+/// the field with a different text (by Enter, Tab, a click elsewhere or EndTyping). Escape restores the old text.
 bool EntryField(const char* label, std::string& value);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< width on one line, in pixels
@@ -287,12 +288,13 @@ bool Section(const char* label, bool open_by_default = true, const char* note = 
 
 // ---- the lecture's things --------------------------------------------------------------------------
 
-/// a x + b y + c z + d = 0: four numbers, buttons yz, xz, xy (which set d = 0) and normalize. Rejects edits that would
-/// make the normal zero. `links`: one per component.
+/// Edits a plane a x + b y + c z + d = 0 with four numbers, the buttons yz, xz and xy (which set d = 0), and Normalize.
+/// Rejects edits that would make the normal zero. `links`: one per component.
 bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& default_value,
                    std::span<const Links> links = {});
 
-/// A point (w = 1) or parallel (w = 0) light: two radio buttons, three numbers and w. Never all zero.
+/// Edits a point light (w = 1) or parallel light (w = 0) with two radio buttons, three numbers and w. The four
+/// components are never all zero.
 bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value, std::span<const Links> links = {});
 
 /// One cell of a displayed matrix.
@@ -303,7 +305,8 @@ struct MatrixCell {
     Links own = 0;            ///< the entry itself, highlighted together with other references to it: see FollowEntry
 };
 
-/// Rows as on the slides: cells[4 * row + column] belongs to value[column][row], since GLM indexes columns first.
+/// How a matrix is drawn. Its rows are as on the slides: cells[4 * row + column] belongs to value[column][row], since
+/// GLM indexes columns first.
 struct MatrixStyle {
     int decimals = 3;
     std::span<const MatrixCell> cells = {};  ///< 16, or empty
@@ -315,18 +318,18 @@ struct MatrixStyle {
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
 };
 
-/// A 4×4 matrix in square brackets: aligned columns, quiet zeros, symbols under the numbers. Hovering over a cell
-/// highlights its linked controls; hovering over a linked control highlights the cell. Returns true when an entry was
-/// edited. `width` 0: the available width.
+/// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Hovering
+/// over a cell highlights its linked controls; hovering over a linked control highlights the cell. Returns true when an
+/// entry was edited. `width` 0: the available width.
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
-/// Shows a matrix in the same way, without editing.
+/// Draws a matrix in the same way, but does not edit it.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 
 /// Makes the last item, such as the line of code that fills a matrix entry, represent that entry: hovering over the
 /// item or the entry highlights both, and the entry's parameters. Returns whether to highlight the item.
 bool FollowEntry(Links own, Links links);
 
-/// One lamp in a row: whether this degree of freedom is available in the mode, and whether it is moving now.
+/// The lamp of one degree of freedom: whether the current mode has it, and whether it is moving now.
 struct Lamp {
     const char* label;
     bool available;
@@ -335,8 +338,8 @@ struct Lamp {
 /// Draws lamps in one row if they fit, otherwise in several rows of equal length.
 void Lamps(const char* label, std::span<const Lamp> lamps, Role role);
 
-/// A splitter between two areas, `length` pixels long. Dragging moves `position`, in design pixels; `direction` −1
-/// moves it against the pointer, for an area at the right or bottom. `vertical`: the bar is between left and right.
+/// Draws a splitter, `length` pixels long, between two areas. Dragging moves `position`, in design pixels; `direction`
+/// −1 moves it against the pointer, for an area at the right or bottom. `vertical`: the bar is between left and right.
 bool Splitter(const char* id, bool vertical, float& position, float min, float max, float length,
               float direction = 1.0F);
 

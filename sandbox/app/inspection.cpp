@@ -10,7 +10,7 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
     const bool tells_pixel = is_shown(params, Topic::pixel), tells_cells = is_shown(params, Topic::cells);
     if (tells_pixel || tells_cells || is_shown(params, Topic::precision)) {
         wishes.pixel = shown.pinned.pixel;
-        const bool is_pinned = params.view.pixel || params.view.pin;  // even if it is not visible
+        const bool is_pinned = params.view.pixel || params.view.pin;  // even if the pinned point is not visible
         if (const auto pointed = views.told_pixel; pointed && !is_pinned)
             wishes.pixel = glm::min(*pointed, shown.camera_px - 1);  // the view may have become smaller since then
         // If the block view was requested without a pixel, start at the center.

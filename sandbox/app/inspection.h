@@ -19,8 +19,8 @@ public:
     /// Reads the values that the views need from this frame. If `at_once`, waits for all of them.
     Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
 
-    /// Returns the values and, if a view shows them, the depth fighting counts of the state at rest, even during
-    /// animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
+    /// Returns the values and, if a view shows depth fighting, its counts, which belong to the state at rest even
+    /// during an animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
     /// Returns the report on one more pixel of the camera's picture, for the status bar. If `at_once`, waits for it.

@@ -22,7 +22,7 @@ struct LessonPicture {
     std::size_t step = 0;  ///< counted from 0
     bool revealed = false;
     bool presents = false;  ///< as the audience sees it
-    bool has_strip = true;  ///< shows the strip with its texts
+    bool has_strip = true;  ///< shows the lesson strip with the step's texts
 };
 
 /// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself
@@ -92,8 +92,8 @@ struct PictureRequest {
 /// other views of a revealed step, returns the state after its answer.
 LoadedState show_step(LessonPicture step, PictureRequest& request);
 
-/// Returns the parameters with the request's samples and with the settings that its view needs. The picture stores
-/// these.
+/// Returns the parameters with the request's samples and with the settings that its view needs. The picture's file
+/// stores the result.
 Params drawn_params(Params params, const PictureRequest& request);
 
 /// Checks whether the view can be drawn at this size: is_image_size() must hold, and the window and its views must have
@@ -107,7 +107,7 @@ bool is_drawn_by_gl(const PictureRequest& request);
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);
 
-/// Redraws a view's cost chart at a printable size: 1920 pixels wide.
+/// Redraws the cost chart that a view shows, at a printable size: 1920 pixels wide.
 Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, const GrowthViewState& shown);
 
 }  // namespace viewing

@@ -10,7 +10,7 @@ namespace viewing {
 /// Writes the camera's view with its state into `folder`, in a file named after the current time.
 void write_snapshot(const Renderer& renderer, Studio& studio, const std::filesystem::path& folder);
 
-/// Writes the chart of growing costs.
+/// Writes the chart of how the methods' costs grow.
 void write_view_picture(Renderer& renderer, Studio& studio, const std::filesystem::path& file);
 
 }  // namespace viewing

@@ -21,12 +21,12 @@ class PresetPictures {
 public:
     explicit PresetPictures(Renderer& renderer) : renderer_(renderer) {}
 
-    /// Loads the state for a picture, in the background.
+    /// A function that loads the state for a picture. It is called in the background.
     using Load = std::function<Result<LoadedState>()>;
     /// Returns a preset's picture, which has no texture while it is being made or if making it fails. Returns no
     /// picture for "".
     PresetPicture of(const std::string& name);
-    /// Does the same for any state, kept under `name`.
+    /// Does the same for any state, and keeps its picture under `name`.
     PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
 
     /// Whether a picture is being made, which needs more frames.

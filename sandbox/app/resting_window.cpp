@@ -9,9 +9,9 @@
 namespace viewing {
 namespace {
 
-/// Text is unreadable below half its size; more than twice its size is too much for a figure.
+/// Text is unreadable below half its usual size, and too large for a figure above twice its usual size.
 constexpr double least_size = 0.5, most_size = 2.0;
-/// Share of the height that counts as full: a view that fills more is not enlarged.
+/// The share of the height that counts as full. A view that fills more is not enlarged.
 constexpr double full_share = 0.9;
 
 ViewName maximized(PictureView view) {

@@ -15,10 +15,10 @@ namespace viewing {
 struct ShownFrame {
     Params params;                    ///< the session's, at the frame's time
     glm::ivec2 camera_px{1280, 720};  ///< size of the camera's view when it was last shown
-    Derived derived, before;          ///< `before`: before the latest edit
+    Derived derived, before;          ///< `before` belongs to the state before the latest edit
     FramePlan plan;                   ///< of the camera's view
     PinnedPixel pinned;               ///< in the camera's view
-    FramePlan inspected;              ///< the same without effects, for reading back
+    FramePlan inspected;              ///< the camera's view without effects, for reading pixels back
     std::vector<Problem> problems;
     std::shared_ptr<const HiddenAnswer> hidden;  ///< the hidden-surface method's result in the camera's view
 };

@@ -1,5 +1,5 @@
-// Coarser meshes to draw while a large scene is dragged, made in the background. At rest, and in every picture that is
-// written to a file, the full scene is drawn.
+// Coarser meshes, made in the background, to draw instead of a large scene during a drag. At rest, and in every picture
+// that is written to a file, the full scene is drawn.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ public:
     /// long. Once a scene has been slow during a drag, it is drawn coarsely during every drag.
     const Scene* choose(bool is_held, bool is_slow);
 
-    /// A sentence with the counts: "40,112 of 1,000,000 triangles".
+    /// Returns a sentence that contains the counts: "40,112 of 1,000,000 triangles".
     const std::string& sentence() const { return sentence_; }
 
 private:

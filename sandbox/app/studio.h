@@ -50,8 +50,8 @@ public:
     Image read() const;
     /// Returns the latest frame as shapes, text and pictures. Its lines must have been drawn without textures.
     Drawing record() const;
-    /// Returns the camera's picture alone, for shown_state(). Draws it now if another view fills the window, or if it
-    /// lags behind a drag.
+    /// Returns the camera's picture alone, of the same state as shown_state(). Draws it now if another view fills the
+    /// window, or if it lags behind a drag.
     const View& camera_view();
     /// Returns the state that the latest frame showed, as text, with animations at that frame's time.
     std::string shown_state() const;
@@ -81,7 +81,7 @@ private:
     Renderer& renderer_;
     std::string renderer_name_;
     Looks looks_;
-    std::optional<ImU32> ground_;  ///< instead of the theme's
+    std::optional<ImU32> ground_;  ///< replaces the theme's background
     ShownFrame shown_;
     ShownAnswer answer_;
     ViewPictures pictures_;
@@ -95,7 +95,7 @@ private:
     struct Drawn {
         Params params;
         int scene_version = -1;
-        Params animated;  ///< the same, at the frame's time
+        Params animated;  ///< `params` with the animations at the frame's time
         glm::ivec2 camera_px{0}, beside_px{0}, lower_left_px{0}, lower_right_px{0};
         std::shared_ptr<const HiddenAnswer> hidden;
         bool is_coarse = false;     ///< stand-ins were drawn
@@ -104,9 +104,9 @@ private:
     };
     Drawn drawn_;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until the drag ends
-    bool camera_is_behind_ = true;   ///< the camera's view does, or it shows stand-ins
+    bool camera_is_behind_ = true;   ///< the camera's view shows an earlier frame or stand-ins
 
-    Moment moment_;           ///< of the animations
+    Moment moment_;           ///< how far the animations have advanced
     bool moves_ = false;      ///< an animation is running
     int settling_ = 0;        ///< remaining frames until ImGui has laid out the changes
     bool is_frozen_ = false;  ///< the window keeps its picture

@@ -15,7 +15,7 @@ class ViewPictures {
 public:
     explicit ViewPictures(Renderer& renderer) : renderer_(renderer) {}
 
-    /// Sets the background color, instead of the theme's.
+    /// Sets a background color that replaces the theme's.
     void set_background(Color color) { background_ = color; }
 
     /// Draws all visible views. A view that cannot be drawn keeps its last picture.
@@ -23,7 +23,7 @@ public:
     /// Draws only the camera's view, for scenes that are slow to draw; draw_lower() draws only one of the views below
     /// it.
     Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
-    /// Draws the camera's view at its last size on screen, although it is not visible.
+    /// Draws the camera's view at the size that it last had on screen, although it is not visible.
     Status draw_unseen_camera(const ShownFrame& shown, const Scene& scene);
     Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
 

@@ -1,4 +1,4 @@
-// --json for the commands that compare: a report that is written however the command ends.
+// Implements --json for the commands that compare pictures: writes a report however the command ends.
 #pragma once
 
 #include <chrono>
@@ -26,15 +26,15 @@ inline constexpr const char* ending_report_help =
 
 class EndingReport {
 public:
-    /// Starts the clock. `target` holds the value of --json once options are parsed; empty means no report. `files` is
-    /// called when the names are needed.
+    /// Starts the clock. `target` holds the value of --json once the options have been parsed; if it is empty, there is
+    /// no report. `files` is called whenever the names are needed.
     EndingReport(const Command& command, const Options& options, const std::optional<std::string>& target,
                  std::function<NamedFiles()> files);
     ~EndingReport();
     EndingReport(const EndingReport&) = delete;
     EndingReport& operator=(const EndingReport&) = delete;
 
-    /// Runs `work` and returns its result; writes an exception into the report and rethrows it.
+    /// Runs `work` and returns its result. If `work` throws, writes the failure into the report and rethrows it.
     ExitStatus guard(const std::function<ExitStatus()>& work);
 
     /// Checks all files (check_outputs); from then on, an expired --timeout or a fault also leaves a report.

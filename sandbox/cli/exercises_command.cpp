@@ -161,7 +161,7 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
     return ExitStatus::done;
 }
 
-/// Prints the variants for a course file, so that later versions of the program produce the same sheets.
+/// Prints the variants to store in each exercise file, so that later versions of the program produce the same sheets.
 void print_deployed(const TypedExercises& typed) {
     for (const std::string& file : typed.files) {
         const std::string text = value_or_end(read_text_file(file));

@@ -1,5 +1,4 @@
-// The ways in which a command ends: the exit statuses, which are the same for every command, and the failure that
-// carries one.
+// The exit statuses, which are the same for every command, and the exception that ends a command with one of them.
 #pragma once
 
 #include <stdexcept>

@@ -58,7 +58,7 @@ void declare(Options& options, TypedGrade& typed) {
     add_device_option(options, typed.device);
 }
 
-/// Returns the .json files in a folder, sorted by name, or the argument itself.
+/// Returns the .json files in a folder, sorted by name, or the argument itself if it is not a folder.
 std::vector<fs::path> files_of(const std::string& argument) {
     std::error_code error;
     if (!fs::is_directory(argument, error)) return {argument};

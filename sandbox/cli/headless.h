@@ -13,7 +13,7 @@
 
 namespace viewing {
 
-/// Throws Failure if the driver could not start its threads, since it would wait for them forever.
+/// Throws Failure if the driver cannot start its threads here, since it would wait for them forever.
 void require_threads();
 
 /// Calls require_threads(), then makes the context that all pictures use. `device` is passed to EglContext::make.
@@ -55,8 +55,8 @@ void check_size(const Options& options, const PictureRequest& request);
 /// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the exit status for an error of draw_picture() that does not come from GL: a single view may be empty, or
-/// may not fit.
+/// Returns the exit status for an error of draw_picture() that GL has not reported: bad_input for a view by itself,
+/// which may be empty or may not fit, otherwise gl_error.
 ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.

@@ -52,7 +52,7 @@ void declare(Options& options, TypedMeasure& typed) {
     options.text("--format", "FORMAT", typed.format, "json (default) or csv");
 }
 
-/// Refuses options that only another --what uses.
+/// Refuses options that the chosen --what does not use.
 void refuse_strangers(const Options& options, const TypedMeasure& typed) {
     const bool grows = typed.what == "growth", draws = !grows && typed.what != "order";
     if (!grows && typed.max) options.refuse("--max needs --what growth");
@@ -63,7 +63,7 @@ void refuse_strangers(const Options& options, const TypedMeasure& typed) {
                        " draws nothing with GL");
 }
 
-/// Returns the usual counts below `max`, then `max`.
+/// Returns the usual counts below `max`, followed by `max` itself.
 std::vector<int> counts_up_to(int max) {
     std::vector<int> counts = GrowthRequest{}.counts;
     std::erase_if(counts, [max](int count) { return count >= max; });

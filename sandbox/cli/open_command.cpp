@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Opens the window with the sheet of the student whose hand-in STATE is.
+/// Opens the window with the sheet of the student whose hand-in was given as STATE.
 ExitStatus show_hand_in(const Options& options, const StateArguments& arguments, const std::string& exercise,
                         bool replays, WindowMemory& memory) {
     if (arguments.as_typed().empty()) options.refuse("--exercise needs a hand-in as STATE");
@@ -53,7 +53,7 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
         start.lesson = LessonPicture{std::move(linked->lesson), linked->step, false, false, true};
     }
     start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
-    // Report errors in the scene before opening the window, unless loading takes long.
+    // Errors in the scene are reported before the window opens, unless loading takes too long.
     constexpr double patience_s = 0.5;
     Session session = value_or_end(Session::begin(state, patience_s));
     return show_window(std::move(session), start, memory);

@@ -58,7 +58,7 @@ void add_file_if_there(std::vector<FileArgument>& files, const char* option, con
 /// one output can be "-", standard output; an input "-" is standard input.
 void check_apart(const Options& options, std::span<const FileArgument> outputs, std::span<const FileArgument> inputs);
 
-/// Also calls check_output() for each output.
+/// Calls check_apart(), and then check_output() for each output.
 void check_outputs(const Options& options, std::span<const FileArgument> outputs,
                    std::span<const FileArgument> inputs = {});
 

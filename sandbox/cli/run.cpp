@@ -1,4 +1,4 @@
-// Lists all commands and runs one. commands.h declares them; snapshot_command.cpp is the longest.
+// Lists all commands and runs one. commands.h declares the commands; each is in a file of its own.
 #include "cli/run.h"
 
 #include <array>

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* scene_file = "a file of the scene";
 constexpr const char* piped_name = "standard input";
 
-/// Returns the files that a scene names, including the scene's own file.
+/// Returns the files that an inline scene names; for any other scene, its own file or name.
 std::set<std::string> files_named_by(const SceneSource& source) {
     if (const auto* name = std::get_if<std::string>(&source)) return {*name};
     std::set<std::string> files;

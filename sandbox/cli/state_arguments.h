@@ -20,18 +20,18 @@ public:
     StateArguments(const StateArguments&) = delete;
     StateArguments& operator=(const StateArguments&) = delete;
 
-    /// Loads STATE (if it is a link to a lesson, the state of the step; if it is a flight, the picture at --at),
-    /// replaces its scene with the mesh, and applies the settings in order. File names in STATE are relative to its
-    /// folder, those in settings to the working directory. File names are written back as given, unless settings change
-    /// an inline scene, in which case all its file names become relative to the working directory. Files in STATE's
-    /// folder and those named on the command line may be read; with --allow-outside, all files. For a flight without
-    /// --at, mesh and settings apply to its start. Throws Failure.
+    /// Loads STATE (for a link to a lesson, the state of that step; for a flight, the picture at the time that --at
+    /// gives), replaces its scene with the mesh, and applies the settings in order. File names in STATE are relative to
+    /// its folder, those in settings to the working directory. File names are written back as given, unless settings
+    /// change an inline scene, in which case all its file names become relative to the working directory. Files in
+    /// STATE's folder and those named on the command line may be read; with --allow-outside, all files. For a flight
+    /// without --at, mesh and settings apply to its start. Throws Failure.
     LoadedState load() const;
     /// Returns the step that STATE links to; nothing if STATE is not such a link. Throws Failure.
     std::optional<LinkedStep> linked_step() const;
     /// Returns the files named on the command line: STATE, unless it is a preset, and --mesh.
     std::vector<FileArgument> files() const;
-    /// Returns STATE alone, "" if left out.
+    /// Returns STATE as typed; "" if it was left out.
     const std::string& as_typed() const { return state_; }
     /// Returns theme, scale and language from --set. Throws Failure if --set changes anything else or --mesh was given.
     UiParams looks() const;
@@ -58,10 +58,10 @@ private:
 /// Returns the step that --lesson and --step name; without --step, the first one. Throws Failure.
 LinkedStep lesson_step(const Options& options, const std::string& lesson, const std::optional<std::string>& number);
 
-/// Loads the scene of a state with its meshes; prints a note on stderr if parts were skipped. Throws Failure.
+/// Loads the scene of a state with its meshes. If parts were skipped, calls note() (output.h). Throws Failure.
 Scene scene_of(const LoadedState& state);
 
-/// Return the files that a state's scene names, or the files that were read for a scene.
+/// Return the files that a state's scene names, and the files that were read for a scene.
 std::vector<FileArgument> files_of(const LoadedState& state);
 std::vector<FileArgument> files_of(const Scene& scene);
 

@@ -1,5 +1,5 @@
-// suite: draws and measures many states and compares them with references in one run, with a report to look at. suite/
-// defines the entries and judges them; this file is the command around that.
+// suite: draws and measures many states in one run, compares them with references, and writes a report to look at. The
+// code in suite/ defines and judges the entries; this file contains only the command.
 #include <unistd.h>
 
 #include <algorithm>

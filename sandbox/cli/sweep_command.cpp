@@ -122,8 +122,8 @@ bool is_own_picture(const fs::path& file) {
     return note && !note->empty();
 }
 
-/// Refuses an output that is also an input or another output. Also refuses a folder for the pictures that contains such
-/// a file, since the whole folder is replaced.
+/// Refuses an output that is also an input or another output. Also refuses a picture folder that contains an input or
+/// another output, since the whole folder is replaced.
 void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish,
                 std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
@@ -207,7 +207,7 @@ std::vector<Stop> stops_of(const SweepPlan& wish, bool together, bool back) {
     return all;
 }
 
-/// Returns the stops of a flight: all recorded pictures, or those shown at k / fps seconds.
+/// Returns the stops of a flight: all recorded pictures or, if `fps` is given, those shown at k / fps seconds.
 std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
     std::vector<Stop> all;
     const auto add = [&all](double t_s, std::size_t picture) {
@@ -283,8 +283,8 @@ std::string row(const TypedSweep& typed, const std::vector<std::string>& setting
     return line + "\n";
 }
 
-/// Returns captions from long to short: "light.position[0] = −2.9", the same with only the last name of the path, and
-/// the value alone.
+/// Returns three captions from long to short: "light.position[0] = −2.9", the same with only the last name of the path,
+/// and the value alone.
 std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
     std::vector<std::string> captions(3);
     for (const std::string& setting : settings) {

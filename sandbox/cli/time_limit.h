@@ -1,4 +1,4 @@
-// --timeout: ends the process when time is up, wherever it hangs, or lets it write its results so far.
+// Implements --timeout: when time is up, ends the process, wherever it hangs, or lets it write its results so far.
 #pragma once
 
 #include <string>

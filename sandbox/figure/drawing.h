@@ -51,12 +51,12 @@ struct Line {
 };
 
 /// The part `from` of a picture, in pixels from its upper left corner, stretched over `box`; if there are rings, only
-/// the area inside them.
+/// the area inside them is drawn.
 struct Inset {
     std::shared_ptr<const Image> image;
     DrawingBox from, box;
     std::vector<Ring> rings;
-    Ink tint;  ///< multiplies the picture's colors
+    Ink tint;  ///< only its alpha counts; it multiplies the picture's opacity
 };
 
 struct Mark {
@@ -69,7 +69,7 @@ struct Drawing {
     std::vector<Mark> marks;
 };
 
-/// Returns the number of characters, not counting blanks.
+/// Returns the number of characters, not counting spaces.
 std::size_t letter_count(const Drawing& drawing);
 
 /// Whether part of a text is outside its clip. Checks the capital height, and the width from the first character's

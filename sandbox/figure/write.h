@@ -1,5 +1,5 @@
-// A drawing as SVG and as PDF: shapes as paths, text as text with embedded fonts, pictures as images. The same drawing
-// gives a byte-identical file.
+// Writes a drawing as SVG and as PDF: shapes become paths, text stays text with embedded fonts, and pictures become
+// images. Equal drawings with equal options give byte-identical files.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct VectorOptions {
 
 std::string as_svg(const Drawing& drawing, const VectorOptions& options);
 
-/// Returns one page of the drawing's size, which may be at most 200 inches a side, the limit of PDF readers.
+/// Returns one page of the drawing's size. A side may be at most 200 inches long, the limit of PDF readers.
 std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& options);
 
 }  // namespace viewing

@@ -1,11 +1,12 @@
-// Computes everything that moves without user input: the parameters at a given time.
+// Computes the parameters at a given time, for everything that moves without user input.
 #pragma once
 
 #include "state/params.h"
 
 namespace viewing {
 
-/// Elapsed time and the light's total rotation, which is added up because the speed may change during the motion.
+/// Elapsed time, and the light's rotation so far. The rotation is summed up because the speed may change during the
+/// motion.
 struct Moment {
     double time_s = 0.0;
     double light_turn_deg = 0.0;

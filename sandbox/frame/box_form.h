@@ -29,7 +29,7 @@ private:
     }
 
     glm::dvec4 form_;
-    glm::dvec4 sizes_;  ///< magnitudes of the terms that form a value
+    glm::dvec4 sizes_;  ///< magnitudes of the terms that add up to a value
 };
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// Sorts items along a Hilbert curve, which keeps neighbors in space close in the list. The curve never jumps, so the
-// box of a run of neighbors never spans the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
+// Sorts items along a Hilbert curve, which keeps neighbors in space close together in the list. The curve never jumps,
+// so the box around a run of neighbors usually stays small. Source: Skilling, Programming the Hilbert curve, 2004.
 #include "frame/box_tree.h"
 
 #include <array>
@@ -16,7 +16,7 @@ using Cell = std::array<std::uint32_t, 3>;
 /// Converts a cell's coordinates to the digits of its position along the curve. Each digit takes one bit from each of
 /// the three coordinates; the first coordinate's bit is the highest.
 Cell digits_on_curve(Cell cell) {
-    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // rotate the octants inside the octants
+    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // reorient the octants inside each octant
         const std::uint32_t below = half - 1;
         for (std::uint32_t& axis : cell) {
             if ((axis & half) != 0) {
@@ -74,7 +74,7 @@ private:
 
 template <typename BoundsOf>
 BoxTree BoxTree::made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item) {
-    std::vector<std::uint64_t> sorted(count);  // position on the curve, then index
+    std::vector<std::uint64_t> sorted(count);  // position on the curve, in the high bits; then index
     for (std::size_t i = 0; i < count; ++i) sorted[i] = place_on_curve(bounds_of_item(i).center(), whole) << 32U | i;
     std::sort(sorted.begin(), sorted.end());
 

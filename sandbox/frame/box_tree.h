@@ -1,6 +1,6 @@
 // A box tree over a mesh's vertices or triangles: each run of neighbors has a box, eight boxes share a larger one, and
-// so on up to the whole mesh. A query on a large mesh skips most of the tree. Built once per mesh and kept as long as
-// the mesh. Read object_reach.h next, which queries it.
+// so on up to the whole mesh. A query on a large mesh skips most of the tree. A tree is built once per mesh and kept as
+// long as the mesh. Read object_reach.h next, which queries it.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ public:
     /// Builds a tree over the triangles, by index.
     static BoxTree of_triangles(const Mesh& mesh);
 
-    /// Returns whether is_so(item) holds for any item in boxes that pass may_hold(box); stops at the first.
+    /// Returns whether is_so(item) holds for any item in boxes that pass may_hold(box); stops at the first such item.
     template <typename MayHold, typename IsSo>
     bool any(MayHold may_hold, IsSo is_so) const {
         return !levels_.empty() && any_below(levels_.size() - 1, 0, may_hold, is_so);
@@ -65,7 +65,7 @@ private:
         return found;
     }
 
-    std::vector<std::uint32_t> items_;         ///< each once, along a space-filling curve
+    std::vector<std::uint32_t> items_;         ///< each item once, sorted along a space-filling curve
     std::vector<std::vector<Bounds>> levels_;  ///< boxes of runs, then of `fan` such boxes, …; the last level has one
 };
 

@@ -79,7 +79,7 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
     return cast;
 }
 
-/// Returns R with the mistakes that are switched on, in the layout of the lecture's array.
+/// Returns R as it is uploaded, with the mistakes that are switched on.
 glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips, bool printed_by_rows) {
     const glm::dmat4 mirror =
         mirror_matrix_as_typed(slips.normal_not_unit ? equation : unit_plane(equation), slips.plus_2ab);
@@ -164,7 +164,7 @@ bool depends_on_stored_depth(const Params& params, const Scene& scene) {
     const DepthParams& depth = params.depth;
     if (stores_fewer_bits(depth.format)) return false;
     const bool moves_decals = depth.decals == DecalMethod::offset && depth.offset.units != 0.0 && has_decals(scene);
-    // With the standard mapping, nearly all depths are above 1/2, where floats are 2⁻²⁴ apart as well.
+    // With the standard mapping, nearly all depths are above 1/2. There, floats are 2⁻²⁴ apart, just like 24-bit codes.
     return moves_decals || (depth.format == DepthFormat::d24 && depth.mapping != DepthMapping::standard);
 }
 

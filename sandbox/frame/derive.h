@@ -1,5 +1,5 @@
-// Computes every matrix and number that is shown or uploaded, once, from the parameters. derive() is pure: no GL, no
-// clock, no files. Read derive.cpp next, then plan.h.
+// Computes every matrix and number that is shown or uploaded, each of them once, from the parameters. derive() is pure:
+// no GL, no clock, no files. Read derive.cpp next, then plan.h.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,8 @@ struct FollowedPoint {
     glm::dvec3 mirrored_world{0.0};          ///< R p
 };
 
-/// Measured residuals and depth steps. Facts about S and R are measured where they are shown: matrix_facts.h.
+/// Residuals and depth steps. Facts about S and R are not kept here; they are measured where they are shown
+/// (matrix_facts.h).
 struct Facts {
     double view_residual = 0.0;              ///< largest absolute entry of V C − I
     double depth_step_at_target = 0.0;       ///< depth_step() at the camera's target
@@ -46,18 +47,18 @@ struct CastShadow {
     double plane_dot_light = 0.0;               ///< Π·L of the unit plane
     bool light_in_plane = false;                ///< Π·L counts as zero: the shadow is undefined
     glm::dmat4 shadowed_world_from_world{1.0};  ///< S
-    double sign = 1.0;                          ///< uploaded: sign · S
+    double sign = 1.0;                          ///< the uploaded matrix is sign · S
     bool by_hand = false;                       ///< S was entered by hand
 
-    /// Returns whether the light shines on the side of the plane that an eye with P·eye = `eye_side` sees.
+    /// Returns whether the light shines on the side of the plane that an eye with Π·eye = `eye_side` sees.
     bool reaches(double eye_side) const { return !light_in_plane && plane_dot_light * eye_side > 0.0; }
 };
 
-/// One of the planes, with the shadow of each light on it.
+/// A plane, with the shadow that each light casts on it.
 struct DerivedPlane {
-    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< keeps the equation's sign
+    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< has the equation's sign
     PlanePatch patch{};
-    double eye_side = 1.0;  ///< P·eye: its sign gives the visible side
+    double eye_side = 1.0;  ///< Π·eye: its sign gives the visible side
     bool receives_shadow = true, mirrors = true, gloss = false;
     glm::dmat4 mirrored_world_from_world{1.0};  ///< R
     bool mirror_by_hand = false;                ///< R was entered by hand
@@ -73,7 +74,7 @@ struct Derived {
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
     glm::dmat4 clip_from_world{1.0};           ///< P V
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
-    StoredDepth stored_depth{};                ///< as measured, or else as requested
+    StoredDepth stored_depth{};                ///< as measured or, without a measurement, as requested
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: w = 0 and the direction toward the eye, as for a light
 
     std::vector<DerivedPlane> planes;      ///< one per plane of Params, so at least one
@@ -102,9 +103,9 @@ struct ObserverView {
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
-/// Derives the chosen light's view of everything that casts a shadow, framed wherever the light is. In this view, each
-/// caster hides its own shadow. A parallel light has parallel view rays; a light among the casters sees only those in
-/// front of it. Without objects, the light looks at the chosen plane's patch.
+/// Derives the chosen light's view of everything that casts a shadow, framed to fit the picture wherever the light is.
+/// In this view, each caster hides its own shadow. A parallel light has parallel view rays; a light among the casters
+/// sees only those in front of it. Without objects, the light looks at the chosen plane's patch.
 ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport);
 
 /// Derives the lecture's other interpretation of the same picture: the camera stays at the origin and V moves the
@@ -122,12 +123,12 @@ bool stores_fewer_bits(DepthFormat format);
 /// glPolygonOffset.
 bool writes_depth_by_shader(DepthFormat format, DepthMapping mapping, bool logarithm_per_vertex);
 
-/// Returns whether the reported depths of this state depend on the driver: on its offset unit if an offset moves decals
-/// or, where this is visible, on how it stores 24 bits.
+/// Returns whether this state's reported depths depend on the driver: on its offset unit, if an offset moves decals, or
+/// on how it stores 24-bit depth, if the depth mapping makes that visible.
 bool depends_on_stored_depth(const Params& params, const Scene& scene);
 
 /// Returns the width in eye z of one stored code at the eye distance z, for this state's projection, mapping and
-/// format. Positive and finite; a distance below near counts as near.
+/// format. The result is positive and finite; a distance below near counts as near.
 double depth_step(const Params& params, double z);
 
 /// Returns the camera's pose as its numbers define it: C without mistakes.
@@ -136,8 +137,8 @@ glm::dmat4 placed_camera(const Params& params);
 /// Returns the pose at which the uploaded matrix really puts the eye: V⁻¹. Without mistakes, it equals placed_camera().
 glm::dmat4 effective_camera(const Derived& derived);
 
-/// Returns the eight corners, in world space, of the frustum of a camera with this state's projection: near then far,
-/// each counterclockwise from the bottom left as the camera sees them.
+/// Returns, in world space, the eight frustum corners of a camera with this state's projection: first the four near
+/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
 /// Does the same for the placed camera, to show where the camera is even while a mistake breaks V.

@@ -11,8 +11,8 @@
 namespace viewing {
 namespace {
 
-/// Returns a matrix that moves a picture and scales it uniformly until `points` fill it; I if a point is behind the
-/// eye.
+/// Returns a matrix that shifts a picture and enlarges it uniformly until `points` fill it; the identity if a point is
+/// behind the eye.
 glm::dmat4 centered_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& point : points) {
@@ -86,8 +86,8 @@ ObserverView derive_light_view(const Derived& derived, const Scene& scene, const
     view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {target + away, 1.0}};
     view.view_from_world = view_from_world(view.world_from_view);
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    // The view is as wide as the casters plus a small margin or, if the light is among the casters, as wide as a view
-    // can be.
+    // The view is as wide as the casters plus a small margin. If the light is among the casters, the view is as wide as
+    // widest_slope allows.
     constexpr double room = 1.1, widest_slope = 4.0;
     double half_height = 1e-3 * radius, slope = 1e-9;
     for (const glm::dvec3& point : seen) {

@@ -11,7 +11,7 @@ namespace viewing {
 
 struct DrawCall {
     std::size_t pass = 0;  ///< index in FramePlan::passes
-    int object = -1;       ///< index in Scene::objects; −1: a square, the patch or the backdrop
+    int object = -1;       ///< index in Scene::objects; −1 for a square: the patch or the backdrop
     int triangles = 0;
 
     bool operator==(const DrawCall&) const = default;
@@ -23,15 +23,15 @@ std::string plane_name(std::size_t plane);
 /// Returns whether a pass with this choice draws the object.
 bool is_chosen(Chosen chosen, const SceneObject& object);
 
-/// Returns how many calls a pass makes: one for a square, one for each object that it draws, none for the result of a
-/// hidden-surface method.
+/// Returns how many calls a pass makes: one for a square, one for each object that it draws, or none if it shows the
+/// result of a hidden-surface method.
 int call_count(const Pass& pass, const Scene& scene);
 
-/// Returns how many of a call's triangles are drawn: all before the limit's call, none after it, and in it as many as
-/// the limit allows.
+/// Returns how many of a call's triangles are drawn: all if the call comes before the limit's call, none if it comes
+/// after that call, and as many as the limit allows if it is that call.
 int triangles_drawn(const DrawLimit& limit, int call, int triangles);
 
-/// Returns a frame's calls in order if its method draws the scene in scene order; none for other methods.
+/// Returns a frame's calls in order if its method draws the scene in scene order; otherwise, returns no calls.
 std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene);
 
 /// Returns a call's name, such as "box, pass 4: Objects".

@@ -39,8 +39,8 @@ struct State {
         return std::any_of(params.planes.begin(), params.planes.end(),
                            [&](const PlaneParams& plane) { return quantity(plane.equation) != 0.0; });
     }
-    /// Returns whether the picture or a number distinguishes front and back faces: culling, the facing view and the
-    /// counts shown with a method's steps do.
+    /// Returns whether the picture or a number that is shown distinguishes front and back faces, as culling, the facing
+    /// view, and the counts of a hidden-surface method do.
     bool tells_faces() const {
         return params.cull.enabled || params.view.shows == Shows::facing || params.view.shows == Shows::difference ||
                params.visibility.step >= 0 || params.visibility.numbers ||
@@ -61,7 +61,7 @@ bool is_named(const Reason& reason, std::string_view path) {
     });
 }
 
-/// Returns all reasons, sorted from the broadest to the narrowest.
+/// Returns all reasons, from the broadest to the narrowest.
 std::span<const Reason> reasons() {
     static const Reason all[] = {
         {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },

@@ -47,7 +47,8 @@ public:
     void enable(const char* capability, bool on, bool was_on) {
         if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
     }
-    /// `is_known`: GL already has the value of `before`. While a test is disabled, its parameters are not sent to GL.
+    /// `is_known`: GL already has the value in `before`. It does not if the test was disabled, because the parameters
+    /// of a disabled test are not sent to GL.
     void change(const std::string& call, const std::string& before, bool is_known = true) {
         if (call != before || !is_known) add(call);
     }
@@ -159,7 +160,7 @@ bool is_lit(const Pass& pass) {
     return pass.shading == Shading::lit && pass.color_write;
 }
 
-/// Adds the calls that set a pass's colors: the lights if it is lit, the color of a shadow, the alpha of a patch.
+/// Adds the calls that set a pass's colors: the lights of a lit pass, the color of a shadow, the alpha of a patch.
 void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
     if (!pass.color_write) return;
     if (is_lit(pass))
@@ -177,7 +178,7 @@ void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
         calls.add("glUniform1f(alpha, " + number(pass.color.a) + ")");
 }
 
-/// Restores the state that the previous frame left enabled, above all the masks, which glClear obeys. The first frame
+/// Resets the state that the previous frame left behind, above all the masks, which glClear obeys. The first frame
 /// needs none of this.
 void take_back(Calls& calls, const FramePlan& frame) {
     const std::vector<Pass>& passes = frame.passes;

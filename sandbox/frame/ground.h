@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Background, the patch's two tones and its lines, and the depth view's color where nothing was drawn.
+/// The colors of the background, of the patch's two tones and its lines, and of the depth view where nothing was drawn.
 struct Ground {
     Color background, light, dark, line, unwritten;
 };
@@ -24,7 +24,8 @@ inline constexpr Color difference_color{235, 30, 40};
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};
 
-/// Colors of casters by their w after S: casting a shadow, behind the plane, beyond the light.
+/// Colors of a caster's points by their w after S: points that cast a shadow, points behind the plane, points beyond
+/// the light.
 inline constexpr std::array<Color, 3> caster_colors = {{{0x2b, 0xb9, 0x8b}, {0xd8, 0xc8, 0x4a}, {0xe4, 0x57, 0x2e}}};
 
 /// Colors for how often a pixel was drawn: 0, 1 … 7, 8 or more times. They go from dark to bright, so that the order is

@@ -17,7 +17,8 @@ double mirror_residual(const glm::dmat4& mirrored_world_from_world);
 /// to a factor: `matrix` is first scaled to best match `reference`. A zero matrix stays zero.
 double largest_difference_up_to_scale(const glm::dmat4& matrix, const glm::dmat4& reference);
 
-/// Returns the rank by Gaussian elimination with full pivoting; entries below 1e-9 of the largest count as zero.
+/// Returns the rank by Gaussian elimination with full pivoting. Entries below 1e-9 times the largest entry count as
+/// zero.
 int rank_of(glm::dmat4 matrix);
 
 }  // namespace viewing

@@ -11,18 +11,18 @@ namespace viewing {
 
 enum class MatrixFormat { text, latex, glm, glsl, numpy, matlab };
 
-/// Returns the matrix under its name, ending with a newline. The name is an identifier ("shadow_from_world"); one of
-/// the lecture's letters with indices ("S[2,1]") becomes S_{2,1} in LaTeX and S_2_1 in code. text, latex, numpy and
-/// matlab list rows as on the slides; glm and glsl list columns first, in the order of their constructors' arguments,
-/// and say so in a comment. Put the LaTeX between $ and $. Every number is the shortest decimal that reads back to the
-/// same double, or to the double rounded to `digits` significant digits. −0 becomes 0; NaN and infinity are written as
-/// in the format's language (nan and inf in plain text).
+/// Returns the matrix with its name, as text that ends with a newline. The name is an identifier ("shadow_from_world")
+/// or one of the lecture's letters with indices: "S[2,1]" becomes S_{2,1} in LaTeX and S_2_1 in code. text, latex,
+/// numpy and matlab list rows as on the slides; glm and glsl list columns first, in the order of their constructors'
+/// arguments, and say so in a comment. Put the LaTeX between $ and $. Every number is the shortest decimal that reads
+/// back to the same double or, if `digits` is not 0, to the double rounded to that many significant digits. −0 becomes
+/// 0; NaN and infinity are written in the format's own notation (nan and inf in plain text).
 std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixFormat format, int digits = 0);
 
 /// Returns the same with the symbolic form of the entries, in the format's own notation.
 std::string matrix_text(std::string_view name, const MatrixSymbols& symbols, MatrixFormat format);
 
-/// Returns a number under its name, with a remark if the format has remarks.
+/// Returns a number with its name as text, with the remark in every format but LaTeX.
 std::string number_text(std::string_view name, double value, MatrixFormat format, std::string_view remark);
 
 /// Returns the nearest number with `digits` significant decimal digits, or the number itself if `digits` is 0.

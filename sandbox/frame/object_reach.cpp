@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the smallest value of a linear form in the scene's bounds, so that a million vertices need not be visited.
+/// Returns the smallest value of a linear form over the scene's bounds. This can save visiting a million vertices.
 double smallest_in_bounds(const Bounds& bounds, const glm::dvec4& form) {
     double smallest = form.w;
     for (int axis = 0; axis < 3; ++axis)
@@ -56,8 +56,8 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// Returns four forms that are all at least 0 where a map sends a point, with w > 0, into the patch: the distances from
-/// the patch's edges, times w.
+/// Returns four linear forms: the distances of a vertex's image from the patch's edges, times the image's w. If w > 0,
+/// the image is in the patch exactly where all four are nonnegative.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);
@@ -81,7 +81,7 @@ bool is_in_frustum(const glm::dvec4& clip) {
     return clip.w > 0.0 && glm::all(glm::lessThanEqual(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)));
 }
 
-/// Returns the same, but ignores near and far.
+/// Does the same as is_in_frustum(), but ignores near and far.
 bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
@@ -93,8 +93,8 @@ bool holds(const Landing& landing, const glm::dvec4& sent) {
     return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
 }
 
-/// Returns whether an edge of a triangle, between a vertex that lands inside the patch and one that does not, crosses
-/// the patch's edge in the picture. Assumes so for large meshes.
+/// Returns whether any triangle edge from a vertex that lands inside the patch to one that does not crosses the patch's
+/// edge in the picture. For large meshes, assumes that one does.
 bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) {
     const Mesh& mesh = *object.mesh;
     constexpr std::size_t most_triangles = 20'000;
@@ -192,8 +192,8 @@ std::string objects_across(const Scene& scene, const glm::dvec4& form, double li
 bool lands_beyond(const Scene& scene, const Landing& landing) {
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
         if (lands(object, landing, false, true)) return true;
-        // Its vertices beyond the patch's edge are outside the picture, but one of its triangles may cross the edge
-        // inside it.
+        // The object's vertices that land beyond the patch's edge are outside the picture, but one of its triangles may
+        // cross that edge inside the picture.
         return lands(object, landing, true, false) && lands(object, landing, false, false) &&
                crosses_edge_in_picture(object, landing);
     });

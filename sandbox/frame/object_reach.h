@@ -21,7 +21,7 @@ inline constexpr double standing = 1e-4;
 /// scene's bounds rule out such a vertex; otherwise, it searches the BoxTree of each mesh.
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
-/// Returns the names of such objects that also have a vertex above `limit`.
+/// Returns the names of the objects that have such a vertex and also one with form · (p, 1) > limit.
 std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Returns whether any of at most 127 sampled vertices of an object is in the picture, between near and far.
@@ -30,16 +30,17 @@ bool is_in_view(const SceneObject& object, const Params& params, const Derived& 
 /// Returns whether part of a patch is in the picture, between near and far, judged by a grid of points.
 bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world);
 
-/// A map that sends the scene's vertices to the plane of a patch.
+/// A map that sends the scene's vertices to the plane of a patch, and which of their images count.
 struct Landing {
     const glm::dmat4& plane_from_world;  ///< only vertices that it sends to w > 0 count
-    const glm::dmat4& clip_from_world;   ///< of the picture: only images inside it count
+    const glm::dmat4& clip_from_world;   ///< the picture's matrix: only images inside the picture count
     glm::dvec4 side;                     ///< only vertices on the positive side of this plane count
     const PlanePatch& patch;
 };
 
-/// Return whether part of an object's image is in the picture and outside the patch, or inside the patch. Both examine
-/// vertices; lands_beyond() also finds triangles that cross the patch's edge, and assumes that large meshes have some.
+/// Return whether part of an object's image lies inside the picture and outside the patch (lands_beyond), or inside
+/// both (lands_inside). Both functions examine vertices; lands_beyond() also finds triangles that cross the patch's
+/// edge, and assumes that a large mesh has some.
 bool lands_beyond(const Scene& scene, const Landing& landing);
 bool lands_inside(const Scene& scene, const Landing& landing);
 

@@ -36,7 +36,8 @@ constexpr StencilState marks(int region) {
     return {.test = true, .reference = region, .on_pass = StencilOp::replace};
 }
 
-/// Passes only inside a region, lit or not. Used for mirror images, the patch over its image, and a single shadow.
+/// Passes only inside a region, lit or not. Used for mirror images, the patch over its image, and shadows whose
+/// overlaps are not counted.
 constexpr StencilState inside(int region) {
     return {.test = true, .func = CompareFunc::equal, .reference = region, .read_bits = stencil_region_bits};
 }
@@ -70,7 +71,7 @@ constexpr StencilState counts_once(int region, int light_bit) {
             .write_bits = light_bit};
 }
 
-/// Does the same without a region: it still makes one shadow, but that extends beyond its receiver.
+/// Does the same without a region: overlapping casters still make one shadow, but it extends beyond its receiver.
 constexpr StencilState counts_once_anywhere(int light_bit) {
     return {.test = true,
             .func = CompareFunc::equal,
@@ -93,7 +94,7 @@ constexpr StencilState forgets_lights(int region) {
     return state;
 }
 
-/// Clears all marks, before marks of another kind.
+/// Clears all marks, before marks of another kind are set.
 constexpr StencilState wipes_marks() {
     return {.test = true, .on_pass = StencilOp::zero};
 }

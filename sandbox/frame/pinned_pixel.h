@@ -18,7 +18,7 @@ std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dma
                                        glm::ivec2 size_px);
 
 struct PinnedPixel {
-    std::optional<glm::ivec2> pixel;  ///< inside the picture; none if nothing is pinned or `why_none` says why
+    std::optional<glm::ivec2> pixel;  ///< inside the picture; none if nothing is pinned or if `why_none` gives a reason
     std::string why_none = "";        ///< the reason why the pinned place is not visible: one translated sentence
 };
 

@@ -58,7 +58,7 @@ struct CellBlock {
 /// Histogram of the eye distances in a depth buffer: bins of equal width between near and far, on the view's scale.
 struct DepthCounts {
     std::vector<std::uint32_t> counts;
-    double min = 0.0, max = 1.0;  ///< eye distance, or window depth on that scale
+    double min = 0.0, max = 1.0;  ///< eye distances or, on the window-depth scale, window depths
     std::uint64_t unwritten = 0;  ///< pixels that still hold the cleared value
 };
 

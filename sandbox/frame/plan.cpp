@@ -44,7 +44,7 @@ bool is_hidden(const Level& level, std::size_t plane) {
            });
 }
 
-/// Restores the stencil value of the mirror, from which the next patch starts to count.
+/// Adds passes that restore the mirror's stencil value, from which the next patch starts to count.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
                             tr("clears this patch's record of missing lights"));
@@ -206,7 +206,7 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
     if (blends) {
         pass.blend = Blend::alpha;
         pass.color.a = 1.0 - reflection.reflectance;
-        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has already decided
+        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has decided where it is visible
     }
     pass.stencil = stencil_of_surface(level, plane, blends);
     return pass;
@@ -292,7 +292,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // that mistake is the camera's alone
+    plain.reflection.same_projection = true;  // only the camera's view shows that mistake
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image
     made.decal_offset = {-1.0, -2.0};

@@ -17,7 +17,7 @@ namespace viewing {
 enum class Subject {
     objects,     ///< the scene's meshes
     patch,       ///< the square of a plane: Pass::plane
-    backdrop,    ///< the whole picture, at the far end of depth: resets the picture where the stencil allows it
+    backdrop,    ///< a square that fills the picture and resets color and depth, or only the stencil's marks
     ordered,     ///< polygons in the order that a method found: FramePlan::hidden
     pixels,      ///< surface points that a method found, one per pixel
     difference,  ///< where two methods disagree
@@ -42,7 +42,7 @@ enum class Chosen { all, bases, decals };
 
 enum class Blend { none, alpha, add };
 
-/// A plane in world space, before the pass's own matrix is applied. Its negative side is clipped.
+/// A plane in the space before Pass::world_from_scene is applied. The part on its negative side is clipped.
 using ClipPlane = glm::dvec4;
 
 /// The largest number of clip planes in one pass.
@@ -61,7 +61,7 @@ struct Pass {
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
-    bool is_mirror_image = false;        ///< also true for part of one
+    bool is_mirror_image = false;        ///< also true if the pass draws only part of one
     std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
@@ -83,7 +83,7 @@ struct Pass {
 /// The point at which a frame stops when it is viewed call by call. Calls are numbered as in frame/draw_calls.h.
 struct DrawLimit {
     int call = -1;       ///< the last call drawn, from 0; −1: all
-    int triangles = -1;  ///< of that call; −1: all
+    int triangles = -1;  ///< how many of that call's triangles are drawn; −1: all
     int pass = -1;       ///< the last pass drawn, from 0; −1: all
     bool operator==(const DrawLimit&) const = default;
 };
@@ -110,7 +110,7 @@ struct FramePlan {
     HiddenPictures hidden;
     bool has_decals = false;
     DepthOffset decal_offset;       ///< for objects marked as decals
-    std::vector<int> object_marks;  ///< per object: its own stencil mark, or its base's; empty: no marks
+    std::vector<int> object_marks;  ///< per object: its own stencil mark or, for a decal, its base's; empty: no marks
     DrawLimit limit;
     std::optional<HeatMap> heat;                 ///< for Shading::heat
     glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< caster_w · p is the w of p's projection: for Shading::caster_w
@@ -120,8 +120,8 @@ struct FramePlan {
 
     /// Returns whether the frame clears depth; otherwise the previous frame's depths stay.
     bool clears_depth() const { return clear_depth && mask_on_while_clearing; }
-    /// Returns whether the logarithm is computed only at the vertices. GL interpolates it linearly, which is not
-    /// logarithmic.
+    /// Returns whether the logarithm is computed only at the vertices. In between, GL interpolates it linearly, so the
+    /// depth there is not logarithmic.
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 
@@ -137,8 +137,8 @@ bool shows_effects(const Params& params);
 std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
 /// Returns how many mirrors in a row a view ray may meet: the requested bounces, or fewer if the stencil cannot count
-/// them, or if they would need more than 64 images or draw the scene more than 256 times. At most 1 for hidden-surface
-/// methods other than GL's own.
+/// that many, or if that many need more than 64 images or draw the scene more than 256 times. At most 1 for
+/// hidden-surface methods other than GL's own.
 int reflection_depth(const Params& params, const Derived& derived);
 
 /// The eye from which add_scene_passes() sees the scene. That function adds the objects and the planes, with their
@@ -167,19 +167,20 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
 /// Returns the sRGB color unchanged, with components from 0 to 1.
 glm::dvec4 color_of(const Color& color, double alpha);
 
-/// Returns the factor for both numbers of an offset: −1 with reversed depth, which decreases with distance, unless
-/// depth.reversed_offset is off; otherwise 1.
+/// Returns the factor for both numbers of an offset: −1 for reversed depth, which decreases with distance; 1 for other
+/// mappings, or if depth.reversed_offset is off.
 double offset_sign(const DepthParams& depth);
 
-/// Gives decals without a polygon offset their own pass after the objects: part of plan().
+/// Moves decals that have no polygon offset into their own pass after the objects: part of plan().
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params);
 
-/// Lets only the objects' passes write color; each of them adds one level of red to a pixel. Part of plan().
+/// Lets only the scene's own passes write color: each of their fragments adds one level of red to its pixel. Part of
+/// plan().
 void count_overdraw(FramePlan& frame);
 
 /// Returns the eye distances that a depth picture with contrast shows as black and white: the state's range or, if it
-/// has none that overlaps near … far, the range of the scene's bounds and the first plane's patch. Clamped to near and
-/// far.
+/// has none that overlaps near … far, the range of the scene's bounds and the first plane's patch. Both distances are
+/// clamped to near and far.
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene);
 
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.

@@ -10,7 +10,7 @@ namespace viewing {
 /// Direction of the strongest ambient light.
 inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
 
-/// The name of a pass over a patch, for a single plane and for several; translated on use.
+/// The two names of a pass over a patch: for a single plane, and for several planes. Both are translated on use.
 struct PatchName {
     const char *alone, *numbered;  ///< "Patch", "Patch {plane}"
 };
@@ -24,7 +24,7 @@ struct Level {
     glm::dmat4 clip_from_view;  ///< the projection, with the mirror as its near plane if requested
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_scene{1.0};     ///< the product of the mirrors' R; I if the camera is mirrored
-    glm::dmat4 scene_from_world{1.0};     ///< the product of the true mirrors, even if R was replaced
+    glm::dmat4 scene_from_world{1.0};     ///< the product of the true mirror matrices, even if R was replaced
     std::string mirrors_name{};           ///< "2, 1": the mirrors on the way, in order; empty for a single plane
     std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if the camera is mirrored
     std::string mirror_symbols{};         ///< " R₂ R₁": the mirrors on the way, in order
@@ -69,7 +69,7 @@ StencilState stencil_of_mask(const Level& level, std::size_t plane);
 StencilState stencil_of_patch(const Level& level, std::size_t plane);
 
 /// Used to draw the patch itself. Passes only inside the patch's mask if the patch blends over a masked mirror image;
-/// otherwise, marks the patch, unless it is in a mirror and no shadow is drawn on it.
+/// otherwise, marks the patch, unless it is seen in a mirror and no shadow is drawn on it.
 StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blends);
 
 /// Used to draw a shadow on the patch. A painted shadow passes once per pixel and only on the patch, unless a switch
@@ -94,7 +94,8 @@ StencilState stencil_of_decals();
 /// Clears the marks of patches before objects are marked.
 StencilState stencil_of_wiping();
 
-/// Makes a pass draw a square that fills the picture, at the clip-space depth `clip_z` of this eye distance.
+/// Makes a pass draw a square that fills the picture, at the clip-space depth `clip_z` and the eye distance
+/// `eye_distance`.
 void fill_picture(Pass& pass, double clip_z, double eye_distance);
 
 /// Returns the pass of the scene itself, or of its mirror image.

@@ -5,7 +5,8 @@
 namespace viewing {
 namespace {
 
-/// Returns the bit that marks a light as missing: one per light, or a shared one, through which lights interfere.
+/// Returns the bit that marks a light as missing. Each light has its own bit or, without own_stencil, all lights share
+/// one and interfere.
 int light_bit(const Params& params, std::size_t light) {
     constexpr int first = stencil_region_bits + 1;
     return params.shadow.own_stencil ? first << light : first;

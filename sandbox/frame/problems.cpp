@@ -158,7 +158,7 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             const std::string matrix = shadow_name(plane, light);
             tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
                                   "matrix"_a = matrix));
-            // A vector times a matrix is Πᵀ S here; if that is 0, every image lies in the plane.
+            // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
             const glm::dmat4& s = cast.shadowed_world_from_world;
             const double size = largest_entry(s);
             const bool lands = largest_component(of.unit_plane * s) <= by_hand_tolerance * size;

@@ -29,7 +29,8 @@ private:
     std::string_view group_;
 };
 
-// Names of lights and planes in a sentence. Parameters count from 0, names from 1; `count` is the total number.
+// Names of lights and planes in a sentence. The parameters count them from 0, the names from 1; `count` is their total
+// number.
 
 /// Returns "the light" or "light 2".
 std::string light_name(std::size_t light, std::size_t count);

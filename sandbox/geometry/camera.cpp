@@ -32,7 +32,7 @@ double degrees_of(double y, double x) {
     return degrees <= -180.0 ? 180.0 : degrees + 0.0;  // + 0 turns a negative zero into zero
 }
 
-/// Below this cosine of the pitch, double precision cannot distinguish yaw from roll.
+/// If the cosine of the pitch is below this, double precision cannot distinguish yaw from roll.
 constexpr double pole_cosine = 1e-9;
 
 }  // namespace

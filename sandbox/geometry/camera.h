@@ -1,5 +1,5 @@
-// The camera's pose as angles and as matrices. Angles are in degrees, as in the state file.
-// Source: lecture, Camera Movement; with pitch and roll, V = (T Ry Rx Rz)⁻¹.
+// The camera's pose as angles and as matrices. Angles are in degrees, as in the state file. Source: lecture, Camera
+// Movement; with pitch and roll added, V = (T Ry Rx Rz)⁻¹.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -31,7 +31,8 @@ glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
 /// T(position) R(rotation) S(scale), the pose of an object.
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
 
-/// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. If they are equal, it looks along −z.
+/// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. If the two points coincide, the camera
+/// looks along −z.
 Angles angles_looking_at(const glm::dvec3& eye, const glm::dvec3& target);
 
 }  // namespace viewing

@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// Indexed triangles in model space, counterclockwise seen from outside, one unit normal per vertex.
+/// Indexed triangles in model space, counterclockwise when seen from outside, with one unit normal per vertex.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;      ///< same count as positions
@@ -17,7 +17,7 @@ struct Mesh {
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
-/// Axis-aligned box; empty (min > max) until something is added.
+/// An axis-aligned box, which is empty (min > max) until something is added.
 struct Bounds {
     glm::dvec3 min{1e300};
     glm::dvec3 max{-1e300};

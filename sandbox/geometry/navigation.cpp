@@ -1,4 +1,5 @@
-// The motion model: held keys set rates, rates are smoothed exactly, poses are integrated in short substeps.
+// The motion model. Held keys set the requested rates, the actual rates approach these exponentially, and the pose is
+// integrated in short substeps.
 #include "geometry/navigation.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ WantedRates wanted_rates(const MotionInput& input, Navigation mode, const Motion
     return {move * (tuning.speed * factor), turn * (tuning.turn_deg * factor)};
 }
 
-/// Moves `rate` toward `wanted` for dt_s seconds and returns its integral over that time, both exactly.
+/// Moves `rate` toward `wanted` for dt_s seconds and returns its integral over that time; both are computed exactly.
 Vec3 approach(Vec3& rate, const Vec3& wanted, double full_rate, double smoothing_s, double dt_s) {
     const double left_over = smoothing_s > 0.0 ? std::exp(-dt_s / smoothing_s) : 0.0;
     const Vec3 lag = rate - wanted;
@@ -146,7 +147,7 @@ void orbit_turn(Pose& pose, Motion& motion, const Vec3& turn, const MotionSlips&
     }
 }
 
-/// Multiplies the distance to the target by `factor`, but keeps at least the smallest distance.
+/// Multiplies the distance to the target by `factor`, but does not bring the eye nearer than min_orbit_distance.
 void zoom(Pose& pose, double factor) {
     const Vec3 offset = pose.position - pose.target;
     const double distance = glm::length(offset);

@@ -82,8 +82,8 @@ glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& 
         view_from_clip * glm::dvec4(sign_of(plane_clip.x), sign_of(plane_clip.y), far_end, 1.0);
 
     // That corner must stay at the far end. z must be at its near end on the new near plane, so z + w = scale · plane,
-    // or w − z = scale · plane with reversed depth. If the whole frustum is in front of the new near plane, any
-    // positive scale clips all of it.
+    // or w − z = scale · plane with reversed depth. If the whole frustum is on the clipped side of the new near plane,
+    // any positive scale clips all of it.
     constexpr double min_reach = 1e-9;
     const double reach = std::max(glm::dot(plane_view, corner_view), min_reach);
     const glm::dvec4 scaled_plane = plane_view * ((range == ClipRange::reversed_zero_to_one ? 1.0 : 2.0) / reach);

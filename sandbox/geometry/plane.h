@@ -13,14 +13,14 @@ glm::dvec4 unit_plane(const glm::dvec4& plane);
 /// Returns whether a light (x, y, z, w) counts as infinitely far away: farther than a million units.
 bool is_parallel_light(const glm::dvec4& light);
 
-/// S = (Π·L) I − L Πᵀ maps p to the point (after ÷ w) where the ray from the light L through p meets the plane. Uses
-/// the plane as given: pass a unit plane to get the displayed numbers. L.w is 1 for a point light, 0 for a parallel
-/// one.
-/// S² = (Π·L) S, S L = 0, rank 3; rank 1 if Π·L = 0. Source: lecture, Projection Shadow Matrix.
+/// Returns S = (Π·L) I − L Πᵀ. After the division by w, S maps p to the point where the line through the light L and p
+/// meets the plane. Uses the plane as given: pass a unit plane to get the displayed numbers. L.w is 1 for a point light
+/// and 0 for a parallel light. S² = (Π·L) S and S L = 0; the rank of S is 3, or 1 if Π·L = 0. Source: lecture,
+/// Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// Returns +1 or −1: the factor that makes w positive for every caster between light and plane, so that clipping keeps
-/// the shadow. +1 if Π·L = 0.
+/// Returns +1 or −1, the factor that makes w positive for every caster between light and plane, so that clipping keeps
+/// the shadow. Returns +1 if Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// Returns the plane with the sign that puts a point, an eye or a light on its positive side. Returns it unchanged if
@@ -33,7 +33,8 @@ glm::dvec3 line_of_sight(const glm::dvec4& eye, const glm::dvec3& point);
 /// Returns whether a light counts as being in a unit plane: Π·L is negligible relative to the light's own size.
 bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
-/// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.
+/// Returns R, where R p = p − 2 (n·p + d) n for a unit plane. R² = I, det R = −1. Source: lecture, Planar Reflection
+/// Matrix.
 glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane);
 
 /// The clip-space z of near and far: −1 and +1, 1 and 0, or +1 and −1.
@@ -51,14 +52,14 @@ struct PlanePatch {
     glm::dvec3 center;
     glm::dvec3 u;       ///< unit
     glm::dvec3 v;       ///< unit; u × v = −normal
-    glm::dvec3 normal;  ///< unit, largest component positive
+    glm::dvec3 normal;  ///< unit; its largest component is positive
     double extent;
     bool operator==(const PlanePatch&) const = default;
 
     std::array<glm::dvec3, 4> corners() const;  ///< counterclockwise about u × v
     double reach() const;                       ///< how far holds() reaches along u and v: slightly beyond the extent
     bool holds(const glm::dvec3& point) const;  ///< whether a point of the plane is in the patch
-    glm::dmat4 world_from_patch() const;        ///< maps (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
+    glm::dmat4 world_from_patch() const;        ///< maps the quad |x|, |z| ≤ 1, y = 0 to the patch, y to its normal
 };
 
 PlanePatch plane_patch(const glm::dvec4& plane, double extent);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// |d(window depth) / d(eye distance)|.
+/// Returns |d(window depth) / d(eye distance)|.
 double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
     if (mapping == DepthMapping::logarithmic) {
         return 1.0 / (distance * std::log(lens.far / lens.near));

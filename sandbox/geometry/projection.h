@@ -18,14 +18,14 @@ struct Lens {
     bool operator==(const Lens&) const = default;
 };
 
-/// P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height.
+/// Returns P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height.
 glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 
-/// P with near and far swapped for a clip range of 0 … 1: near → 1, far → 0.
+/// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
-/// Returns the window depth in [0, 1] of an eye distance. Outside near … far, the value is outside [0, 1]; at or behind
-/// the eye it is infinite unless the mapping is linear.
+/// Returns the window depth of an eye distance. It is in [0, 1] from near to far and outside [0, 1] elsewhere. At or
+/// behind the eye, it is infinite unless the mapping is linear.
 double window_depth(const Lens& lens, DepthMapping mapping, double distance);
 
 /// Returns the inverse of window_depth.
@@ -45,8 +45,8 @@ struct DepthPrecision {
 double code_width(const DepthPrecision& precision, double window_depth);
 
 /// Returns the width in eye distance of one stored code at `distance` (Δz ≈ z² (f−n) / (f n (2^b − 1))); for a float
-/// format, the width of one unit in the last place there. The result is positive and finite: a distance below `near`
-/// counts as `near`; beyond `far` the formula still applies.
+/// format, the width of one unit in the last place there. The result is positive and finite, because a distance below
+/// `near` counts as `near`. Beyond `far`, the formula still applies.
 double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
 /// Returns depth_step, but for a float format at least half a unit in the last place of a float32 at `distance`: the

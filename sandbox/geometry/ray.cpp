@@ -43,7 +43,7 @@ std::optional<double> closest_point_parameter_on_line(const Ray& ray, const glm:
         return std::nullopt;
     }
     const double determinant = twice_area * twice_area;
-    if (rl * lo - ll * ro < 0.0) {  // t · determinant
+    if (rl * lo - ll * ro < 0.0) {  // this is t · determinant
         return std::nullopt;
     }
     return (rr * lo - rl * ro) / determinant;

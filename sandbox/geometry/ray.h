@@ -1,5 +1,5 @@
-// Rays for picking and dragging: through a pixel, and their intersections with planes, lines, triangles and whole
-// meshes. Read navigation.h next.
+// Rays for picking and dragging: makes the ray through a pixel, and intersects rays with planes, lines, triangles and
+// whole meshes. Read navigation.h next.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ struct TriangleHit {
     glm::dvec3 barycentric;
 };
 
-/// Finds hits from either side; edges count as inside. Returns none for a triangle that has no area or is seen edge-on.
-/// Source: Möller and Trumbore 1997.
+/// Returns the hit of a ray on a triangle, from either side; the edges count as inside. Returns none for a triangle
+/// that has no area or is seen edge-on. Source: Möller and Trumbore 1997.
 std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& triangle);
 
 struct MeshHit {

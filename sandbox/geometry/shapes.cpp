@@ -21,7 +21,7 @@ void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// Adds a quad with its corners counterclockwise seen from the front.
+/// Adds a quad whose corners are given counterclockwise as seen from the front.
 void add_quad(Mesh& mesh, Index a, Index b, Index c, Index d) {
     add_triangle(mesh, a, b, c);
     add_triangle(mesh, a, c, d);

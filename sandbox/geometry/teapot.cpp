@@ -1,5 +1,5 @@
 // Newell's teapot (1975): 32 bicubic Bézier patches. All of it except the handle and the spout is a body of revolution,
-// and these two are symmetric, so 20 rings and 14 cross-sections contain every control point. The numbers are Newell's,
+// and these two are symmetric, so 20 rings and 14 cross-sections define all control points. The numbers are Newell's,
 // with z up; the mesh has y up. Read navigation.h next.
 #include <algorithm>
 #include <array>
@@ -11,13 +11,13 @@
 namespace viewing {
 namespace {
 
-/// A ring of control points about the axis: quarter circles whose inner points are at a distance of `tangent` from the
-/// ends.
+/// A ring of control points about the axis. It consists of four quarter circles; `tangent` is the distance of a
+/// quarter's inner control points from its ends.
 struct Ring {
     double radius, height, tangent;
 };
 
-/// Returns a ring whose inner points are at 0.56 of the radius, as in nearly all rings.
+/// Returns a ring whose `tangent` is 0.56 of the radius, as in nearly all rings.
 constexpr Ring ring(double radius, double height) {
     return {radius, height, 0.56 * radius};
 }
@@ -28,7 +28,8 @@ struct Section {
     double x0, z0, x1, z1, half_width;
 };
 
-// Each line below ends a patch; its last entry begins the next one. The outside is on the left of each profile.
+// In the two arrays of rings, each line ends a patch, and its last entry also begins the next patch. The outside is on
+// the left of each profile.
 
 constexpr std::array pot_rings = {
     ring(1.4, 2.4),    ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4),  // rim
@@ -84,8 +85,8 @@ std::array<glm::dvec3, 4> quarter_ring(const Ring& ring, int quarter) {
     return points;
 }
 
-/// Returns half of a cross-section: the side of negative y from point 1 to point 0, or the side of positive y from 0 to
-/// 1.
+/// Returns half of a cross-section: on the side of negative y from point 1 to point 0, on the other side from point 0
+/// to point 1.
 std::array<glm::dvec3, 4> half_section(const Section& s, bool negative_side) {
     const double y = negative_side ? -s.half_width : s.half_width;
     const std::array<glm::dvec3, 4> points = {y_up(s.x0, 0.0, s.z0), y_up(s.x0, y, s.z0), y_up(s.x1, y, s.z1),
@@ -93,7 +94,7 @@ std::array<glm::dvec3, 4> half_section(const Section& s, bool negative_side) {
     return negative_side ? std::array{points[3], points[2], points[1], points[0]} : points;
 }
 
-/// Adds one patch per run of four rows; neighbors share a row.
+/// Adds one patch for every four rows; neighboring patches share a row.
 template <typename Row, typename PointsOfRow>
 void add_patches(std::vector<Patch>& patches, std::span<const Row> rows, PointsOfRow points_of_row) {
     for (std::size_t first = 0; first + 3 < rows.size(); first += 3) {
@@ -144,8 +145,9 @@ glm::dvec3 weighted_sum(const Patch& patch, const Weights& along, const Weights&
     return sum;
 }
 
-/// Returns the outward unit normal. At a pole a whole row is one point and ∂around vanishes; near the pole, ∂around
-/// approaches the mixed derivative times the distance from the pole.
+/// Returns the outward unit normal. At a pole, where all control points of a row coincide, ∂around vanishes. The mixed
+/// derivative replaces it there, because near the pole ∂around is nearly the mixed derivative times the distance from
+/// the pole.
 glm::dvec3 patch_normal(const Patch& patch, double u, double v) {
     const glm::dvec3 along = weighted_sum(patch, bernstein_slope(u), bernstein(v));
     glm::dvec3 around = weighted_sum(patch, bernstein(u), bernstein_slope(v));

@@ -14,7 +14,7 @@ namespace viewing::gl {
 struct DeviceInfo {
     int index = 0;
     bool software = false;
-    std::string name;  ///< the DRM node or the renderer's extension; "" if the driver reports neither
+    std::string name;  ///< "software" for a software device, else the DRM node; "" if the driver reports none
 };
 
 /// Returns every EGL device; empty if EGL cannot enumerate them.
@@ -25,12 +25,12 @@ std::vector<DeviceInfo> egl_devices();
 /// Does not override GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH if the user has set them.
 void prefer_quick_start();
 
-/// Turns off the driver's shader cache if neither HOME nor a cache folder is set: otherwise the driver would look up a
+/// Turns off the driver's shader cache if neither HOME nor a cache folder is set. Otherwise, the driver would look up a
 /// home folder by itself and write there. Call before the first context is made.
 void keep_no_cache_without_a_home();
 
-/// Owns an OpenGL 3.3 core context without a surface, current after construction, on an EGL display shared with other
-/// contexts on the same device. Move-only; destroy it in the thread where it is current.
+/// Owns an OpenGL 3.3 core context without a surface, which is current after construction. Its EGL display is shared
+/// with other contexts on the same device. Move-only; destroy it in the thread where it is current.
 class EglContext {
 public:
     /// Makes a context. `device` is "" for software (a device that reports itself as software, otherwise surfaceless

@@ -26,7 +26,8 @@ public:
     }
 
     explicit operator bool() const { return sync_ != nullptr; }
-    /// Returns whether the earlier commands have finished; true for an empty fence. Flushes, so that they will finish.
+    /// Returns whether the earlier commands have finished; true for an empty fence. Flushes the commands, so that they
+    /// will finish.
     bool has_passed() const {
         if (sync_ == nullptr) return true;
         return glClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) != GL_TIMEOUT_EXPIRED;

@@ -1,4 +1,5 @@
-// Our own framebuffer: color to show as a texture, depth and stencil to read back, with or without multisampling.
+// Our own framebuffer, with or without multisampling: its color can be shown as a texture, its depth and stencil can be
+// read back.
 #pragma once
 
 #include <vector>

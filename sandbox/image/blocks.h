@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// Joins runs of pixels row by row, from the top; a row that is not added counts as one without runs.
+/// Joins runs of pixels into blocks, row by row from the top. A row that is not added counts as a row without runs.
 class BlockFinder {
 public:
     /// Adds the differences in row `y`, which must be below the last row added. A pixel whose difference exceeds

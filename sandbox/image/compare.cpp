@@ -30,8 +30,8 @@ bool has_beyond(std::span<const std::uint8_t> difference, int worst) {
     return std::any_of(difference.begin(), difference.end(), [worst](std::uint8_t level) { return level > worst; });
 }
 
-/// Counts the pixels of a row. `found` has their differences before those on resampled edges are reduced, and
-/// `difference` has them afterward.
+/// Counts the pixels of a row. On resampled edges, `found` has the true differences and `difference` has the reduced
+/// ones.
 void count_row(std::span<const std::uint8_t> found, std::span<const std::uint8_t> difference, int y,
                CompareReport& report) {
     const int worst = report.options.worst;

@@ -1,6 +1,6 @@
 // Compares two pictures with two thresholds: how far a channel may be off, and what share of the pixels may be off by
 // more. The first alone would fail on one stray edge pixel; the second alone would let a small error pass. Pictures
-// from another driver have their own profile.
+// from another driver are compared with a profile of their own.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ struct CompareOptions {
     int reach_px = 0;
     CompareProfile profile = CompareProfile::strict;
     /// Only for portable. The default is 4, because another number of samples changes single pixels at corners and at
-    /// faces thinner than a pixel, and even blocks of four with 16 samples instead of 4. An edge that has moved in five
-    /// rows changes five pixels.
+    /// faces thinner than a pixel, and even blocks of four if there are 16 samples instead of 4. An edge that has moved
+    /// in five rows changes five pixels.
     std::int64_t block_px = 4;
     /// Only for portable, in levels. The default is 0.6: noise of two levels up or down shifts the mean of 256 pixels
     /// by at most 0.48 in a picture of 640 x 360 (seven standard deviations are 0.62), while a shadow that is one level
@@ -61,13 +61,13 @@ struct PixelBox {
 
 struct CompareReport {
     bool equal = false;
-    bool sizes_differ = false;      ///< if so, they are never equal; only the common area from the top left is compared
+    bool sizes_differ = false;      ///< if so, equal is false; only the common area from the top left is compared
     std::array<int, 2> size_a{};    ///< width, height
     std::array<int, 2> size_b{};    ///< width, height
     std::int64_t pixels = 0;        ///< the larger width times the larger height
-    std::int64_t left_out = 0;      ///< number of these that the mask leaves out
-    std::int64_t different = 0;     ///< any channel differs, or only one picture has the pixel
-    std::int64_t beyond = 0;        ///< a channel is off by more than options.worst, or only one picture has the pixel
+    std::int64_t left_out = 0;      ///< number of those that the mask leaves out
+    std::int64_t different = 0;     ///< pixels with any channel different, or that only one picture has
+    std::int64_t beyond = 0;        ///< pixels off by more than options.worst, or that only one picture has
     std::int64_t resampled = 0;     ///< portable: pixels off by more than worst that count as resampled edges
     double mean = 0.0;              ///< mean absolute difference over all channels, in levels
     std::array<double, 4> shift{};  ///< mean of A − B for red, green, blue, alpha, in levels
@@ -78,7 +78,7 @@ struct CompareReport {
     int worst_found = 0;              ///< the largest difference in a channel, in levels
     std::array<int, 2> worst_at{};    ///< x, y of the first pixel with this difference; 0, 0 if nothing differs
     std::vector<PixelBox> boxes;      ///< around the pixels beyond the threshold, most pixels first; at most 16
-    std::int64_t boxes_left_out = 0;  ///< number of boxes beyond these
+    std::int64_t boxes_left_out = 0;  ///< number of further boxes
     CompareOptions options;
 
     double beyond_share() const;  ///< beyond / (pixels − left_out); 0 if nothing is compared
@@ -88,9 +88,9 @@ struct CompareReport {
 /// the top; at most `worst` if a match is within reach or the pixel is on a resampled edge.
 std::vector<std::uint8_t> pixel_differences(const Image& a, const Image& b, const CompareOptions& options);
 
-/// Options: worst 0 … 255, share 0 … 1, reach 0 or more. Boxes that are at most 16 pixels apart (or 1/80 of the larger
-/// side, if that is more) are merged. In the area that both pictures have, pixels that the mask leaves out count as
-/// equal. A mask of another size covers only its own area, from the top left.
+/// Compares two pictures. In the options, worst must be 0 … 255, share 0 … 1, and reach_px 0 or more. Boxes that are at
+/// most 16 pixels apart (or 1/80 of the larger side, if that is more) are merged. In the area that both pictures have,
+/// pixels that the mask leaves out count as equal. A mask of another size covers only its own area, from the top left.
 CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {}, const Mask& mask = {});
 
 /// Returns one line for a person, starting with "equal" or "different".

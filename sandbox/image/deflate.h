@@ -12,7 +12,8 @@ namespace viewing {
 
 std::vector<std::uint8_t> deflated(std::string_view text);
 
-/// The outcome of unpacking: complete, followed by other bytes, longer than allowed, or cut off or damaged.
+/// The outcome of unpacking: the text is whole, is followed by other bytes, is longer than allowed, or is cut off or
+/// damaged.
 enum class InflateEnd { whole, followed, too_long, damaged };
 
 struct Inflated {
@@ -20,7 +21,7 @@ struct Inflated {
     std::string text;  ///< "" unless `end` is whole
 };
 
-/// The inverse of deflated(), limited to `most` unpacked bytes. Throws std::bad_alloc.
+/// Reverses deflated(), up to `most` unpacked bytes. Throws std::bad_alloc if memory runs out.
 Inflated inflated(std::span<const std::uint8_t> bytes, std::size_t most);
 
 }  // namespace viewing

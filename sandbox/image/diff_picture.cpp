@@ -14,7 +14,7 @@ void blend(std::uint8_t* pixel, const std::array<std::uint8_t, 3>& tint, double 
         pixel[c] = static_cast<std::uint8_t>(std::lround(pixel[c] * (1.0 - amount) + tint[c] * amount));
 }
 
-/// Writes a pixel in gray, faint so that the marks stand out.
+/// Writes a pixel in a faint gray, so that the marks stand out.
 void faint_gray(const std::uint8_t* from, std::uint8_t* to) {
     const auto grey = static_cast<std::uint8_t>(24.0 + 0.6 * luma(from));
     to[0] = to[1] = to[2] = grey;

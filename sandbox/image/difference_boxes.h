@@ -19,8 +19,8 @@ public:
     /// Adds the differences in a row; those above `worst` go into a box.
     void add_row(int y, std::span<const std::uint8_t> difference, int worst);
 
-    /// Returns all boxes, the one with the most pixels first; boxes with equal counts go from the top, then from the
-    /// left.
+    /// Returns all boxes, the one with the most pixels first; boxes with equal counts are in order from the top, then
+    /// from the left.
     std::vector<PixelBox> finish();
 
 private:

@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// Returns the largest channel difference of each pixel, one row at a time, in the area that both pictures have; 0 for
-/// pixels that the mask leaves out. Only pixels beyond the threshold search their neighborhood for a match that excuses
-/// them. Pictures and mask must outlive this object.
+/// Computes the largest channel difference of each pixel, one row at a time, in the area that both pictures have; 0 for
+/// pixels that the mask leaves out. Only for pixels beyond the threshold is the neighborhood searched for a match that
+/// excuses them. The pictures and the mask must outlive this object.
 class Differences {
 public:
     Differences(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask);

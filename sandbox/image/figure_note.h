@@ -1,5 +1,5 @@
-// The note in a figure: the state shown, as JSON. In PNG it is a text chunk, in SVG metadata, in PDF a keyword; a long
-// note uses several chunks or elements (note_parts.h).
+// The note in a figure: the state shown, as JSON. PNG stores it in a text chunk, SVG as metadata, and PDF as a keyword;
+// a long note uses several chunks or elements (note_parts.h).
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,13 @@
 
 namespace viewing {
 
-/// Returns elements of an SVG document; "" if there is no note, or one that no figure can store.
+/// Returns the note as elements of an SVG document; "" if the note is empty or no figure can store it.
 std::string note_as_svg(std::string_view note);
-/// Returns a keyword of a PDF document: a name, then only letters and digits; "" in the same cases.
+/// Returns the note as a keyword of a PDF document: a fixed name, followed only by letters and digits; "" in the same
+/// cases.
 std::string note_as_keyword(std::string_view note);
 
-/// Whether a file name has the extension of a figure: .png, .svg, .pdf.
+/// Whether a file name has the extension of a figure: .png, .svg or .pdf.
 bool is_figure_name(const std::filesystem::path& path);
 
 /// Returns the note in a figure; empty if it has none. The error for an unreadable file or a damaged PNG is one

@@ -20,13 +20,13 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Returns the Rec. 709 luma of a pixel's stored values, 0 … 255: its perceived brightness.
+/// Returns a pixel's perceived brightness, 0 … 255: the Rec. 709 luma of its stored values.
 inline double luma(const std::uint8_t* pixel) {
     return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
 }
 
-/// Returns the pixels from (left, top) up to but not including (right, bottom), clamped to the image; at least one
-/// pixel. The image must not be empty.
+/// Returns the pixels from (left, top) up to but not including (right, bottom), clamped to the image; the result has at
+/// least one pixel. The image must not be empty.
 inline Image cropped(const Image& image, int left, int top, int right, int bottom) {
     left = std::clamp(left, 0, image.width - 1);
     top = std::clamp(top, 0, image.height - 1);

@@ -19,7 +19,7 @@ Mask::Mask(const Image& picture) : Mask(picture.width, picture.height) {
 }
 
 void Mask::leave_out(const MaskRect& rect) {
-    // Compute in 64 bits, since a rectangle may have any four numbers.
+    // Add in 64 bits: a rectangle may have any four numbers, so the sum could overflow an int.
     const auto end = [](int begin, int length, int side) {
         return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{begin} + length, 0, side));
     };

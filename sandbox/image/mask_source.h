@@ -11,7 +11,7 @@ namespace viewing {
 
 struct MaskSource {
     std::vector<MaskRect> rects;
-    std::vector<std::filesystem::path> pictures;  ///< same size as the compared pictures
+    std::vector<std::filesystem::path> pictures;  ///< same size as the pictures being compared
     bool is_empty() const { return rects.empty() && pictures.empty(); }
 };
 

@@ -7,11 +7,11 @@
 
 namespace viewing {
 
-/// Computes a color, not premultiplied, from the two results: opaque if they are equal, transparent if they are black
-/// and white.
+/// Computes a pixel's color, not premultiplied, from its two drawings: opaque if they are equal, transparent if they
+/// are black and white.
 void remove_ground(const std::uint8_t* on_black, const std::uint8_t* on_white, std::uint8_t* rgba);
 
-/// Does the same for every pixel of two pictures with the same size.
+/// Does the same for every pixel of two pictures of the same size, and multiplies its alpha by that of `on_black`.
 Image without_ground(const Image& on_black, const Image& on_white);
 
 }  // namespace viewing

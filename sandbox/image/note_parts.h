@@ -11,11 +11,11 @@ namespace viewing {
 /// Whether a figure can store the note: one longer than max_document_bytes could not be read back.
 bool can_carry(std::string_view note);
 
-/// Returns UTF-8 split between characters into parts of at most a million bytes; no parts for "" or a note that no
-/// figure can store.
+/// Splits a UTF-8 note between characters into parts of at most a million bytes. Returns no parts for "" or for a note
+/// that no figure can store.
 std::vector<std::string_view> note_parts(std::string_view note);
 
-/// Returns the name of a part, counted from 1: "name", "name 2", "name 3" if `between` is a blank.
+/// Returns the name of a part, counted from 1: "name", "name 2", "name 3" if `between` is a space.
 std::string note_part_name(std::string_view name, std::string_view between, int number);
 
 }  // namespace viewing

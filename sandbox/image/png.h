@@ -1,5 +1,5 @@
-// Reads and writes PNG files with libpng. Equal pictures with equal notes give byte-identical files: there are no time
-// stamps.
+// Reads and writes PNG files with libpng. Equal pictures with equal notes give byte-identical files, which contain no
+// time stamps.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 
 namespace viewing {
 
-/// The largest width and height that is read or written.
+/// The largest width and height that can be read or written.
 constexpr int largest_image_side = 16384;
-/// The maximum number of pixels that are read: 256 MB of memory, whatever the header of a small file promises.
+/// The maximum number of pixels to read. It limits the memory to 256 MB, whatever the header of a small file promises.
 constexpr int most_image_pixels = 64'000'000;
 
 /// Reads any PNG (1 … 16 bits, gray, palette, with or without alpha, interlaced) as 8-bit RGBA with the values stored
 /// in the file: no gamma is applied, 16 bits are rounded to 8, missing alpha is 255. The error is one sentence that
-/// begins with the path: the file cannot be read, is not a PNG, is damaged or truncated, or is larger, according to its
-/// header, than largest_image_side or most_image_pixels.
+/// begins with the path and says that the file cannot be read, is not a PNG, is damaged or truncated, or, according to
+/// its header, exceeds largest_image_side or most_image_pixels.
 Result<Image> read_png(const std::filesystem::path& path);
 
 /// Pixels per inch on a usual screen.
 inline constexpr double usual_dpi = 96.0;
 
-/// Reads a PNG from an open file or pipe, up to the end of the picture; `name` begins the error.
+/// Reads a PNG from an open file or pipe, up to the end of the picture. An error begins with `name`.
 Result<Image> read_png(std::FILE* stream, const std::string& name);
 
-/// The key of the text chunk with the note, which is the state that a picture shows, as JSON. A long note continues in
+/// The key of the text chunk that holds the note: the state that a picture shows, as JSON. A long note continues in
 /// chunks with the keys "… 2", "… 3" (note_parts.h).
 inline constexpr char png_note_key[] = "viewing-sandbox state";
 
-/// Returns the note in a PNG file, which precedes the pixels; empty if there is none. The error is that of read_png, or
+/// Returns the note that precedes the pixels in a PNG file; empty if there is none. The error is that of read_png, or
 /// says that the note is longer than max_document_bytes or damaged.
 Result<std::string> read_png_note(const std::filesystem::path& path);
 

@@ -15,19 +15,22 @@ constexpr int channels = 4;
 /// The share of an edge's step by which a value may be outside the range of its neighbors in the other picture. A line
 /// one pixel wide that is resolved with 16 samples keeps at least half of its contrast.
 constexpr double fading = 0.5;
-/// In pixels. Other samples move an edge by half a pixel (one sample at the center instead of the true coverage) plus
-/// an eighth (coverage from four samples). For an edge that has moved by one pixel, the measurement gives 1.
+/// An edge that is displaced by this many pixels has moved. Other samples displace an edge by half a pixel (one sample
+/// at the center instead of the true coverage) plus an eighth (coverage from four samples). For an edge that has moved
+/// by one pixel, the measurement gives 1.
 constexpr double moved_px = 0.8;
-/// In levels. For a smaller step, the rounding of its neighbors matters too much.
+/// The smallest step, in levels, whose displacement counts. For a smaller step, the rounding of the neighboring pixels
+/// matters too much.
 constexpr int least_step = 24;
 /// How many pixels to search on each side for an edge: a multisampled edge is two pixels wide.
 constexpr int edge_reach = 3;
 /// How many pixels to search on each side for both edges of a line: the lines of the floor's grid are up to five pixels
 /// wide.
 constexpr int line_reach = 5;
-/// A profile that reverses by more than a quarter of its range begins another edge.
+/// Where a profile reverses by more than a quarter of its range, another edge begins.
 constexpr double turning = 0.25;
-/// An axis with a larger displacement is ignored: the edge runs along that axis and only seems to have moved far.
+/// An axis with a larger displacement, in pixels, is ignored: the edge runs along that axis and only seems to have
+/// moved far.
 constexpr double along_px = 3.0;
 
 struct ChannelRange {
@@ -67,7 +70,7 @@ struct Displacement {
     double px = 0.0;      ///< how far the edge moved; never negative
     double net_px = 0.0;  ///< px minus the displacement of the line's other edge: 0 if the line shrank on both sides
     int step = 0;         ///< height of the edge, in levels
-    int least_range = 0;  ///< range of the profile, in the picture where it is smaller
+    int least_range = 0;  ///< range of the profile in the picture where it is smaller
 };
 
 /// Returns the displacement of an edge at the pixel, within edge_reach. The edge is the flank where the profile rises
@@ -91,8 +94,8 @@ Displacement displacement_of_flank(const Profile& profile, int sign, double turn
     return {.px = (most - least) / std::max(range.size(), 1), .net_px = 0.0, .step = range.size(), .least_range = 0};
 }
 
-/// Returns the size of the sum of the differences, each taken in the direction of the slope at its pixel; the slopes at
-/// the two edges of a line are opposite.
+/// Returns the absolute value of the sum of the differences, with the sign of each reversed where the slope at its
+/// pixel is negative. The two edges of a line have opposite slopes.
 double net_difference(const Profile& profile, int worst) {
     double net = 0.0;
     for (int i = profile.first(line_reach); i <= profile.last(line_reach); ++i) {

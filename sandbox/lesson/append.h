@@ -9,9 +9,10 @@
 
 namespace viewing {
 
-/// Returns the file with one more step, which has the state as differences from the preset, and a text and a question
-/// for the author to fill in. `existing` is the content of the current file, "" for a new one. `preset` is the preset
-/// that the state is based on, "" for the opening state. The error is one sentence that begins with `source`.
+/// Returns the file's content with one more step. The step stores how the state differs from the preset, and has a text
+/// and a question for the author to fill in. `existing` is the file's current content, "" for a new file. `preset` is
+/// the preset that the state is based on, "" for the opening state. The error is one sentence that begins with
+/// `source`.
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
                               const std::string& preset);
 

@@ -19,11 +19,11 @@ struct Exercise {
     std::vector<std::string> sets;  ///< the sets it belongs to: "shadow"
     std::vector<int> slides;
     int points = 1;
-    int visible_px = 0;  ///< pixels that each mistake alone must change at 640 × 360; 0: not checked
+    int visible_px = 0;  ///< number of pixels that each mistake alone must change at 640 × 360; 0: not checked
     std::vector<std::pair<std::string, LessonText>> tags;
-    std::vector<std::string> variants;  ///< the deployed ones: the constants' values, as JSON objects
+    std::vector<std::string> variants;  ///< the deployed variants, each with the constants' values as a JSON object
     std::string pattern;                ///< the step as JSON, with placeholders for the constants
-    std::string source;                 ///< starts every message: "E16-shadow-matrix.json"
+    std::string source;                 ///< begins every error message: "E16-shadow-matrix.json"
     std::filesystem::path file;
 
     bool is_in(const std::string& set) const;
@@ -44,10 +44,10 @@ Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const 
 /// Selects the exercises of a set, or those in a comma-separated list of ids; "" selects all. The error lists the sets.
 Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std::string& set);
 
-/// Reads an exercise from a string. `source` starts every message; files of its scenes are relative to `folder`.
+/// Reads an exercise from a string. Errors begin with `source`; file names in its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// The maximum number of variants per exercise that students get: the first ones of its combinations.
+/// The maximum number of an exercise's variants that students get. These are its first combinations.
 inline constexpr std::size_t most_deployed = 16;
 
 /// Returns all combinations of values that pass `require`, in shuffled order; the first ones are for deployment. Fails
@@ -62,7 +62,7 @@ using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 /// is one sentence.
 Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at);
 
-/// Make a student's empty sheet, and add an exercise to a sheet.
+/// Make an empty sheet for a student, and add an exercise to a sheet.
 Lesson empty_sheet(const std::string& course, const std::string& student);
 void add_to_sheet(Lesson& sheet, const Exercise& exercise, std::size_t variant, const LessonStep& step);
 

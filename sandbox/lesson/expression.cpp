@@ -15,10 +15,10 @@ namespace viewing {
 namespace {
 
 constexpr std::size_t longest_expression = 4096;  // bytes
-constexpr const char* chunk_name = "=";           // keeps file and line out of Lua's messages
+constexpr const char* chunk_name = "=";           // keeps the file's name out of Lua's messages
 constexpr int deepest_value = 16;
 
-/// The evaluation that Lua's callbacks belong to.
+/// One evaluation, which Lua's callbacks receive as their data.
 struct Evaluation {
     const Surroundings& surroundings;
     const std::string& source;
@@ -231,7 +231,7 @@ int call_measured(lua_State* lua) {
     return 1;
 }
 
-/// Looks up a name that is not mathematics. Lua calls this when the evaluation reaches the name.
+/// Looks up a name that is not a mathematical one. Lua calls this when the evaluation reaches the name.
 int find_name(lua_State* lua) {
     constexpr int instructions_of_search = 10;
     spend(lua, instructions_of_search);

@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// The values of the names that are not mathematics.
+/// The values of the names that are not mathematical functions or constants.
 struct Surroundings {
     /// Returns the value of a name in expression_names() whose kind is `value` or `measured`; `arguments` are those of
     /// a function. Called only for names that the evaluation reaches. Its error becomes the expression's.
@@ -25,15 +25,15 @@ struct Surroundings {
 
 /// Limits of an expression, including the conversion of its value to JSON.
 struct ExpressionLimits {
-    int instructions = 1'000'000;  ///< each byte of source, each entry of the value, and filling memory count, too
+    int instructions = 1'000'000;  ///< source bytes, entries of the value, and filling memory also count
     std::size_t memory_bytes = 8U << 20U;
     int measured_call = 20'000;  ///< instructions that each call of a measured name costs
     bool closed_list = true;     ///< false: allows statements, functions and any words, within the other limits
 };
 
 /// Returns the value: a number, a string in UTF-8, true or false, null, or a list of those; vectors are lists, and
-/// matrices are lists of rows. Fails if check_expression() does. The error is one sentence, which does not repeat the
-/// expression: there is an unknown name or a wrong argument, or the expression takes too long or too much memory.
+/// matrices are lists of rows. Fails if check_expression() does, if an argument is wrong, or if the expression takes
+/// too much time or memory. The error is one sentence, which does not repeat the expression.
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings,
                       const ExpressionLimits& limits = {});
 
@@ -48,8 +48,8 @@ Status check_expression(const std::string& expression, std::span<const std::stri
 /// Whether an expression names a measurement, which may take a second.
 bool is_measured(const std::string& expression);
 
-/// Whether a word can name a constant: it has the form of a name, and is neither a keyword of Lua nor one of the
-/// mathematics names.
+/// Whether a word can name a constant: it has the form of a name, and is neither a keyword of Lua nor the name of a
+/// mathematical function or constant.
 bool is_constant_name(const std::string& word);
 
 }  // namespace viewing

@@ -105,7 +105,7 @@ HandIn read_hand_in(const Json& document, const Where& where) {
     return hand_in;
 }
 
-/// Writes sixteen numbers as a matrix, a single number as a number, and others as a list.
+/// Writes sixteen numbers as a matrix, a single number as a number, and any other count as a list.
 Json numbers_as_json(const std::vector<double>& numbers) {
     if (numbers.size() == 1) return numbers.front();
     if (numbers.size() != 16) return Json(numbers);
@@ -137,8 +137,8 @@ const T& typed_last(const T& kept, const T& known, const T& now) {
     return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);
 }
 
-/// Merges two lists of attempts, each attempt once, in chronological order. A window may write before it has seen
-/// another window's latest attempts, so an attempt that is missing from `kept` never counts as dropped.
+/// Merges two lists of attempts in chronological order, without duplicates. A window may write before it has seen
+/// another window's latest attempts, so an attempt that only one list has is never taken for a deleted one.
 std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt>& now) {
     const auto count = [](const std::vector<Attempt>& attempts, const Attempt& attempt) {
         return std::count(attempts.begin(), attempts.end(), attempt);

@@ -63,7 +63,7 @@ std::string hand_in_as_text(const HandIn& hand_in);
 /// range.
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask);
 
-/// Returns the answer in an attempt's form; NaN becomes 0, and infinity becomes a large number.
+/// Returns the answer in the form that an attempt stores. NaN becomes 0, and infinity becomes a large number.
 std::vector<double> answer_numbers(const Answer& answer);
 
 /// Compares settings by value: the same number may be written in different ways.
@@ -71,15 +71,15 @@ bool are_same_settings(const std::vector<std::string>& a, const std::vector<std:
 
 /// Merges this window's answers with a student's file, which several windows may write. `kept` is the file's content,
 /// `known` is the content that this window last read or wrote (HandIn{} if it never did), and `now` has its current
-/// answers. Keeps the attempts of both, each once, in chronological order. Drafts, replays and the name come from this
-/// window if it changed them since then, otherwise from the file. Merging again changes nothing.
+/// answers. Keeps every attempt from both, without duplicates, in chronological order. Drafts, replays and the name
+/// come from this window if it has changed them since then, otherwise from the file. Merging again changes nothing.
 HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now);
 
-/// Merges into the file under a lock, and returns its new content; `now` if nothing was answered yet and there is no
-/// file. Renames a file that cannot be read (set_aside). The error is one sentence.
+/// Merges the answers into the file under a lock. Returns the file's new content, or `now` if there is no file and
+/// nothing has been answered yet. Renames a file that cannot be read (set_aside). The error is one sentence.
 Result<HandIn> merge_hand_in(const std::filesystem::path& file, const HandIn& known, const HandIn& now);
 
-/// Drops every second step until at most most_replay_steps are left; always keeps the last one.
+/// Drops every second step, repeatedly, until at most most_replay_steps are left. Always keeps the last step.
 void thin(std::vector<ReplayStep>& replay);
 
 }  // namespace viewing

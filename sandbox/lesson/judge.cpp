@@ -12,8 +12,8 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-/// Returns the difference in each entry, up to a common factor if the question allows one; none if they are not
-/// comparable.
+/// Returns the difference in each entry, after multiplying `typed` by a common factor if the question allows one; none
+/// if the answers cannot be compared. `largest` receives the largest absolute value in `right`.
 std::optional<std::vector<double>> differences(std::vector<double> typed, const std::vector<double>& right,
                                                const Ask& ask, double& largest) {
     if (typed.size() != right.size() || right.empty()) return std::nullopt;
@@ -38,7 +38,7 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
 }
 
 /// Returns the number of the row or entry that differs most from the right answer, counted from 1; 0 if there is only
-/// one.
+/// one row, or if the answers cannot be compared.
 int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
     if (ask.rows == 1 || answer.numbers.empty()) return 0;
     const Result<Answer> model = model_answer(ask, surroundings);

@@ -10,7 +10,7 @@ namespace viewing {
 
 struct Verdict {
     bool right = false;
-    LessonText say;   ///< why it is wrong; empty if it is right or is no known mistake
+    LessonText say;   ///< why the answer is wrong; empty if it is right or not a known mistake
     std::string tag;  ///< the misconception
     int points = 0;   ///< in an exercise: points earned although the answer is not right
     int place = 0;    ///< for an unknown mistake: the row or entry with the largest difference, counted from 1
@@ -19,7 +19,7 @@ struct Verdict {
 
 /// Returns the names that the step defines, as an object; empty if there are none.
 Json constants_of(const Ask& ask);
-/// Returns the surroundings with the step's names added.
+/// Returns the surroundings with the step's names as constants.
 Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 
 /// Whether judging an answer needs a measurement, which may take a second.
@@ -31,8 +31,8 @@ Json answer_as_json(const Ask& ask, const Answer& answer);
 /// Computes the right answer in these surroundings; empty for a goal. Fails with the expression's error.
 Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings);
 
-/// Judges an answer, or whether a goal is reached; a goal ignores `answer`. Fills in `surroundings.answer` itself.
-/// Reports the first of the known wrong answers that matches. Fails with an expression's error.
+/// Judges an answer; for a goal, ignores `answer` and judges whether the goal is reached. Fills in
+/// `surroundings.answer` itself. Reports the first known wrong answer that matches. Fails with an expression's error.
 Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings);
 
 }  // namespace viewing

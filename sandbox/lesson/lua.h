@@ -1,4 +1,4 @@
-// Lua's headers with the linkage of its library: Debian 12's exports C names, Debian 13's C++ names.
+// Lua's headers, with the linkage of the installed library: Debian 12's exports C names, Debian 13's exports C++ names.
 #pragma once
 
 #ifdef VIEWING_LUA_HAS_CXX_NAMES

@@ -221,7 +221,7 @@ int transpose(lua_State* lua) {
     return push(lua, transposed(matrix_at(lua, 1)));
 }
 
-/// The result of Gaussian elimination with the largest pivot on [M | I], which also gives the determinant.
+/// The result of Gaussian elimination with partial pivoting on [M | I], which also yields the determinant.
 struct Eliminated {
     Tensor inverse;
     double determinant = 1.0;
@@ -334,7 +334,7 @@ int norm(lua_State* lua) {
     return push(lua, length_of(vector, vector.size()));
 }
 
-/// Returns two arguments of the same shape.
+/// Returns the two arguments, which must have the same shape.
 std::pair<Tensor, Tensor> alike(lua_State* lua) {
     const Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     if (!a.has_shape_of(b)) luaL_error(lua, "both must have the same number of entries");
@@ -472,8 +472,8 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
     }
 }
 
-/// Pushes a list with the value of `of(code)` for the stored code of each fragment; the argument is a list of
-/// fragments, such as pixel() returns.
+/// Pushes the list of `of(code)` for the stored code of each fragment. Lua's first argument is a list of fragments,
+/// such as pixel() returns.
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);

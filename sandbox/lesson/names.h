@@ -11,7 +11,7 @@ namespace viewing {
 enum class NameKind {
     value,       ///< known immediately
     measured,    ///< a function whose value may take a second
-    mathematics  ///< a function that depends only on its arguments
+    mathematics  ///< a constant, or a function that depends only on its arguments
 };
 
 struct ExpressionName {
@@ -21,7 +21,8 @@ struct ExpressionName {
     std::string help;
 };
 
-/// Returns the state's paths first, by group, then matrices, measurements and mathematics.
+/// Returns all names: first those of the state's fields and groups, then those of matrices, measurements and
+/// mathematics.
 const std::vector<ExpressionName>& expression_names();
 
 /// Returns text for a terminal, one name per line.

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …": later lines are indented by the label
+constexpr std::size_t line_width = 78, label_width = 8;  // "Ask     …": later lines are indented by label_width
 
 std::string joined_texts(const std::vector<std::string>& texts, const char* between) {
     std::string all;
@@ -18,7 +18,7 @@ std::string joined_texts(const std::vector<std::string>& texts, const char* betw
     return all;
 }
 
-/// Returns "z-near = 0.3" for "projection.near=0.3", with the label of the panel.
+/// Returns "z-near = 0.3" for "projection.near=0.3", using the label that the panel shows.
 std::string setting_in_words(const std::string& setting) {
     const std::size_t end = setting.find('=');
     const Field* const field = find_field(std::string_view(setting).substr(0, end));

@@ -1,5 +1,5 @@
-// The page that the lecturer sees while the audience sees the step: its note, the right answer, the next step, and the
-// time.
+// The page that the lecturer sees while the audience sees the step. It shows the step's note, the right answer, the
+// next step, and the time.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct Notes {
     bool is_late = false;     ///< more than two minutes behind, assuming steps of equal length
 };
 
-/// `presented_s` counts from the start of the lesson.
+/// Returns the page for the current step. `presented_s` counts from the start of the lesson.
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s);
 
 /// Returns the notes as plain text, in lines of up to 78 characters, with a newline at the end.

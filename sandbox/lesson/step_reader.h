@@ -1,5 +1,5 @@
-// Internal to lesson/: reads a step of a lesson from its JSON tree. Everything here throws Refusal with the whole
-// message.
+// Internal to lesson/: reads a step of a lesson from its JSON tree. On an error, every function here throws a Refusal
+// with the whole message.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +19,8 @@ private:
     std::map<std::string, LoadedState> states_;
 };
 
-/// Reads a preset and applies settings to it; if both are missing, returns the opening state. Files of its scene are
-/// relative to `folder`.
+/// Reads a preset and applies settings to it; if both are missing, returns the opening state. File names in a scene
+/// that the settings change are relative to `folder`.
 LoadedState state_at(const Json& object, const char* key, const std::filesystem::path& folder, PresetShelf& presets,
                      const Where& where);
 
@@ -30,7 +30,7 @@ LoadedState read_start(const Json& object, const std::filesystem::path& folder, 
 
 LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets, const Where& where);
 
-/// Reads an expression of a file and checks that it uses only known names and `constants`.
+/// Read one expression, or a list of them, and check that they use only known names and `constants`.
 std::string expression_in(const Json& value, const Where& where, const std::vector<std::string>& constants);
 std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
                                         const std::vector<std::string>& constants);

@@ -57,7 +57,7 @@ constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", 
 /// and links between entries and controls.
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
-/// Former names, which occur in lessons from before the labels changed, and the present ones.
+/// Former names, which lessons from before the labels changed still use, each with its present name.
 constexpr std::pair<std::string_view, const char*> former_names[] = {
     {"button:mend", "button:fix"},
     {"button:normalise", "button:normalize"},

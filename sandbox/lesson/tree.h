@@ -1,5 +1,5 @@
-// Internal to lesson/: reads the common parts of lesson and exercise files from JSON trees. Everything here throws
-// Refusal with the whole message.
+// Internal to lesson/: reads the common parts of lesson and exercise files from JSON trees. On an error, every function
+// here that reads throws a Refusal with the whole message.
 #pragma once
 
 #include <string>
@@ -19,13 +19,13 @@ std::vector<std::string> keys_of(const Json& object);
 LessonText read_text_of(const Json& value, const Where& where);
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed);
 
-/// Reads a name or a list of names at a key; empty if the key is missing.
+/// Read a name, which must exist, or a list of names, which is empty if the key is missing.
 std::string name_at(const Json& object, const char* key, const Where& where);
 std::vector<std::string> names_at(const Json& object, const char* key, const Where& where);
 
 std::vector<int> read_slides(const Json& object, const Where& where);
 std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where);
 
-inline constexpr std::size_t most_entries = 64;  ///< of a list in such a file
+inline constexpr std::size_t most_entries = 64;  ///< the maximum in a list of such a file
 
 }  // namespace viewing

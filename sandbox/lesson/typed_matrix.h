@@ -1,4 +1,4 @@
-// The effect of an entered matrix on the picture, beside the effect of the right one.
+// States that show the effect of an entered matrix, and that of the right one, on the picture.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace viewing {
 LoadedState with_right_matrix(const LessonStep& step);
 
 /// Returns the same start with 16 entered numbers, row by row, as the matrix that the step asks for (Ask::shows_as). If
-/// the question allows any factor, uses the sign that gives points near the origin w > 0, so that they stay in front of
+/// the question allows any factor, chooses the sign for which points near the origin get w > 0 and so stay in front of
 /// the eye. Fails if the field refuses the numbers.
 Result<LoadedState> with_typed_matrix(const LessonStep& step, const std::vector<double>& numbers);
 

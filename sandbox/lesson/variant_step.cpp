@@ -45,7 +45,7 @@ bool has_words(const Json& value) {
     return !value.is_null() && !(value.is_number() && std::isnan(value.get<double>()));
 }
 
-/// Replaces strings that begin with "=", and placeholders in texts and keys, by their values.
+/// Replaces strings that begin with "=", and placeholders in texts and keys, with their values.
 class Filling {
 public:
     explicit Filling(const Surroundings& surroundings) : surroundings_(surroundings) {}

@@ -12,15 +12,15 @@
 
 namespace viewing {
 
-/// SplitMix64's finalizer: each bit of the argument changes about half of the bits.
+/// Applies SplitMix64's finalizer: a change of any bit of the argument changes about half of the result's bits.
 std::uint64_t finalised(std::uint64_t bits);
 
-/// Returns 0 … count − 1 in an order that depends only on the seed: Fisher–Yates from the end, with SplitMix64 modulo
-/// the number of remaining places.
+/// Returns 0 … count − 1 in an order that depends only on the seed. This is a Fisher–Yates shuffle from the end, which
+/// picks each place by SplitMix64 modulo the number of remaining places.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed);
 
-/// Returns a variant from 0 to `count` − 1 (`count` ≥ 1): the finalized FNV-1a of "course|student|exercise", modulo
-/// `count`. Without the finalizer, FNV's low bits give many students the same sheet.
+/// Returns a variant from 0 to `count` − 1 (`count` ≥ 1): the finalized FNV-1a hash of "course|student|exercise",
+/// modulo `count`. Without the finalizer, FNV's low bits give many students the same sheet.
 std::size_t variant_of(std::string_view course, std::string_view student, std::string_view exercise, std::size_t count);
 
 }  // namespace viewing

@@ -28,7 +28,7 @@ public:
         rests_ = false;
     }
 
-    /// Reads the data that are needed and not known yet. `frame` is that of the camera's view, without overdraw or
+    /// Reads the data that are needed and not known yet. `frame` is the camera view's plan, without overdraw or
     /// difference. With `at_once`, waits for GL. Otherwise, another pixel of a picture that was already read may arrive
     /// a few calls later, unless its block of cells is needed; until then, the data stay unchanged.
     Status update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,

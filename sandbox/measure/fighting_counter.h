@@ -1,4 +1,4 @@
-// Keeps the numbers of the depth fighting view up to date without blocking the window. GL draws its pictures while
+// Keeps the numbers of the depth fighting view up to date without blocking the window. GL draws the pictures while
 // nothing is being dragged, a background thread computes exact visibility, and the search for the smallest gap draws a
 // few pictures per frame. Then the counter counts everything again with each cure, and from jittered cameras. Read
 // fighting_measure.h for the counts.
@@ -19,7 +19,7 @@ public:
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
 
-    /// Whether more frames are needed without an edit.
+    /// Whether more frames are needed even if nothing is edited.
     bool wants_frames() const { return task_.is_running() || search_.has_value() || has_more_pictures(); }
 
 private:
@@ -37,8 +37,8 @@ private:
     void count_next(Renderer& renderer, const Scene& scene);
     void give_up(std::string problem);
 
-    /// Returns the number of pictures with a cure, which are counted after the state's own and before the jittered
-    /// cameras.
+    /// Returns the number of pictures with a cure. They are counted after the state's own picture and before those from
+    /// the jittered cameras.
     int cure_count() const { return report_ ? static_cast<int>(report_->cured.size()) : 0; }
     bool has_more_pictures() const { return picture_ < cure_count() + spread_cameras; }
 

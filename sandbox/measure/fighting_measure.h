@@ -15,16 +15,17 @@ namespace viewing {
 /// all objects completely and nothing else.
 Params counted_params(const Params& state);
 
-/// Returns GL's picture of the objects as indices.
+/// Returns the picture that GL draws, as the index of the object at each pixel.
 Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px);
 
-/// Counts these pairs, usually near_coplanar_pairs(scene), in such a picture of the same state, by casting rays. Needs
-/// no GL, so it can run in a thread. The error says that the work was canceled.
+/// Counts these pairs, usually near_coplanar_pairs(scene), in a picture from objects_by_gl() of the same state, by
+/// casting rays. Needs no GL, so it can run in a thread. The error says that the scene is too large, or that the work
+/// was canceled.
 Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
                                    std::span<const FlatPair> pairs, WorkProgress* progress = nullptr);
 
-/// Does both: draws only the scene's objects, with the state's depth buffer whatever its hidden-surface method, and
-/// counts. The error comes from GL, or says that the work was canceled.
+/// Does both: draws only the scene's objects, with the state's depth buffer whatever the state's hidden-surface method
+/// is, and counts. The error comes from GL or from count_wrong().
 Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);
@@ -35,10 +36,10 @@ glm::ivec2 spread_size(glm::ivec2 size_px);
 /// Adds the counts for one of the trembling() cameras to the spreads of the rows.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
-/// Counts with each of the report's cures. The error comes from GL, or says that the work was canceled.
+/// Counts with each of the report's cures. The error is that of count_fighting().
 Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
 
-/// Counts from all jittered cameras. The error comes from GL, or says that the work was canceled.
+/// Counts from all jittered cameras. The error is that of count_fighting().
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);
 

@@ -1,5 +1,5 @@
-// Answers hidden-surface questions with the help of GL: if one of GL's own methods is compared, GL draws it, and its
-// polygon ids are read back. Read hidden_worker.h for how the window gets its answers.
+// Answers hidden-surface questions with the help of GL: if one of GL's own methods is being compared, GL draws the
+// picture, and the polygon ids are read back from it. Read hidden_worker.h for how the window gets its answers.
 #pragma once
 
 #include "frame/hidden/hidden_views.h"
@@ -11,8 +11,8 @@ namespace viewing {
 Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                            HiddenAnswer& answer);
 
-/// Returns the ids of the polygons in the result's picture. GL draws them, with the state's depth buffer if that is the
-/// method, unless the method itself finds a polygon for each pixel.
+/// Returns the ids of the polygons in the result's picture. GL draws them (with the state's depth buffer if the method
+/// is the depth buffer), unless the method itself finds a polygon for each pixel.
 Result<IdImage> polygon_ids_drawn(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                                   const HiddenResult& result);
 

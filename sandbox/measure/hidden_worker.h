@@ -1,5 +1,5 @@
-// Runs hidden-surface methods in the background: long ones report their progress and can be canceled, while the window
-// keeps the previous answer. Does not use GL. Read studio.h next.
+// Runs hidden-surface methods in the background. Long ones report their progress and can be canceled; meanwhile, the
+// window keeps the previous answer. Does not use GL. Read studio.h next.
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@ public:
     /// Whether the latest work was on this question and failed, so that no answer will come.
     bool has_failed(const HiddenQuestion& question, int scene_version);
 
-    /// Returns why the latest work failed, once.
+    /// Returns the reason why the latest work failed, but only once.
     std::optional<std::string> take_failure();
 
     /// Returns the progress from 0 to 1; nothing if no work is in progress.

@@ -11,11 +11,11 @@ namespace viewing {
 namespace {
 
 constexpr glm::ivec2 size_px(48, 48);
-constexpr double most_turned_deg = 8.0;      ///< rotation of the quads, like the pairs of the scene `coplanar`
+constexpr double most_turned_deg = 8.0;      ///< rotation of the quads, as in the pairs of the scene `coplanar`
 constexpr double share_of_view = 0.6;        ///< half the side of a quad, relative to half the view's height
 constexpr double share_of_room = 0.9;        ///< the widest gap tried, relative to the distance from the near plane
 constexpr double narrowest = 1e-12;          ///< the smallest gap tried, relative to the distance
-constexpr double widest_narrow_code = 1e-3;  ///< relative to the distance
+constexpr double widest_narrow_code = 1e-3;  ///< the widest code that counts as narrow, relative to the distance
 constexpr int places = 8;                    ///< positions of the pair for each gap
 constexpr int halvings = 4;                  ///< bisections; the first one halves a factor of 2
 
@@ -71,7 +71,7 @@ struct MinimumGapSearch::Implementation {
         found.predicted = fighting_onset(coding, found.distance, 2.0 * half_side(lens, found.distance) * sine);
         gap = std::min(found.predicted.gap(), room);
         // Rounding varies with the position. The positions are many units in the last place apart and, if codes are as
-        // narrow as float32's steps, at different points within a code. Wide codes keep the pair's position within its
+        // narrow as float32's steps, at different points within a code. If codes are wide, the pair stays within its
         // code.
         const double code = found.predicted.quantisation;  // 0 where a float's steps are finer than a double's
         const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
@@ -87,7 +87,7 @@ struct MinimumGapSearch::Implementation {
         phase = Phase::done;
     }
 
-    /// Chooses the next gap after the result for this one.
+    /// Chooses the next gap, given the result for this one.
     void decide(bool is_wide_enough) {
         next_picture = 0;
         switch (phase) {

@@ -6,7 +6,7 @@
 namespace viewing {
 
 std::string man_page();         ///< troff, for section 1
-std::string bash_completion();  ///< commands, options, files, and preset names, which it gets from the program
-std::string zsh_completion();   ///< the same, with a description of each option
+std::string bash_completion();  ///< completes commands, options, files, and the preset names that the program lists
+std::string zsh_completion();   ///< does the same, and describes each option
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
 // Background work that can be started, watched and canceled; it ends with a result, or with one sentence that says why
-// there is none. No other code makes threads; browsers, which have none, use browser/background.cpp instead of
+// there is none. Only this module creates threads. Browsers have none, so they use browser/background.cpp instead of
 // desktop/background.cpp.
 #pragma once
 
@@ -23,7 +23,7 @@ void wake_when_work_ends(void (*wake)());
 /// Returns the sentence that replaces the result if an exception ended the work. Call while handling that exception.
 Error failure_of_work();
 
-/// Runs a function in the background. Outside this file, use BackgroundTask instead.
+/// Runs a function in the background. Most code uses BackgroundTask instead.
 class BackgroundCall {
 public:
     /// `work` must not throw.
@@ -33,7 +33,7 @@ public:
     BackgroundCall& operator=(const BackgroundCall&) = delete;
 
     bool is_done() const;
-    /// Waits until the work ends, but at most `seconds`; if that is negative, without a limit.
+    /// Waits until the work ends, but no longer than `seconds`; if `seconds` is negative, there is no limit.
     void wait(double seconds) const;
 
 private:
@@ -41,14 +41,14 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// Computes a T. Use it from one thread; only `Work` runs in another. Only wait() and the destructor block; the
-/// destructor waits for all work that was started.
+/// Computes a T in the background. Use it from one thread; only `Work` runs in another one. Only wait() and the
+/// destructor block; the destructor waits for all work that was started.
 template <typename T>
 class BackgroundTask {
 public:
     using Work = std::function<Result<T>(WorkProgress&)>;
 
-    /// Starts work, and drops the work in progress.
+    /// Drops the work in progress and starts new work.
     void start(Work work) {
         drop();
         job_ = std::make_unique<Job>();
@@ -79,7 +79,7 @@ public:
     void cancel() {
         if (job_) job_->progress.canceled = true;
     }
-    /// Waits until the work ends, but at most `seconds`; if that is negative, without a limit.
+    /// Waits until the work ends, but no longer than `seconds`; if `seconds` is negative, there is no limit.
     void wait(double seconds) const {
         if (job_ && job_->call) job_->call->wait(seconds);
     }
@@ -97,13 +97,13 @@ private:
         ~Job() { progress.canceled = true; }
         WorkProgress progress;
         std::optional<Result<T>> result;
-        std::unique_ptr<BackgroundCall> call;  ///< declared last, so that its destructor waits first; null: no
-                                               ///< thread
+        std::unique_ptr<BackgroundCall> call;  ///< null if no thread could be started; declared last, so that it
+                                               ///< is destroyed first and waits for the work
     };
     static bool is_over(const Job& job) { return !job.call || job.call->is_done(); }
 
     std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> dropped_;  ///< still running at the last check
+    std::vector<std::unique_ptr<Job>> dropped_;  ///< jobs that were still running at the last check
 };
 
 /// Entries that a task reports before it ends, in order. Any thread may write and read them.

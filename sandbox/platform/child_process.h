@@ -1,5 +1,5 @@
 // Runs another program that communicates in lines: returns its standard output line by line, and its standard error as
-// one text. For work that may crash, and must not take this process down with it.
+// one text. Meant for work that may crash and must not take this process down with it.
 #pragma once
 
 #include <memory>
@@ -21,24 +21,24 @@ public:
     /// Ends a child that is still running (end()).
     ~ChildProcess();
 
-    /// Write a text to its standard input, with a line end or unchanged. Return false if the program no longer reads
-    /// its input.
+    /// Write to the program's standard input: tell() appends a line end, give() does not. Return false if the program
+    /// no longer reads its input.
     bool tell(const std::string& line) { return give(line + "\n"); }
     bool give(std::string_view bytes);
-    /// Closes its standard input, so that the program ends by itself.
+    /// Closes the program's standard input, so that the program ends by itself.
     void finish_telling();
 
-    /// Returns the lines written since the last call, without line ends; an incomplete line is kept until it ends.
+    /// Returns the complete lines written since the last call, without line ends; keeps an incomplete line for later.
     std::vector<std::string> take_lines();
-    /// Returns the last 64 KiB, at most, of its standard error output since the last call.
+    /// Returns what the program has written to standard error since the last call, but only the last 64 KiB of it.
     std::string take_complaints();
 
     /// Whether the program may still write something: its output had not ended when it was last read.
     bool is_running() const;
-    /// Sends SIGTERM, so that it can remove unfinished files, and SIGKILL if it is still running two seconds later.
-    /// Then calls wait().
+    /// Sends SIGTERM, so that the program can remove its unfinished files. Sends SIGKILL when its output ends, or after
+    /// two seconds at the latest. Then calls wait().
     std::string end();
-    /// Waits until the program ends. Says in words how it ended: "exit status 9", "signal 11 (Segmentation fault)".
+    /// Waits until the program ends. Returns how it ended: "exit status 9", "signal 11 (Segmentation fault)".
     std::string wait();
     /// Returns the exit status after wait(); −1 if a signal ended it.
     int exit_status() const;

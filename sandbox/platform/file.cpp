@@ -63,7 +63,7 @@ int open_new(const fs::path& target, fs::path& made) {
     return file;
 }
 
-/// The unfinished files and folders, in a form that a signal handler can use while it ends the process: it can neither
+/// The unfinished files and folders. A signal handler that ends the process can use this array, although it can neither
 /// lock nor allocate.
 std::array<std::atomic<const char*>, 64> unfinished{};
 
@@ -73,8 +73,8 @@ void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as
 #ifdef SYS_getdents64
     const int folder = ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (folder < 0) return;
-    // Offsets in struct linux_dirent64: the record's length is at 16, the name at 19. List the folder again after
-    // removing names, because some file systems then skip others.
+    // Offsets in struct linux_dirent64: the record's length is at 16, the name at 19. The folder is listed several
+    // times, because some file systems skip entries while others are being removed.
     alignas(8) std::array<char, 2048> entries{};
     for (int pass = 0; pass < 8 && ::unlinkat(parent, name, AT_REMOVEDIR) != 0; ++pass) {
         ::lseek(folder, 0, SEEK_SET);
@@ -94,8 +94,8 @@ void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as
 #endif
 }
 
-/// A complete file next to its target, about to get the target's name. The destructor removes it if that has not
-/// happened.
+/// A complete file next to its target, about to get the target's name. The destructor removes whatever has the
+/// temporary name by then: this file, or the one that it replaced.
 class Prepared {
 public:
     /// Returns 0 or the errno of the failure.
@@ -113,8 +113,8 @@ public:
 
     const fs::path& target() const { return target_; }
 
-    /// Returns 0 or the errno of the failure. Until this object is destroyed, the previous file keeps the temporary
-    /// name.
+    /// Returns 0 or the errno of the failure. If the names could be exchanged, the previous file has the temporary name
+    /// until this object is destroyed.
     int take_name() {
         has_exchanged_ = exchange_names(beside_, target_);
         if (!has_exchanged_) {
@@ -125,7 +125,7 @@ public:
         return 0;
     }
 
-    /// Undoes take_name(). If the names could not be exchanged, only removes a file that was new.
+    /// Undoes take_name(). If the names could not be exchanged, it can only remove a file that was new.
     void give_name_back() {
         if (!has_name_) return;
         if (has_exchanged_)
@@ -163,7 +163,7 @@ int write_into(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return file < 0 ? errno : write_all(file, bytes, false);
 }
 
-/// Whether the kernel generates the file while it is read: reading some of these blocks until something happens
+/// Whether the kernel generates the file while it is read. A read from such a file may block until something happens
 /// (/proc/kmsg).
 bool is_made_up([[maybe_unused]] const fs::path& file) {
 #ifdef __linux__

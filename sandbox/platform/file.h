@@ -15,10 +15,10 @@
 
 namespace viewing {
 
-/// Writes `bytes` to `path`: first to a new file next to it (.viewing-sandbox-….partial), which is flushed to the disk
-/// before it gets its final name, so that a failure preserves the previous file. Keeps the previous file's mode.
-/// Follows links, even to a file that does not exist yet; writes into a device or pipe (/dev/null) and never replaces
-/// it. The error names the path and the system's reason.
+/// Writes `bytes` to a new file next to `path` (.viewing-sandbox-….partial), flushes it to the disk, and only then
+/// gives it the name `path`, so that a failure leaves the previous file intact. Keeps the previous file's mode. Follows
+/// links, even to a file that does not exist yet. Writes into a device or pipe (/dev/null) and never replaces it. The
+/// error names the path and the system's reason.
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 /// Does the same for a string.
@@ -36,31 +36,32 @@ struct FileBytes {
 };
 
 /// Writes all files or none. All of them are complete before the first one gets its name. If one cannot get its name,
-/// the earlier ones lose theirs again (if the file system cannot exchange names, only those that replaced no file do).
-/// `before_names` runs between the two stages; if it throws, no file is written.
+/// the earlier ones lose theirs again; on a file system that cannot exchange names, those that have already replaced a
+/// file keep theirs. `before_names` runs between the two stages; if it throws, no file is written.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
 
 /// Copies the content of one file to another in the same way as write_file().
 Status copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes all unfinished files. For code that ends the process immediately, including signal handlers.
+/// Removes all unfinished files. Meant for code that ends the process immediately, including signal handlers.
 void remove_unfinished_files();
 
 /// Returns the file at the end of a chain of links, whether or not it exists; nothing for a circular chain.
 std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 
-/// Returns an unpredictable name next to a file, for data that are complete only when they get that file's name. Its
-/// length does not depend on the file's name, which may be as long as the file system allows.
+/// Returns an unpredictable name in the file's folder, for data that get the file's own name once they are complete.
+/// Its length does not depend on the file's name, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
-/// Returns the files with such names in a folder. They are left over from a program that ended while it was writing.
+/// Returns the files in a folder that have such names. A program that ended while it was writing left them behind.
 std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::path& folder);
 
-/// Whether such a file or folder exists; false if that cannot be determined.
+/// Whether a file or folder with this name exists; false if that cannot be determined.
 bool is_there(const std::filesystem::path& file);
 
-/// Whether two names refer to the same file or folder, through links of both kinds, "." and ".."; for files that do not
-/// exist yet, whether they would be the same. Always false for devices and pipes, which store nothing.
+/// Whether two names refer to the same file or folder, even if they differ by hard or symbolic links, "." or "..". For
+/// files that do not exist yet, whether they would be the same. Always false for devices and pipes, which store
+/// nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Checks that a file exists and can be read without blocking: refuses a pipe, and files that the kernel generates

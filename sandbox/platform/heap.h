@@ -5,12 +5,12 @@
 
 namespace viewing {
 
-/// Reserves 32 MB for the heap in one step, without touching the memory. Blocks up to that size then come from there.
-/// Call before the first allocation. If it fails, nothing changes.
+/// Reserves 32 MB for the heap in one step, without touching the memory. Later blocks of up to that size come from this
+/// reserve. Call before the first allocation. If it fails, the heap grows in small steps as usual.
 void reserve_heap();
 
-/// From now on, gets blocks of 1 MB and more from the system and returns them when they are freed. For a process that
-/// makes thousands of pictures, since such blocks would otherwise fragment its heap until the next one no longer fits.
+/// From now on, gets blocks of 1 MB and more from the system and returns them when they are freed. Meant for a process
+/// that draws thousands of pictures: such blocks would otherwise fragment its heap until the next one no longer fits.
 void give_large_blocks_back();
 
 /// Turns the untouched part of the reserve into 2 MB pages, if the system provides them on request, one after another

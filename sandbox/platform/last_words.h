@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Sets the file, and one text for each exit status; say_last_words() writes one of these texts to the file. In a plain
-/// file, existing or new, it writes the whole text or nothing; elsewhere, as much as possible without blocking. "-" is
-/// standard output. Replaces earlier texts.
+/// Sets the file, and one text for each exit status; say_last_words() writes one of these texts to the file. If it is a
+/// plain file, existing or new, it gets the whole text or nothing; a pipe or device gets as much as can be written
+/// without blocking. "-" is standard output. Replaces earlier texts.
 void set_last_words(const std::filesystem::path& file, std::vector<std::pair<int, std::string>> text_by_status);
 
 void forget_last_words();

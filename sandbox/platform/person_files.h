@@ -1,6 +1,6 @@
-// Moves files between the program and the person. On a desktop, files stay in the folder where they were written. A
-// browser has its own folder, which nobody can see: the browser's dialog chooses a file to read, and written files are
-// handed over.
+// Moves files between the program and the person. On a desktop, files stay in the folder where they were written. In a
+// browser, the program's folder is invisible: the person chooses files to read in the browser's dialog, and the page
+// hands written files over.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Asks for a file with the system's dialog. Returns false if the system has none, in which case the program must ask
-/// by itself.
+/// Asks for a file with the system's dialog. Returns false if the system has none, in which case the program has to ask
+/// the person itself.
 bool ask_for_file();
 
 /// Returns the file chosen in the dialog, once.

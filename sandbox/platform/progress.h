@@ -47,8 +47,8 @@ constexpr bool is_time_to_look(std::size_t item) {
     return item % 4096 == 0;
 }
 
-/// Whether canceled work must end before this item. It never does within the first 32,768 items, since quick work is
-/// worth completing.
+/// Whether work must stop before this item because it was canceled. Always false for the first 32,768 items, since
+/// quick work is worth completing.
 inline bool is_cut_short(std::size_t item, const WorkProgress* progress) {
     constexpr std::size_t quickly_made = 32'768;
     return item >= quickly_made && is_time_to_look(item) && is_canceled(progress);

@@ -10,9 +10,9 @@
 namespace viewing {
 
 /// While an object of this class exists, other processes and threads have to wait before they can lock the folder.
-/// Creates a missing folder. If the folder cannot be locked, or a stopped process has held the lock for ten seconds,
-/// the caller continues without a lock: that loses less than not writing. In a browser nothing is locked; the page
-/// merges changes by other tabs (kept.js).
+/// Creates the folder if it is missing. If the folder cannot be locked, or a stopped process has held the lock for ten
+/// seconds, the caller continues without a lock, which loses less than not writing at all. In a browser, nothing is
+/// locked; the page merges changes by other tabs (kept.js).
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -17,7 +17,7 @@ inline constexpr std::size_t max_document_bytes = 16U << 20U;
 /// `most_bytes`.
 Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most_bytes = max_document_bytes);
 
-/// Reads the rest of a stream, such as standard input; `name` begins the message.
+/// Reads the rest of a stream, such as standard input. The error begins with `name`.
 Result<std::string> read_text(std::istream& stream, const std::string& name,
                               std::size_t most_bytes = max_document_bytes);
 

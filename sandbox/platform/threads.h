@@ -4,10 +4,10 @@
 
 namespace viewing {
 
-/// Starts that many threads at the same time, and ends them all. Returns whether that worked.
+/// Starts `count` threads, lets them all exist at the same time, and ends them. Returns whether that worked.
 bool can_start_threads(int count);
 
-/// Returns the number of threads that a graphics driver may start: one for each core, and a few more.
+/// Returns the number of threads that a graphics driver may start: one for each core (at most 16), and a few more.
 int threads_of_a_driver();
 
 }  // namespace viewing

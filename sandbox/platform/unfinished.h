@@ -22,7 +22,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// Flushes the entries of a folder to the disk.
 void keep_folder(const std::filesystem::path& folder);
 
-/// Returns, for example, "frames: cannot be written: No space left on device", from an errno.
+/// Returns the error for an errno, for example "frames: cannot be written: No space left on device".
 Error write_error(const std::filesystem::path& path, int code);
 
 }  // namespace viewing

@@ -42,7 +42,7 @@ std::optional<fs::path> place_of(const fs::path& target) {
 }  // namespace
 
 struct WholeFolder::Growing {
-    fs::path named;  ///< as given
+    fs::path named;  ///< the target as given
     fs::path target, beside;
     IsOwnResult is_own;
     bool is_there = false;

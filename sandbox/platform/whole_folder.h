@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// Whether a file in a folder is a result of the same kind, so that a new one may replace it.
+/// Returns whether a file in the folder is a result of the same kind, which a new result may replace.
 using IsOwnResult = std::function<bool(const std::filesystem::path&)>;
 
 /// Checks that a folder with this name can be written: it does not exist, is empty, or contains nothing but the
@@ -20,8 +20,8 @@ Status check_folder_free(const std::filesystem::path& target, const IsOwnResult&
 
 class WholeFolder {
 public:
-    /// Creates the folder next to `target`, or next to the first of its missing parents, which will be created with it.
-    /// The error is that of check_folder_free, or the system's.
+    /// Creates the folder next to `target` or, if parents of `target` are missing, next to the topmost missing one;
+    /// take_name() creates these parents. The error is that of check_folder_free, or the system's.
     static Result<WholeFolder> begin(const std::filesystem::path& target, const IsOwnResult& is_own = {});
     WholeFolder(WholeFolder&& other) noexcept;
     WholeFolder& operator=(WholeFolder&&) = delete;

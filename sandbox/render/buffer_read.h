@@ -1,4 +1,4 @@
-// Reads the buffers of a view as numbers: colors, depths as stored, stencil values. Read probe.h for their meaning.
+// Reads the buffers of a view as numbers: colors, stored depths, and stencil values. Read probe.h for their meaning.
 #pragma once
 
 #include <vector>
@@ -58,8 +58,8 @@ public:
     void drop() { asked_.reset(); }
 
 private:
-    /// A request waits for the drawing before it starts the copy, because llvmpipe in Mesa 22.3 sometimes reads before
-    /// its threads have finished drawing.
+    /// A request waits until the drawing is done before it starts the copy, because llvmpipe in Mesa 22.3 sometimes
+    /// reads before its threads have finished drawing.
     struct Asked {
         glm::ivec2 pixel{0};
         gl::Fence drawn, copied;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int columns = 64;
 
-/// Draws one rectangle for each column of pixels. All four corners have the same depth, so that depth is rounded in the
-/// same way everywhere in a column before it is stored.
+/// Draws one rectangle for each column of pixels. Its four corners have the same depth, so that the depth is rounded in
+/// the same way everywhere in the column before it is stored.
 constexpr const char* vertex_source = R"(
 uniform float first_ndc;
 uniform float step_ndc;
@@ -93,7 +93,8 @@ private:
     GLint first_, step_;
 };
 
-/// If a ramp's steps are one code, all neighbors differ; if they are half a code, only every other pair differs.
+/// Whether all neighbors differ: they do if a ramp rises by one code per column, but if it rises by half a code, only
+/// every other pair differs.
 bool all_differ(int count) {
     return count > columns * 3 / 4;
 }

@@ -16,7 +16,7 @@ struct GpuMesh {
     Bounds bounds;  ///< in model space
 
     int triangle_count() const { return index_count / 3; }
-    void draw(int triangles) const;  ///< draws the first `triangles`
+    void draw(int triangles) const;  ///< draws the first `triangles` triangles
 };
 
 /// Interleaves positions and normals and uploads them; attribute 0 is the position, 1 the normal.

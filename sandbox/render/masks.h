@@ -12,7 +12,7 @@
 namespace viewing {
 
 /// How a pass emulates its stencil test in a target. All fields are false if the target has a stencil or multisampling:
-/// in a frame with multisampling, no 16-bit pass tests the stencil (plan()).
+/// plan() never lets a pass test the stencil in a multisampled 16-bit frame.
 struct MaskUse {
     bool tests = false;   ///< fragments are discarded if the comparison fails
     bool writes = false;  ///< writes to the mask the value that the stencil would get

@@ -21,7 +21,8 @@ private:
 /// every context can sample or read the stencil. The other channels become 0; the caller restores the state.
 void gather_stencil(GLuint framebuffer, const ConstantProgram& constant, const Fullscreen& fullscreen);
 
-/// Needs a frame drawn without multisampling; leaves GL in its default state.
+/// Makes the buffers of a frame visible. The frame must have been drawn without multisampling. Leaves GL in its default
+/// state.
 class Presenter {
 public:
     /// Keeps references to both arguments.

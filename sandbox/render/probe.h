@@ -1,5 +1,5 @@
-// Reports the values at a pixel, read back from the buffers, not recomputed. Draws the frame once and then answers for
-// all of its pixels, so that the status bar can follow the pointer.
+// Reports the values at a pixel: they are read back from the buffers, not recomputed. Draws the frame once and then
+// answers for all of its pixels, so that the status bar can follow the pointer.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ public:
     /// Returns the part of a block that is inside the prepared size; it may be empty.
     CellBlock block(glm::ivec2 first_pixel, glm::ivec2 size) const;
 
-    /// Counts the whole frame on its plan's depth scale.
+    /// Counts the depths of the whole frame on its plan's depth scale.
     DepthCounts count_depths() const;
 
 private:

@@ -36,9 +36,9 @@ struct SurfaceKind {
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
-/// shaders/surface.*. "relative" means along the world's axes, with the origin from relative_origin() in
-/// surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: with few bits,
-/// logarithmic, or from a software method.
+/// shaders/surface.*. "Relative" coordinates have the world's axes and the origin from relative_origin() in
+/// surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: those with few bits,
+/// logarithmic ones, and those from a software method.
 struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
     Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};

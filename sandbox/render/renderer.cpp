@@ -144,7 +144,7 @@ bool Renderer::Implementation::cuts_in_vain(const FrameState& frame, const Pass&
     if (pass.clip_planes.empty()) return false;
     if (pass.subject == Subject::patch)
         return is_kept_whole(quad.bounds, {}, pass, frame.plan.patches[pass.plane].world_from_patch());
-    // Passes in a precomputed order draw pieces of the same objects as other passes.
+    // Passes that draw in a precomputed order draw pieces of the same objects as other passes.
     if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;
     return std::all_of(frame.scene.objects.begin(), frame.scene.objects.end(), [&](const SceneObject& object) {
         return !is_chosen(pass.chosen, object) ||

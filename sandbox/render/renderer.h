@@ -46,15 +46,15 @@ public:
     /// Measures only if something depends on the result (depends_on_stored_depth).
     Viewport viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const;
 
-    /// Draws the plan into the view, which gets the size `size_px`.
+    /// Draws the plan into the view, after resizing the view to `size_px`.
     Status draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
     /// Returns the picture of the view, top row first.
     Image read(const View& view) const;
 
-    /// Draws the plan with identities as colors: red and green contain the number of the object, from 1 on (from
-    /// patch_identity on for patches, 0 for the background); blue says whether its front is visible. Does not draw
-    /// mirror images: the pixels get the identity of the mirror.
+    /// Draws the plan with identities as colors: red and green contain the object's number, which counts from 1
+    /// (patches count from patch_identity, and the background is 0); blue says whether the front is visible. Does not
+    /// draw mirror images: the pixels get the identity of the mirror.
     Status draw_identities(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
     static constexpr int patch_identity = 255 * 256;

@@ -29,7 +29,7 @@ bool are_beyond(const std::array<glm::dvec4, 8>& corners, const glm::dvec4& plan
 }  // namespace
 
 bool is_out_of_sight(const Bounds& box_model, const Pass& pass, const glm::dmat4& world_from_model) {
-    if (box_model.empty() || pass.forces_sign) return false;  // it may move vertices out of the box
+    if (box_model.empty() || pass.forces_sign) return false;  // a forced sign may move vertices out of the box
     const std::array<glm::dvec4, 8> corners = corners_of(box_model);
     for (const ClipPlane& plane : pass.clip_planes)
         if (are_beyond(corners, plane * world_from_model)) return true;

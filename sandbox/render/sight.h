@@ -1,5 +1,5 @@
-// Finds objects that no pixel will show: they need no draw call, and their programs no compilation. Read renderer.cpp
-// next.
+// Finds objects that no pixel will show. They need no draw call, and their programs need not be compiled. Read
+// renderer.cpp next.
 #pragma once
 
 #include <span>

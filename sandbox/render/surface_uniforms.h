@@ -13,7 +13,7 @@ struct FrameState {
     const FramePlan& plan;
     const Scene& scene;
     const gl::Target& target;
-    bool writes_depth;                ///< fragments write their own depth: with few bits, or logarithmic
+    bool writes_depth;                ///< fragments write their own depth, which has few bits or is logarithmic
     std::optional<Shading> identify;  ///< draws numbers instead of colors, for reading back
 
     Shading shading_of(const Pass& pass) const { return identify.value_or(pass.shading); }
@@ -23,7 +23,7 @@ struct FrameState {
 /// point near the visible objects would do; the result is the world's origin if the view has no inverse.
 glm::dvec3 relative_origin(const Pass& pass);
 
-/// Sets light, colors and depth, which all objects of a pass share.
+/// Sets the light, colors and depth uniforms, which all objects of a pass share.
 void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const Pass& pass);
 
 /// Sets the matrices and clip planes of one object.
@@ -37,7 +37,7 @@ void set_turned_normals(const SurfaceProgram& program, const Pass& pass);
 /// Sets the polygon offset, which either GL or the fragment shader applies.
 void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset);
 
-/// Sets the identity of the next object drawn, below 2^16, as the bytes of red and green.
+/// Sets the identity of the next object drawn, as the red and green bytes. It must be below 2^16.
 void set_identity(const SurfaceProgram& program, int identity);
 
 /// Sets the gap of one object, given by its index in the scene, for Shading::heat.

@@ -1,5 +1,6 @@
 // The uniforms of a program as a table: each is one line of the program's struct in programs.h, with type, count and
-// name. That line determines location and upload; a test compares it with the uniforms that the driver reports.
+// name. That line determines how the uniform is found and uploaded; a test compares it with the uniforms that the
+// driver reports.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +30,8 @@ struct UniformEntry {
     UniformPlace* place;
 };
 
-/// A program, linked or with two stages, and the table of its uniforms, which is filled during construction. It must
-/// not move: the table points into it.
+/// A program, either linked or made of two stages, with the table of its uniforms, which is filled during construction.
+/// The object must not move, because the table points into it.
 class ShaderProgram {
 public:
     ShaderProgram() = default;
@@ -138,7 +139,7 @@ public:
     Uniform(const Uniform&) = delete;
     Uniform& operator=(const Uniform&) = delete;
 
-    /// Converts `from` to the uniform's type: double becomes float here and nowhere else.
+    /// Converts `from` to the uniform's type and sets it. Only here does double become float.
     template <typename From>
     void set(const From& from) const {
         static_assert(count == 1);

@@ -28,7 +28,7 @@ Json without_times(Json json);
 /// Returns the name of a state's scene; "inline" for a scene that is part of the state.
 std::string scene_name(const Params& params);
 
-/// Unwraps the result for a part of a report; an error ends the report. Throws Refusal, which guarded() catches.
+/// Unwraps a result that a report needs. An error ends the report: it is thrown as a Refusal, which guarded() catches.
 template <typename T>
 T or_refuse(Result<T> result) {
     if (!result) throw Refusal(result.error());

@@ -13,8 +13,8 @@ struct ExercisePicture {
     Params params;  ///< at its start; for a goal, after the changes of the latest attempt
 };
 
-/// `exercise` is the id of a built-in exercise, or its short form. The error says that there is no such exercise, or
-/// that the changes in the file cannot be applied.
+/// Makes the picture of one exercise. `exercise` is the id of a built-in exercise, or its short form. The error says
+/// that there is no such exercise, or that the changes in the file cannot be applied.
 Result<ExercisePicture> exercise_picture(const HandIn& hand_in, const std::string& exercise, Renderer& renderer);
 
 }  // namespace viewing

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_thought_s = 5.0;  // average time between two answers of a person who reads
+constexpr double least_thought_s = 5.0;  // people who read the questions take longer, on average, between two answers
 
 template <typename Of>
 int sum(const std::vector<ItemGrade>& items, const Of& of) {
@@ -72,7 +72,7 @@ bool has_equal_replay(const HandIn& a, const HandIn& b) {
     });
 }
 
-/// Returns the students who got a variant: the first one in the class, and how many more.
+/// Returns whose variant this is: the first student in the class who got it, and how many others did.
 std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
     std::string first;
     int others = 0;

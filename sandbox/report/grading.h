@@ -36,7 +36,7 @@ struct ItemGrade {
     int points = 0, of = 0;
     int tries = 0, hints = 0;
     bool at_first_try = false;
-    /// One per answer, in order; empty for an answer that exceeds the budget or was not judged in time.
+    /// One verdict per answer, in order; empty for an answer that exceeds the budget or was not judged in time.
     std::vector<std::optional<Verdict>> verdicts;
     std::string trouble;
 
@@ -80,14 +80,15 @@ inline constexpr int budget_of_file = 2048, cost_of_measured = 100;
 class Grader {
 public:
     Grader(std::vector<Exercise> exercises, Renderer& renderer);
-    /// Sets ids that a file may contain although they are not requested.
+    /// Sets the ids of exercises that a file may contain although they are not to be graded.
     void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
 
-    /// Stops judging once `is_over` returns true; `why` is then the trouble of each exercise that has not been judged.
+    /// Stops judging once `is_over` returns true; `why` then becomes the trouble of each exercise that has not been
+    /// judged.
     void stop_when(std::function<bool()> is_over, std::string why);
 
     const std::vector<Exercise>& exercises() const { return exercises_; }
-    /// `course` replaces the course in the file.
+    /// Grades a hand-in. `course`, if given, replaces the course in the file.
     StudentGrade grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course);
     /// Returns the step for a variant, which is made only once.
     const Result<LessonStep>& step(std::size_t exercise, std::size_t variant);
@@ -115,7 +116,7 @@ private:
 /// about answers to another student's variant.
 void compare_hand_ins(std::vector<StudentGrade>& grades);
 
-/// Counts tags over all readable files, the most frequent one first.
+/// Counts the tags in all readable files. Returns the most frequent one first.
 std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 
 }  // namespace viewing

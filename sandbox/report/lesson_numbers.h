@@ -17,13 +17,13 @@ public:
     /// renderer, measurements of pictures are an error.
     LessonNumbers(const Params& now, const Params& start, const Scene& scene, Renderer* renderer);
 
-    /// Returns lookups that refer to this object. Measured values are stored.
+    /// Returns lookups that refer to this object, which stores the measured values.
     Surroundings surroundings();
 
     static constexpr glm::ivec2 size_px{1280, 720};            ///< for measured pictures
     static constexpr glm::ivec2 visibility_size_px{640, 360};  ///< for visibility_counts()
     static constexpr int most_counted_polygons = 20'000;       ///< limit for visibility_counts(): about a second
-    static constexpr std::size_t most_measured = 64;           ///< different measurements; each takes up to a second
+    static constexpr std::size_t most_measured = 64;           ///< limit of different measurements, up to a second each
 
 private:
     Result<Json> look_up(const std::string& name, std::span<const double> arguments);

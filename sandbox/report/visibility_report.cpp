@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the time that GL needs to draw only the objects of the camera view; draws once beforehand, to warm up.
+/// Returns the time that GL needs to draw only the objects of the camera view. Draws them once beforehand, to warm up.
 double time_of_gl_ms(Renderer& renderer, Params params, const Derived& derived, const Scene& scene,
                      glm::ivec2 size_px) {
     params.view.shows = Shows::color;

@@ -206,7 +206,7 @@ Status ExerciseDesk::update(double now_s) {
 }
 
 double ExerciseDesk::update_due_in_s(double now_s) const {
-    // A read or write in progress reports its own end.
+    // A read or write in progress reports by itself when it ends.
     if (!has_changed_ || folder_.empty() || reading_.is_running() || writing_.is_running()) return -1.0;
     return written_s_ < 0.0 ? 0.0 : std::max(written_s_ + least_between_writes_s - now_s, 0.0);
 }

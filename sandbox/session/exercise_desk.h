@@ -24,8 +24,7 @@ public:
         std::optional<Result<LessonStep>> step;  ///< none until it is made
     };
 
-    /// Sets the folder for answers; if it is empty, nothing is saved, for example when the program only draws a
-    /// picture.
+    /// Sets the folder for answers. If the path is empty, as when the program only draws a picture, nothing is saved.
     void keep_in(std::filesystem::path folder, std::string program);
     /// Reads the exercises on first use. If one cannot be read, trouble() returns the error.
     void open();
@@ -34,19 +33,20 @@ public:
 
     /// Returns what was typed for the student, complete or not.
     const Student& student() const { return student_; }
-    /// Opens a student's sheet and restores its earlier answers. Without both a number and a course, or if the student
-    /// `practices`, opens the practice sheet, whose numbers belong to nobody and which is never handed in.
+    /// Opens a student's sheet and restores its earlier answers. If the number or the course is missing, or if the
+    /// student `practices`, opens the practice sheet instead, whose numbers belong to nobody and which is never handed
+    /// in.
     void sit_down(const Student& student, bool practices = false);
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
     /// Whether the student's number and course are known; if so, a practicing student can return to their own sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
     /// How many exercises the student has tried in practice, and how many of these have the student's own numbers and
-    /// attempts that this sheet lacks.
+    /// include attempts that this sheet lacks.
     struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
     Practiced practiced() const;
-    /// Adds those attempts and answers to the sheet; the practice sheet keeps them too.
+    /// Adds the attempts and answers with the student's own numbers to the sheet; the practice sheet keeps them too.
     void take_over_practice();
     /// Continues with a file of saved answers, merged with those stored for the same student; update() reports the
     /// outcome.
@@ -54,8 +54,8 @@ public:
     /// Opens the sheet of a hand-in's student, with the attempts of the hand-in.
     void take_hand_in(HandIn hand_in);
 
-    /// Called once a frame: uses finished reads, and writes changes in the background. Returns the error of a read or
-    /// write.
+    /// Called once a frame: takes over what has been read, and writes changes in the background. Returns the error of a
+    /// read or write.
     Status update(double now_s);
     /// Returns the time until a pending change needs an update(), even if nothing else happens; negative if no change
     /// is pending.
@@ -66,15 +66,15 @@ public:
     void read_again();
 
     const std::vector<Entry>& entries() const { return entries_; }
-    /// Returns the index of the next exercise whose step must be made; the caller makes it, which computes its numbers,
-    /// and calls take_step(). Returns none if all are made, or while a file is being read.
+    /// Returns the index of the next exercise whose step must be made; none if all are made, or while a file is being
+    /// read. The caller makes the step, which computes the exercise's numbers, and passes it to take_step().
     std::optional<std::size_t> next_to_make() const;
     void take_step(std::size_t entry, Result<LessonStep> step) { entries_[entry].step = std::move(step); }
     bool is_ready() const { return is_read_ && !reading_.is_running() && !next_to_make(); }
 
     /// Returns the exercises at these indices as a run, with the earlier work on each.
     LessonRun sheet(const std::vector<std::size_t>& places) const;
-    /// Returns the same, opened at one of them; none if that exercise could not be made.
+    /// Returns the same run, opened at one of the exercises; none if that exercise could not be made.
     std::optional<LessonRun> sheet_at(const std::string& exercise, const std::vector<std::size_t>& places) const;
     const HandIn& hand_in() const { return hand_in_; }
     bool is_right(const std::string& exercise) const;
@@ -101,7 +101,7 @@ private:
     void add(HandInItem& item, Attempt attempt);
     HandInItem& item(const std::string& exercise, std::size_t variant);
     const HandInItem* own_item(const std::string& exercise) const;  ///< null if its variant is another student's
-    /// Returns this student's practice on numbers that are also their own.
+    /// Returns this student's practice on exercises that have the same numbers in the student's own sheet.
     HandIn practice_with_own_numbers() const;
     void choose_variants();
     std::filesystem::path file(const Student& owner) const;
@@ -129,12 +129,12 @@ private:
     std::optional<std::vector<double>> last_typed_;  ///< its last answer in this window, recorded or not
 };
 
-/// Returns the name of the file with a student's answers to a course: letters, digits, - and _, other bytes as %XX, and
-/// a tilde between course and number.
+/// Returns the name of the file with a student's answers to a course. It keeps letters, digits, - and _, writes other
+/// bytes as %XX, and has a tilde between course and number.
 std::string answers_file_name(const Student& student);
 
 /// Returns the usual name of a file to hand in: "32201234_홍길동.json". Characters that some file systems refuse become
-/// "-". Without a number and a name: "answers.json".
+/// "-". If both number and name are empty, the file is "answers.json".
 std::string hand_in_file_name(const Student& student);
 
 }  // namespace viewing

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Rounds to whole microseconds, which suffice and are shorter in the file.
+/// Rounds to whole microseconds, which are precise enough and keep the file short.
 double in_microseconds(double seconds) {
     return std::round(seconds * 1e6) / 1e6;
 }

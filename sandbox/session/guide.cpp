@@ -78,7 +78,7 @@ void Guide::close() {
 
 void Guide::next(Session& session) {
     if (!is_shown()) return;
-    if (reveal_) {  // in a hurry: finish the reveal immediately
+    if (reveal_) {  // the user is in a hurry, so finish the reveal immediately
         reveal_->passed_s = reveal_->over_s;
         return update(session, 0.0);
     }

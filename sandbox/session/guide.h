@@ -17,7 +17,7 @@ public:
     /// Whether reveals are animated; otherwise they are instant, for users who are disturbed by motion.
     bool moves = true;
 
-    /// Opens a lesson by its name or file, read in the background; `step` counts from 0.
+    /// Opens a lesson by its name or file, which is read in the background. `step` counts from 0.
     void open(const std::string& argument, std::size_t step = 0);
     /// Opens the step that a lesson's link names.
     void open(const Link& link);
@@ -28,7 +28,7 @@ public:
     /// Called once a frame: starts a lesson that has been read, and advances a reveal by `dt_s`.
     void update(Session& session, double dt_s);
 
-    /// Returns the run of the open lesson; null without one.
+    /// Returns the run of the open lesson; null if no lesson is open.
     LessonRun* run() { return run_ ? &*run_ : nullptr; }
     const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
     /// Whether the lesson is visible; otherwise it waits for resume().
@@ -39,17 +39,19 @@ public:
     void leave() { is_shown_ = false; }
     /// Returns to the step.
     void resume(Session& session);
-    /// Ends the lesson; there is nothing to resume.
+    /// Ends the lesson, so that there is nothing to resume.
     void close();
 
     /// Whether a student's sheet of exercises is open: its steps come in any order, and only a right answer reveals the
     /// covered parts.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
-    /// Goes to the question's answer, then to the next step's question. Does nothing after the last one.
+    /// Goes to the question's answer, then to the next step's question; in a sheet, goes directly to the next step. If
+    /// a reveal is in progress, only finishes it. Does nothing after the last step.
     void next(Session& session);
-    /// Goes back to the question, then to the previous step, with its answer if that was shown.
+    /// Goes back to the question, then to the previous step, with its answer if that was shown; in a sheet, goes
+    /// directly to the previous step.
     void previous(Session& session);
-    /// Goes to the question of that step, whether or not it was answered before.
+    /// Goes to that step. Shows its question even if it was answered before, except in a sheet.
     void go_to(std::size_t step, Session& session);
     /// Goes to the step that was shown before the last go_to().
     void go_back(Session& session);
@@ -62,7 +64,7 @@ public:
     void hold_before(bool is_held, Session& session);
 
     bool is_revealing() const { return reveal_.has_value(); }
-    /// Whether the state differs from the step's; theme, scale and language do not count.
+    /// Whether the state differs from the step's state; theme, scale and language do not count.
     bool departs(const Session& session) const;
 
 private:

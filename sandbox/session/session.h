@@ -57,7 +57,7 @@ public:
     int scene_version() const { return scene_version_; }
 
     /// Called once a frame: starts and finishes loading the scene that `params` names, applies opened states, and
-    /// reports finished writes. A failed read changes nothing and says why in `message`.
+    /// reports finished writes. If a read fails, nothing changes, and `message` says why it failed.
     void update_scene();
     /// Waits until all of that is done; used to draw pictures without a window.
     void finish_loading();
@@ -69,10 +69,11 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// If true, this session may read any file in that file's folder, wherever the name comes from.
+    /// Answers that question. If `may_read` is true, this session may read any file in that file's folder, whatever
+    /// names it.
     void answer(bool may_read);
 
-    /// Moves the camera; the motion continues until it is at rest.
+    /// Moves the camera, which keeps moving until it comes to rest.
     void navigate(const MotionInput& input, double dt_s);
     bool is_moving() const { return !motion_.at_rest(); }
     const MovingFreedoms& moving_freedoms() const { return moving_; }    ///< in the last step
@@ -98,17 +99,17 @@ public:
     void redo();
     bool can_undo() const { return history_.can_undo(); }
     bool can_redo() const { return history_.can_redo(); }
-    /// Returns the parameters before the latest edit, the reference for tinting changes.
+    /// Returns the parameters before the latest edit; what has changed since then is tinted.
     const Params& before_latest_edit() const { return params == at_rest_ ? before_ : at_rest_; }
 
-    /// Returns other parameters with the user's own theme, scale and language.
+    /// Returns the given parameters with the user's own theme, scale and language.
     Params in_own_looks(Params other) const;
 
     /// Returns the preset opened last; none after a file or the clipboard. Undo and redo restore it.
     const OpenPreset* preset() const { return preset_.get(); }
     /// Whether anything but looks and layout differs from that preset.
     bool departs_from_preset() const;
-    /// Restores the preset as one step, except looks and layout; does nothing without a preset.
+    /// Restores the preset, except for looks and layout, as one step; does nothing without a preset.
     void return_to_preset();
 
     /// Returns the flight opened last, but only once, so that the caller can play it; its start is already in `params`.
@@ -156,8 +157,8 @@ private:
     /// A read in the background: a whole state with its scene, or the scene that `params` names.
     struct Wanted {
         std::string argument = {};             ///< as given to open(); "" if the state is known
-        LoadedState state = {};                ///< unless there is an argument
-        bool is_whole = false;                 ///< otherwise only the scene
+        LoadedState state = {};                ///< not used if there is an argument
+        bool is_whole = false;                 ///< otherwise, only the scene is read
         bool may_be_silent = false;            ///< default looks and layout count as not set
         bool is_first = false;                 ///< the session's first state
         std::optional<std::string> told = {};  ///< the message when it arrives

@@ -14,7 +14,7 @@ namespace {
 /// Most scenes load quickly, so a short wait avoids a frame with the old scene.
 constexpr double a_moment_s = 0.02;
 
-/// Whether a scene would look the same as the current one, so that nothing needs to be redrawn.
+/// Whether two scenes look the same, so that nothing needs to be redrawn.
 bool is_same(const Scene& a, const Scene& b) {
     return a.made_from == b.made_from &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
@@ -266,7 +266,7 @@ Status Session::paste(const std::string& text) {
 }
 
 Params Session::portable(Params own) const {
-    // A name relative to the state's folder means nothing elsewhere; names of assets stay.
+    // A path relative to the state's folder means nothing elsewhere. The names of built-in scenes stay as they are.
     const auto from_root = [this](const std::filesystem::path& file) {
         return std::filesystem::absolute(base_ / file).lexically_normal().string();
     };

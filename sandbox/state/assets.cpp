@@ -1,4 +1,4 @@
-// Finds the assets directory and describes its problems.
+// Finds the assets directory and says what is wrong with it.
 #include <cstdlib>
 #include <vector>
 

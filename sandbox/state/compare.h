@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// Whether the incoming value passes the test against the stored one.
+/// Returns whether the incoming value passes the test against the stored one.
 template <typename Value>
 constexpr bool compare(CompareFunc func, Value incoming, Value stored) {
     switch (func) {

@@ -25,14 +25,14 @@ struct DepthParams {
     DepthOffset offset;
     DecalMethod decals = DecalMethod::offset;  ///< keeps objects marked "decal" from fighting with the surface below
 
-    // Correct by default: changing one of these shows the error that it prevents.
+    // These are correct by default; changing one shows the error that its default prevents.
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
     bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth and move away from the eye
     bool logarithm_per_vertex = false;
 
-    /// Whether depth is compared and written.
+    /// Returns whether depth is compared; GL writes depth only then.
     bool tests() const { return buffer && test; }
     bool operator==(const DepthParams&) const = default;
 };

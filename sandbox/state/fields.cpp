@@ -40,7 +40,7 @@ template <> std::span<const char* const> names_of<ShapeKind>() { static constexp
 
 namespace {
 
-/// Refers to an enumeration by its names and index, to any other value by its address.
+/// Refers to an enumeration by its names and index, and to any other value by its address.
 template <typename T>
 FieldRef field_ref(T& value) {
     if constexpr (std::is_enum_v<T>) {

@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// An enumeration's value, with its names in order.
+/// A reference to an enumeration's value, with the names of all values in order.
 struct EnumRef {
     std::span<const char* const> names;
     void* value;
@@ -77,7 +77,7 @@ const Field* find_field(std::string_view path);
 /// Returns the field at a path that must exist; a missing one is a programming error and fails an assertion.
 const Field& field(std::string_view path);
 
-/// Whether a path is the group or field itself, or is inside it.
+/// Returns whether a path is the given group or field, or is inside it.
 bool is_in(std::string_view path, std::string_view group);
 
 /// Returns the fields of a group, which may also be a group of list elements, such as "light".
@@ -96,7 +96,7 @@ struct Range {
 };
 Range component_range(const Field& field, int component);
 
-/// Returns "from 1 to 179".
+/// Returns the range as text: "from 1 to 179".
 std::string range_text(const Range& range);
 
 /// Returns "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "matrices",
@@ -112,7 +112,7 @@ std::vector<std::string> known_paths();
 /// Returns the names that a field of type "names" may contain, each at most once.
 std::vector<std::string> allowed_names(const Field& field);
 
-/// Lists these names as a phrase that completes "must be".
+/// Returns these names as a phrase that completes "must be".
 std::string allowed_name_text(const Field& field);
 
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.

@@ -86,7 +86,7 @@ struct SlipParams {
     bool operator==(const SlipParams&) const = default;
 };
 
-/// Motion while the window is open; pictures without a window show its start.
+/// Motion while the window is open; pictures made without a window show the start of the motion.
 struct AnimationParams {
     bool jiggle = false;        ///< jitters the camera so slightly that only depth fighting makes it visible
     bool light_orbit = false;   ///< the chosen light orbits the world's y axis
@@ -128,9 +128,9 @@ struct Params {
     AnimationParams animation;
     UiParams ui;
 
-    /// Returns the lens that P is computed from, including the mistake of using degrees as radians if it is switched
-    /// on. If cot(fovy/2) is negative, which turns the picture upside down, the field of view is negative too. With
-    /// that mistake, it avoids 0° and ±180°, so that P has an inverse.
+    /// Returns the lens that P is computed from. If slips.degrees_as_radians is on, fovy is read as radians. The field
+    /// of view is then negative if cot(fovy/2) is, which rotates the picture by 180°, and it is kept away from 0° and
+    /// ±180°, so that P has an inverse.
     Lens lens() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }

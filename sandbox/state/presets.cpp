@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* opening = "opening";
 
-/// Reads title, description, group and fix as far as possible; loading the file reports its errors.
+/// Reads the title, description, group and fix as far as possible; errors are reported when the file is loaded.
 NamedFile named_file(const fs::path& path) {
     NamedFile named{path.stem().string(), path.stem().string(), "", "", "", path};
     const Result<std::string> text = read_text_file(path);
@@ -90,7 +90,8 @@ Result<std::string> state_in_figure(const fs::path& path) {
     return note;
 }
 
-/// A link has no folder, so every file that its state names needs permission.
+/// Loads the state or preset that a link names. A link has no folder, so its state may read no files outside the assets
+/// without permission.
 Result<LoadedState> state_in_link(const std::string& text) {
     const Result<Link> link = read_link(text);
     if (!link) return Error{link.error()};

@@ -21,10 +21,12 @@ struct NamedFile {
     std::string title;  ///< its "title" field, else the name
     std::string about;  ///< its "about" field, one sentence
     std::string group;  ///< its "group" field: the heading above it in a list; "" for none
-    /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes it, as on the command line.
+    /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes the picture, written as on
+    /// the command line.
     std::string mended_by;
     std::filesystem::path path;
-    /// Whether its state sets the theme or the text size; if so, it opens only from the list, and Page Down skips it.
+    /// Whether its state sets the theme or the text size; if so, the preset opens only from the list, and Page Down
+    /// skips it.
     bool sets_looks = false;
 };
 
@@ -34,8 +36,8 @@ std::vector<NamedFile> presets();
 /// Returns the scenes of the assets directory, sorted by name.
 std::vector<NamedFile> scenes();
 
-/// Returns the text that follows "neither a file nor a preset": where the names are listed, and the name nearest to a
-/// misspelled word.
+/// Returns the text that follows "neither a file nor a preset": it says where the names are listed, and gives the name
+/// nearest to a misspelled word.
 std::string names_hint(std::string_view word, std::span<const NamedFile> files);
 
 /// The preset that a state was opened from, with the parameters of its file.
@@ -48,10 +50,10 @@ struct LoadedState {
     Params params;
     std::filesystem::path base;          ///< the folder that the scene's relative paths start from
     std::string scene_origin = "scene";  ///< messages about the scene begin with it: "room.json: scene", "--set scene"
-    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a custom file
-    Titles titles = {};                                  ///< the titles of its file; empty for the opening state
-    std::shared_ptr<const Flight> flight = nullptr;      ///< if it is a flight; `params` is its start
-    FileReach reach = {};  ///< the files that its scene may read; for a loaded state, its own folder
+    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< null if it was not a preset
+    Titles titles = {};                                  ///< the titles of its file; empty if there are none
+    std::shared_ptr<const Flight> flight = nullptr;      ///< for a flight, whose start is `params`; else null
+    FileReach reach = {};  ///< the files that its scene may read: for a state file, those in its folder
 };
 
 /// Loads the STATE argument of the command line: the path of a .json file, which contains a state or a flight; the path

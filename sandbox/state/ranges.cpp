@@ -77,7 +77,7 @@ void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
-/// Moves an aspect ratio that is too small to 0 (the view's own) or to the minimum, whichever is nearer.
+/// Replaces an aspect ratio that is too small with 0 (the view's own) or with the minimum, whichever is nearer.
 void mend_aspect(double& aspect) {
     if (aspect > 0.0 && aspect < min_aspect) aspect = aspect < min_aspect / 2.0 ? 0.0 : min_aspect;
 }

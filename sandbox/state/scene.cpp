@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A description, the folder that its relative files start from, and the name of its objects in messages ("room.json:
-/// objects"), which is empty if the scene is a single mesh file.
+/// A scene's description, the folder that its relative file names start from, and the words by which messages refer to
+/// its objects ("room.json: objects"), which are empty if the scene is a single mesh file.
 struct Described {
     SceneDescription scene;
     fs::path base;
     std::string objects;
-    fs::path file = {};  ///< its source, unless that is an asset or the state itself
+    fs::path file = {};  ///< its own file; empty for an asset or an inline scene
 };
 
 /// Checks each file of a scene before it is read, and lists the files that were read.

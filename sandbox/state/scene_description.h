@@ -23,7 +23,7 @@ enum class ShapeKind { box, sphere, torus, cylinder, cone, quad, triangle, teapo
 
 /// Options for reading a mesh file.
 struct MeshReading {
-    double crease_deg = 30.0;  ///< largest angle between faces whose computed normals are smooth: 0 … 180
+    double crease_deg = 30.0;  ///< largest angle between faces that computed normals smooth over: 0 … 180
     bool fit = true;           ///< centers and scales the mesh; off: keeps the file's coordinates
     bool operator==(const MeshReading&) const = default;
 };
@@ -36,7 +36,7 @@ struct ObjectDescription {
     Angles rotation;
     glm::dvec3 scale{1.0};
     Color color{0x5a, 0x9e, 0xf0};
-    bool decal = false;                    ///< depth.offset applies to it
+    bool decal = false;                    ///< depth.decals applies to it
     std::array<glm::dvec3, 3> vertices{};  ///< triangle only
     std::string file;                      ///< mesh only, relative to the scene's file
     MeshReading reading;                   ///< mesh only
@@ -44,7 +44,7 @@ struct ObjectDescription {
     bool operator==(const ObjectDescription&) const = default;
 };
 
-/// A formula that makes a scene instead of a list of objects: see coplanar.h.
+/// A formula that makes a scene and replaces the list of objects; see coplanar.h.
 enum class SceneFormula { coplanar };
 
 struct SceneDescription {

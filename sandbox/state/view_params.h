@@ -44,9 +44,9 @@ enum class Topic {
 struct BesideParams {
     Beside shows = Beside::nothing;
     BesideLayout layout = BesideLayout::halves;
-    double share = 0.5;                             ///< the fraction of the view left of the divider
-    DepthFormat format = DepthFormat::d32f;         ///< of other_depth
-    DepthMapping mapping = DepthMapping::reversed;  ///< of other_depth
+    double share = 0.5;                             ///< the fraction of the view to the left of the divider
+    DepthFormat format = DepthFormat::d32f;         ///< for other_depth
+    DepthMapping mapping = DepthMapping::reversed;  ///< for other_depth
     bool operator==(const BesideParams&) const = default;
 };
 
@@ -63,8 +63,8 @@ struct LayoutParams {
 
 /// A pixel of the camera view that stays in place when the view's size changes.
 struct Pin {
-    std::string object;            ///< empty: none; `at` is then a fraction of the view
-    std::optional<glm::dvec2> at;  ///< from the top left of the object's box; none: the middle of its visible part
+    std::string object;            ///< the object's name; if empty, `at` is a fraction of the view
+    std::optional<glm::dvec2> at;  ///< fraction of the object's box from its top left; none: middle of the visible part
     bool operator==(const Pin&) const = default;
 };
 
@@ -74,15 +74,15 @@ struct ViewParams {
     DepthColors depth_colors = DepthColors::grey;
     std::optional<glm::dvec2> depth_range;  ///< eye distances shown as black and white; none: see fields.cpp
     int samples = 4;                        ///< 0 or 4
-    int plane = 1, light = 1;               ///< the chosen ones, counted from 1
+    int plane = 1, light = 1;               ///< the chosen plane and light, counted from 1
     BesideParams beside;
     std::optional<glm::ivec2> pixel;  ///< the pinned pixel of the camera view; (0, 0) is the top left one
     std::optional<Pin> pin;           ///< overrides `pixel`
     std::optional<glm::ivec2> cells;  ///< columns and rows of cells around that pixel; none: as many as stay readable
-    int call = -1;                    ///< the last draw call of the frame, from 0; −1: all of them
-    int triangle = -1;                ///< number of triangles of that call to draw; −1: all of them
-    int pass = -1;                    ///< the last pass of the frame, from 0; −1: all of them
-    int derivation_step = -1;         ///< the last line of a derivation that is shown, from 0; −1: all of them
+    int call = -1;                    ///< the last draw call to draw, counted from 0; −1: draws all
+    int triangle = -1;                ///< how many triangles of that call to draw; −1: all of them
+    int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all
+    int derivation_step = -1;         ///< the last line of a derivation to show, counted from 0; −1: shows all
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;

@@ -16,7 +16,7 @@ struct VisibilityParams {
     PainterKey sort_key = PainterKey::farthest;
     BspSplitter splitter = BspSplitter::fewest_splits;
     BspOrder walk = BspOrder::back_to_front;
-    double epsilon = 1e-9;      ///< anything nearer to a plane counts as on it; a fraction of the scene's diagonal
+    double epsilon = 1e-9;      ///< a point nearer to a plane counts as on it; a fraction of the scene's diagonal
     bool exact_curves = false;  ///< rays intersect spheres, cylinders, cones and tori instead of their triangles
     VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other method in the difference view
     bool numbers = false;                                        ///< writes the drawing order on the polygons
@@ -26,18 +26,18 @@ struct VisibilityParams {
     bool operator==(const VisibilityParams&) const = default;
 };
 
-/// Whether GL alone draws the method's picture; the other methods sort, cut or cast first.
+/// Returns whether GL alone draws the method's picture; all other methods first do work of their own, such as sorting.
 inline bool is_drawn_by_gl_alone(VisibilityMethod method) {
     return method == VisibilityMethod::depth_buffer || method == VisibilityMethod::none;
 }
 
-/// Whether the picture consists of a few large pixels.
+/// Returns whether the picture consists of a few large pixels.
 inline bool has_raster(const VisibilityParams& visibility) {
     return visibility.raster && !is_drawn_by_gl_alone(visibility.method);
 }
 
-/// Whether the picture shows the method at work, step by step or in large pixels; shadows and reflections are then left
-/// out.
+/// Returns whether the picture shows the method at work, step by step or in large pixels. Shadows and reflections are
+/// then left out.
 inline bool is_taken_apart(const VisibilityParams& visibility) {
     return visibility.step >= 0 || has_raster(visibility);
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Ends the check of an entry that cannot be drawn or whose files cannot be written. Caught by Check::run().
+/// Thrown to end the check of an entry that cannot be drawn or whose files cannot be written; caught by Check::run().
 struct Broken : Refusal {
     using Refusal::Refusal;
 };

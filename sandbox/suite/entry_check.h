@@ -13,11 +13,11 @@ namespace viewing {
 struct CheckWish {
     bool allows_outside = false;  ///< states may use scene files in any folder
     bool makes_keys = false;
-    std::string known_key;  ///< of the last run that passed; if the new key is equal, drawing is skipped
+    std::string known_key;  ///< the key of the last run that passed; if the new key is equal, drawing is skipped
     std::string program;    ///< identifies the program and the driver, for the key
 };
 
-/// Needs the current context to which `renderer` and `log` belong. Reports failures in the result.
+/// The context to which `renderer` and `log` belong must be current. Reports failures in the result.
 EntryResult check_entry(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer,
                         gl::DebugLog& log);
 

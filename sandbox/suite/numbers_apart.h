@@ -1,4 +1,5 @@
-// Finds the differences between two trees of numbers: matrices and measures compared with the accepted ones.
+// Finds the differences between two trees of numbers, such as newly computed matrices or measurements and the accepted
+// ones.
 #pragma once
 
 #include <string>
@@ -15,8 +16,9 @@ struct NumberChange {
     Json expected, actual;
 };
 
-/// Numbers may differ by `tolerance`, absolutely or relative to the expected one; strings, null and booleans must be
-/// equal. Returns at most `most` differences, in the order of the expected tree, new values last.
+/// Compares two trees. Numbers may differ by `tolerance`, absolutely or relative to the expected number; strings, null
+/// and booleans must be equal. Returns at most `most` differences, in the order of the expected tree, with new values
+/// last.
 std::vector<NumberChange> numbers_apart(const Json& expected, const Json& actual, double tolerance,
                                         std::size_t most = 500);
 

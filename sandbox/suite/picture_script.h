@@ -1,4 +1,4 @@
-// Stores pictures in a script, for a page opened from disk: such a page is not allowed to read the pixels of image
+// Stores pictures in a script, because a page that is opened from disk is not allowed to read the pixels of image
 // files.
 #pragma once
 

@@ -25,12 +25,12 @@ std::string report_page(const RunResult& run);
 std::vector<std::string> stray_references(const Suite& suite);
 
 /// Merges the shards' reports into the suite's own, with their pictures. Entries that are in no shard count as failed.
-/// It is an error if an entry is in two shards or not in the suite, or if the shards belong to different splits.
+/// It is an error if an entry is in two shards, if it is not in the suite, or if the shards belong to different splits.
 Result<RunResult> merge_reports(const Suite& suite, const std::vector<std::filesystem::path>& folders);
 
-/// Makes the results of the last run the new references, for the entries with these names or for all that are
-/// different, and updates the report. Returns the number of new references. Fails for an unknown name, without a run,
-/// or if nothing was drawn.
+/// Makes the results of the last run the new references, for the entries with these names or, without names, for all
+/// that are different, and updates the report. Returns the number of entries accepted. Fails if a name is unknown, if
+/// there was no run, or if nothing was drawn.
 Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names);
 
 }  // namespace viewing

@@ -26,7 +26,7 @@ struct EntryResult {
     std::string name, file_name;
     std::string about;  ///< the suite's description of the entry
     Outcome outcome = Outcome::failed;
-    bool is_kept = false;              ///< taken from an earlier run, since nothing has changed
+    bool is_kept = false;              ///< the result is from an earlier run, since nothing has changed
     std::vector<std::string> reasons;  ///< a sentence for each failed check
     double seconds = 0.0;
     std::string key;     ///< a hash of everything that determines the result; "" if not requested
@@ -44,7 +44,7 @@ struct RunResult {
     std::vector<EntryResult> entries;  ///< in the order of the suite
 
     std::size_t count(Outcome outcome) const;
-    /// Whether every entry passed, or is new if new ones are accepted.
+    /// Whether every entry passed or, if new entries are accepted, is new.
     bool is_good(bool accepts_new) const;
 };
 

@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    /// Keeps the entries that workers have finished; the others are not drawn and keep their keys.
+    /// Keeps the entries that workers have finished; the others count as not drawn and keep their keys.
     void end_early() {
         results_.ended_by = EndingNote::signal();
         for (Worker& worker : workers_) {

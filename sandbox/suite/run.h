@@ -15,7 +15,7 @@ namespace viewing {
 struct RunWish {
     std::vector<std::string> worker;                ///< the program that draws, with its arguments
     std::vector<std::size_t> chosen;                ///< entries of the suite, in order
-    std::map<std::string, std::string> known_keys;  ///< by name, for results that passed
+    std::map<std::string, std::string> known_keys;  ///< keyed by name, for results that passed
     int jobs = 1;
     double entry_timeout_s = 60.0;
     /// Called after each entry, with the number of finished entries.
@@ -28,7 +28,7 @@ struct NoWorker {
     std::string complaint;
 };
 
-/// The results in the order of `chosen`, or a failure.
+/// Either the results, in the order of `chosen`, or a failure.
 struct GatheredResults {
     std::vector<EntryResult> entries;
     int ended_by = 0;  ///< the signal that ended the run early
@@ -37,9 +37,9 @@ struct GatheredResults {
 };
 GatheredResults run_entries(const Suite& suite, const RunWish& wish);
 
-/// Returns the entries of shard `index` of `count`, counted from 1. Assigns the entries with the longest times first,
-/// each to the shard with the least work, and those with equal times in the order of the suite. `seconds` contains
-/// times from an earlier run by name; the mean is used for an unknown entry.
+/// Returns the entries of shard `index` of `count`, counted from 1. Assigns each entry to the shard with the least work
+/// so far, the slowest entry first, and entries with equal times in the order of the suite. `seconds` contains the
+/// times of an earlier run, keyed by name; an unknown entry counts with their mean.
 std::vector<std::size_t> entries_of_shard(const Suite& suite, int index, int count,
                                           const std::map<std::string, double>& seconds);
 

@@ -92,8 +92,8 @@ Json object_of(const Json& properties, const Json& more, std::vector<std::string
             {"additionalProperties", false}};
 }
 
-/// Returns the schema of an entry, which has at most one of three subjects, and the keys of a subject only together
-/// with that subject.
+/// Returns the schema of an entry. An entry has at most one of three subjects, and a subject's keys are allowed only
+/// together with that subject.
 Json entry_of(const Json& of_all) {
     Json properties = Json::parse(subject);
     properties["step"] = whole_number(1, form::most_step);

@@ -33,7 +33,7 @@ struct SuiteEntry {
     std::string
         file_name;  ///< the name of its reference and results, valid on every file system, without its extension
 
-    std::string state;         ///< in the form that commands take; files with full paths
+    std::string state;         ///< in the form that commands take; the path of a file includes the suite's folder
     std::string inline_state;  ///< JSON that replaces `state`; "" if there is none
     std::optional<SuiteStep> step;
     std::vector<std::string> settings;  ///< applied in order
@@ -60,16 +60,16 @@ struct Suite {
     std::vector<SuiteEntry> entries;
 };
 
-/// Loads a suite's file, or a folder whose states become entries with default settings. The error is one sentence with
-/// file and field. State files are read later, so that a damaged one fails only its own entry.
+/// Loads a suite's file, or a folder whose states become entries with default settings. The error is one sentence that
+/// names the file and the field. State files are read later, so that a damaged one fails only its own entry.
 Result<Suite> load_suite(const std::string& argument);
 
 /// Checks that all masks can be read and leave something to compare in their entry's picture. The error names the
 /// entry.
 Status check_masks(const Suite& suite);
 
-/// Returns a name for use in a file name: keeps letters, digits, -, _ and inner dots, writes a space or slash as -,
-/// other characters as %XX; avoids names that a file system reserves; at most 150 bytes.
+/// Returns a name for use in a file name. Keeps letters, digits, -, _ and inner dots, and writes a space or slash as -
+/// and other characters as %XX. Avoids names that a file system reserves, and shortens the result to about 150 bytes.
 std::string safe_file_name(const std::string& name);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Reads suite files as strictly as states: every mistake is reported in one sentence with file and field.
+// Reads suite files as strictly as states: every mistake is reported in one sentence that names the file and the field.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -216,7 +216,7 @@ SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& fo
     return entry;
 }
 
-/// Reads {"each": "preset", "name": "preset-{}", …}: one entry for each preset, for example.
+/// Reads, for example, {"each": "preset", "name": "preset-{}", …}, which makes one entry for each preset.
 std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const fs::path& folder,
                                   const SuiteEntry& defaults) {
     require_keys(object, where, with_setting_keys({"each", "name", "about", "except"}));
@@ -266,7 +266,7 @@ void name_files(Suite& suite, const std::string& prefix) {
     }
 }
 
-/// Gives entries the thresholds in "loosened", each with its reason.
+/// Gives entries the thresholds listed in "loosened", and adds the reason to each.
 void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
     require_array(list, where, form::most_entries, "a list of names with thresholds and a reason");
     std::map<std::string, SuiteEntry*> by_name;
@@ -311,7 +311,7 @@ bool tests_something(const SuiteEntry& entry) {
            !entry.wanted_problems.empty() || !entry.unwanted_problems.empty() || entry.allows_no_problem;
 }
 
-/// Makes the checks that are possible only once defaults, entry and "loosened" are combined.
+/// Makes the checks that are possible only after the defaults, the entry and "loosened" have been combined.
 void check_entry_of(const SuiteEntry& entry, const Where& where) {
     if (const Status fits = check_picture_size(entry.view, entry.size_px); !fits)
         where.refuse(excerpt(entry.name) + ": size: " + fits.error());

@@ -87,7 +87,7 @@ std::string pseudo_text(std::string_view english) {
         if (!in_place && !continues_character(byte)) ++characters;
         in_place &= byte != '}';
     }
-    // Words of five letters, so that lines can still break.
+    // Add words of five letters, so that lines can still break.
     const std::size_t stretch = (2 * characters + 4) / 5;
     for (std::size_t i = 0; i < stretch; ++i) text += i % 6 == 0 ? " " : "å";
     return text + "]";

@@ -14,8 +14,9 @@
 //
 // state/person/language.h chooses the language.
 //
-// Templates and marked texts are literals, so that tests/catalogue finds them. tests/texts lists those of the program's
-// own tables (fields, presets). Object names, GL names and code are not texts. assets/text/*.po has the translations.
+// Templates and marked texts are literals, so that tests/catalogue finds them. tests/texts lists the texts in the
+// program's own tables (fields, presets). Object names, GL names and code are not texts. assets/text/*.po has the
+// translations.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@
 
 namespace viewing {
 
-// NOLINTNEXTLINE(google-global-names-in-headers): the one literal that templates are filled with
+// NOLINTNEXTLINE(google-global-names-in-headers): the only literal that fills templates
 using fmt::literals::operator""_a;
 
 // ---- the language ------------------------------------------------------------------------------------------------
@@ -38,12 +39,12 @@ using fmt::literals::operator""_a;
 void speak_english();
 /// Sets the translations; fuzzy and empty ones stay English. Safe while other threads look up texts.
 void speak(std::span<const PoEntry> entries);
-/// For tests: sets translations that are the entries' own texts in brackets, 40 % longer and with every English letter
+/// For tests: makes each entry's translation its own text in brackets, 40 % longer and with every English letter
 /// replaced; placeholders stay. Text that still appears in English never went through the catalog.
 void speak_pseudo(std::span<const PoEntry> entries);
 
-/// Returns all translations of the current language, joined, since the fonts must have all of their characters; "" for
-/// English.
+/// Returns all translations of the current language in one string, from which the fonts take the characters that they
+/// must have; "" for English.
 std::string spoken_texts();
 
 /// Returns "[Êçéñé å]" for "Scene".

@@ -1,6 +1,6 @@
-// Numbers as characters, one function for each way in which the program writes them. For a person: a true minus sign,
-// digits in groups, 1.2·10⁻⁷. For code and files: what compilers and JSON read. The widgets define which numbers may be
-// typed (ParseNumber).
+// Numbers as text: one function for each way in which the program writes them. For a person: a true minus sign, digits
+// in groups, 1.2·10⁻⁷. For code and files: what compilers and JSON read. The widgets define which numbers may be typed
+// (ParseNumber).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ namespace viewing {
 // ---- for a person --------------------------------------------------------------------------------------------------
 
 /// Returns a number with fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, or if all
-/// digits would be zero, writes 1.234·10⁶ or 7.5·10⁻⁶. Anything below 10⁻⁹ counts as a rounding residue: 0.000.
+/// digits would be zero, writes 1.234·10⁶ or 7.5·10⁻⁶. A magnitude below 10⁻⁹ counts as a rounding residue and is
+/// written without a power of ten: 0.000.
 std::string number_text(double value, int decimals);
 
 /// Returns a number with `digits` significant digits, without zeros at the end, for sentences: "0.25", "−3500",
@@ -26,34 +27,36 @@ std::string figures(double value, int digits = 2);
 /// end, so that a changing value does not jump: "4.00", "12.5", "12345", "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);
 
-/// A share as "12.5%"; a nonzero share that would round to 0 is "< 0.1%", one below 1 that would round to 1 is ">
-/// 99.9%".
+/// Returns a share as "12.5%". A positive share that would round to 0 becomes "< 0.1%", and a share below 1 that would
+/// round to 1 becomes "> 99.9%".
 std::string percent(double share, int decimals = 1);
 
-/// A count with digits in groups: "12,345".
+/// Returns a count with its digits in groups: "12,345".
 std::string grouped_number(std::int64_t number);
 
-/// A whole number in superscript: 24 → "²⁴", −5 → "⁻⁵".
+/// Returns a whole number in superscript: 24 → "²⁴", −5 → "⁻⁵".
 std::string raised_text(int value);
 
-/// Indices in subscript: "₁₂" for 1 and 2.
+/// Returns indices in subscript: "₁₂" for 1 and 2.
 std::string lowered_text(std::initializer_list<std::size_t> indices);
 
 // ---- for code and files --------------------------------------------------------------------------------------------
 
-/// The shortest decimal that reads back to exactly `value`, as in JSON: "0.5", "-0.0", "40000", "1e6".
+/// Returns the shortest decimal that reads back to exactly `value`, as in JSON: "0.5", "-0.0", "40000", "1e6".
 std::string format_number(double value);
 
-/// The same, but as C, Python and CSV write it, sometimes with a two-digit exponent: "0.5", "-0", "1e-05", "inf".
+/// Returns the same, but as C, Python and CSV write it, sometimes with a two-digit exponent: "0.5", "-0", "1e-05",
+/// "inf".
 std::string shortest_number(double value);
 
-/// A color: "#e4572e".
+/// Returns a color as "#e4572e".
 std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
-/// Fixed decimals with the keyboard's minus: "-0.500".
+/// Returns fixed decimals with the keyboard's minus: "-0.500".
 std::string plain_decimals(double value, int decimals);
 
-/// The initial content of a text field: the shortest digits that read back to the same value, in keyboard characters.
+/// Returns the initial content of a text field: the shortest digits that read back to the same value, in keyboard
+/// characters.
 std::string plain_number(double value);
 
 /// Parses a whole text as one finite number with a decimal point, in any locale: "1e-3", "-.5". Refuses blanks and a
@@ -67,7 +70,7 @@ std::vector<double> numbers_in(std::string_view text);
 
 // ---- where space is short ------------------------------------------------------------------------------------------
 
-/// A number in UTF-8 characters, with a true minus; on the stack, since tables write hundreds per frame.
+/// A number in UTF-8 characters, with a true minus. It is kept on the stack, since tables write hundreds per frame.
 struct NumberChars {
     char data[48];
     int bytes = 0;

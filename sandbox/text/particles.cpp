@@ -34,7 +34,8 @@ LastSound sound_of_digit(char digit) {
     return ls.find(digit) != std::string_view::npos ? LastSound::l : LastSound::vowel;
 }
 
-/// Decides by the name of a single letter (엘, 엠, 엔, 알), otherwise by the last letter of a word.
+/// Returns the last sound of the letter's Korean name (엘, 엠, 엔, 알) if the letter is alone, otherwise that of a word
+/// that ends in it.
 LastSound sound_of_latin(char letter, bool is_alone) {
     const char small = static_cast<char>(letter | 0x20);
     if (small == 'l' || (is_alone && small == 'r')) return LastSound::l;
@@ -97,7 +98,7 @@ std::string with_particles(std::string text) {
         for (const Particle& particle : particles) {
             if (!std::string_view(text).substr(at).starts_with(particle.marker)) continue;
             const LastSound before = last_sound(std::string_view(text).substr(0, at));
-            // 으로 after a consonant, but 로 after ㄹ.
+            // Korean uses 으로 after a consonant, but 로 after ㄹ.
             const bool is_short =
                 before == LastSound::vowel || (before == LastSound::l && particle.after_vowel == "로");
             text.replace(at, particle.marker.size(), is_short ? particle.after_vowel : particle.after_consonant);

@@ -1,5 +1,5 @@
-// Chooses Korean particles after a value that is known only when a sentence is filled in: "{light}[이/가]" becomes
-// "광원 2가", "광원 3이".
+// Chooses the Korean particle after a value that becomes known only when the sentence is filled in: "{light}[이/가]"
+// becomes "광원 2가", "광원 3이".
 #pragma once
 
 #include <string>

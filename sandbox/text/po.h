@@ -1,5 +1,5 @@
-// Translation catalogs in the format of translators' tools: gettext's .po files, read without gettext, which may not be
-// installed. Read catalogue.h for their use.
+// Translation catalogs in the format that translators' tools use: gettext's .po files. They are read without gettext,
+// which may not be installed. Read catalogue.h for their use.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ struct PoEntry {
 };
 
 /// Returns the entries of a .po file in UTF-8, in order, without its header (the entry with an empty id). Refuses
-/// contexts, plural forms, unknown keywords or escapes, and repeated ids, with one sentence that names the line. An
-/// English text has only one translation here; a text for "1" and a text for other numbers are two entries.
+/// contexts, plural forms, unknown keywords or escapes, and repeated ids, with one sentence that names the line. Here,
+/// an English text has only one translation; the text for 1 and the text for other numbers are two entries.
 Result<std::vector<PoEntry>> read_po(std::string_view content);
 
 /// Returns the placeholders in braces of a template, in alphabetical order, each once: "{count} of {all}" has "all" and

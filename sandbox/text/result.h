@@ -43,7 +43,7 @@ private:
     std::variant<T, Error> content_;
 };
 
-/// A Result without a value: done, or one sentence why not.
+/// A Result without a value: either success, or one sentence that says what went wrong.
 using Status = Result<std::monostate>;
 
 }  // namespace viewing

@@ -41,14 +41,14 @@ bool is_utf8(std::string_view text);
 /// Returns a word from a file for a message: printable, at most 20 characters.
 std::string excerpt(std::string_view text);
 
-/// Breaks a text into lines of at most `width` characters where its words allow it, each ending with a newline. The
-/// first begins with `first`, the others with `indent` blanks. Words are separated by single blanks.
+/// Breaks a text between words into lines of at most `width` characters where possible, each ending with a newline. The
+/// first line begins with `first`, the others with `indent` spaces. Words are separated by single spaces.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
 
-/// Returns the start of a text that should stay on one line: a word, or a formula with blanks around its signs.
+/// Returns the start of a text that should stay on one line: a word, or a formula with spaces around its signs.
 std::string_view unbroken_start(std::string_view text);
 
-/// Converts ASCII letters to lower case and keeps everything else: for file extensions and searches.
+/// Converts ASCII letters to lower case and keeps everything else. Used for file extensions and searches.
 std::string in_lower_case(std::string text);
 
 /// Returns a byte as links and safe file names write it: "%2F".
@@ -57,17 +57,18 @@ std::string percent_encoded(char byte);
 /// Splits at each `sign` outside brackets and quotes; returns at least one part.
 std::vector<std::string> split_outside_brackets(std::string_view text, char sign);
 
-/// Returns "1 entry", "1,024 entries"; omit `many` if it is `one` with an s. For the output of commands, in English.
+/// Returns, for example, "1 entry" or "1,024 entries"; omit `many` if it is `one` with an s. Used for the English
+/// output of commands.
 std::string counted(std::int64_t count, const std::string& one, const std::string& many = "");
 
-/// Returns "never, less, equal".
+/// Returns a list such as "never, less, equal".
 std::string joined(std::span<const char* const> names);
 std::string joined(std::span<const std::string> names);
-/// Returns "13, 15".
+/// Returns a list such as "13, 15".
 std::string joined(std::span<const int> numbers);
 
-/// Returns the number of insertions, deletions, substitutions and swaps of neighbors that turn one word into the other
-/// (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 characters.
+/// Returns the least number of insertions, deletions, substitutions and swaps of neighbors that turns one word into the
+/// other (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 bytes.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// Returns the candidate nearest to a misspelled word, the first on a tie; none if no candidate is near enough.

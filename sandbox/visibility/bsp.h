@@ -31,13 +31,13 @@ struct BspNode {
     int depth = 1;                              ///< 1 at the root
     int first_fragment = 0, fragment_count = 0; /**< a run of BspTree::fragments: the polygons in the plane, the lowest
                                                      source last, so that it is visible where they overlap */
-    bool sorted = true;                         ///< false if the build had stopped: its polygons are uncut
+    bool sorted = true;                         ///< false if the build had stopped: its polygons are unsorted
 
     int splitter_source = 0;  ///< the polygon that defines the plane
     int input_count = 0;      ///< polygons that reached this node
     int candidate_count = 0;  ///< planes tried
     int front_count = 0, back_count = 0,
-        split_count = 0;  ///< polygons on either side, and those cut; pieces count on their sides, too
+        split_count = 0;  ///< polygons on either side, and polygons cut; each piece counts on its side
 };
 
 struct BspCounters {
@@ -46,20 +46,21 @@ struct BspCounters {
     int depth = 0;
 };
 
-/// Flat: nodes refer to one another by index. Independent of any camera.
+/// A tree, which does not depend on any camera. It is stored flat: nodes refer to one another by index.
 struct BspTree {
-    std::vector<BspNode> nodes;  ///< the root first; empty without polygons
+    std::vector<BspNode> nodes;  ///< the root first; empty if there are no polygons
     std::vector<Polygon> fragments;
     double epsilon = 0.0;
     BspCounters counters;
     std::string problem;  ///< a sentence if the build stopped at its budget or was canceled
 };
 
-/// Builds the tree. If the build stops, every polygon is still in the tree, some in nodes that are not `sorted`.
+/// Builds the tree. Even if the build stops early, every polygon is still in the tree, some in nodes that are not
+/// `sorted`.
 BspTree build_bsp(std::span<const Polygon> polygons, const BspOptions& options = {}, WorkProgress* progress = nullptr);
 
-/// A visited node, at the time its own polygons are drawn, and the side of its plane that the eye is on: 1 in front, −1
-/// behind, 0 in the plane. The traversal treats 0 like 1: neither side can then hide the other, and the node's polygons
+/// A node, recorded when its own polygons are drawn, and which side of its plane the eye is on: 1 in front, −1 behind,
+/// 0 in the plane. The traversal treats 0 like 1, because then neither side can hide the other, and the node's polygons
 /// are seen edge-on.
 struct BspVisit {
     int node;

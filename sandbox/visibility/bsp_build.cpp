@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// The most planes tried per node, and the most polygons each is tried on. Both limit how long a choice takes.
+/// The most planes tried per node, and the most polygons that each is tried on. Both limit how long a choice takes.
 constexpr std::size_t max_candidates = 12, max_tried_on = 192;
 
 struct Children {
@@ -44,8 +44,8 @@ public:
     }
 
 private:
-    /// Returns the number of polygons and pieces so far, in the tree or still waiting; in the pool, one piece replaces
-    /// the polygon that was cut.
+    /// Returns the number of polygons and pieces so far, in the tree or still waiting. The pool has exactly this size,
+    /// because one of the two pieces takes the place of the polygon that was cut.
     int live_count() const { return static_cast<int>(pool_.size()); }
 
     void grow() {

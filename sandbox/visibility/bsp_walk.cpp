@@ -1,5 +1,5 @@
-// Traverses the tree for one eye, without recursion, since a convex mesh makes the tree as deep as it has triangles.
-// Read software_zbuffer.cpp next.
+// Traverses the tree for one eye, without recursion, since a convex mesh makes the tree as deep as the mesh has
+// triangles. Read software_zbuffer.cpp next.
 #include <cmath>
 
 #include "visibility/bsp.h"

@@ -1,6 +1,6 @@
 // A bounding-volume hierarchy over triangles, so that a ray tests only a few of them. Read ray_cast.h next. Source:
-// Wald 2007, building with a binned surface-area heuristic; Wald, Slusallek, Benthin and Wagner 2001, tracing
-// neighboring rays together; Möller and Trumbore 1997.
+// Wald 2007 for building with a binned surface-area heuristic; Wald, Slusallek, Benthin and Wagner 2001 for tracing
+// neighboring rays together; Möller and Trumbore 1997 for the test of a triangle.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace viewing {
 
 struct RayHit {
-    double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
+    double t = std::numeric_limits<double>::infinity();  ///< in units of the direction's length
     int polygon = -1;                                    ///< index into the given polygons; −1: no hit
     int source = -1;
 
@@ -39,14 +39,14 @@ struct BvhNode {
     /// The lowest and the highest coordinates of the box, relative to the root's middle, in units of its half diagonal.
     std::array<glm::vec3, 2> corners{};
     int first = 0;
-    int content = 0;  ///< above 0: a leaf's number of triangles; else an inner node is cut across the axis −content
+    int content = 0;  ///< above 0: a leaf's number of triangles; else the axis of an inner node's cut, negated
 
     bool is_leaf() const { return content > 0; }
     int triangle_count() const { return is_leaf() ? content : 0; }
     int axis() const { return -content; }  ///< the axis along which the first child comes before the second
 };
 
-inline constexpr int deepest_bvh = 60;  ///< limits the stack of a traversal; leaves this deep may have any size
+inline constexpr int deepest_bvh = 60;  ///< limits the stack of a traversal; a leaf this deep may have any size
 
 class Bvh {
 public:
@@ -80,10 +80,10 @@ private:
     void nearest_in(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
     void nearest_with_avx2(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
 
-    std::vector<BvhNode> nodes_;  ///< the root first; empty without polygons
+    std::vector<BvhNode> nodes_;  ///< the root first; empty if there are no polygons
     std::vector<Triangle> triangles_;
     glm::dvec3 middle_{0.0};      ///< the middle of the root's box
-    double half_diagonal_ = 1.0;  ///< half the diagonal of the root's box, or 1 if it is a point
+    double half_diagonal_ = 1.0;  ///< half the diagonal of the root's box, or 1 if the box is a point
     double same_t_ = 0.0;         ///< hits closer together than this are ties; world units
 };
 

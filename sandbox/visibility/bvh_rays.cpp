@@ -1,6 +1,6 @@
 // Traces rays through the hierarchy, as many at a time as fit in a register, and visits the nearer child first. Tests
 // boxes in single precision, slightly enlarged, and triangles in double precision. Read curved.cpp next. Source: Wald,
-// Slusallek, Benthin and Wagner 2001; Ize 2013 for boxes that rays do not miss through rounding errors.
+// Slusallek, Benthin and Wagner 2001; Ize 2013 for box tests that rounding errors cannot make a ray miss.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,7 +17,8 @@
 namespace viewing {
 namespace {
 
-/// The rays traced together: one float of each fits in one register, one double of each in two.
+/// The number of rays that are traced together: one float for each of them fills one register, and one double for each
+/// fills two.
 struct FourLanes {
     typedef float Float __attribute__((vector_size(16)));
     typedef double Double __attribute__((vector_size(16)));
@@ -59,7 +60,7 @@ VIEWING_INLINE int count_of(unsigned bits) {
     return of_four(bits & 15) + of_four(bits >> 4);
 }
 
-/// The components of a vector, per lane.
+/// The three components of a vector, each with one value per lane.
 template <typename Number>
 using Three = std::array<Number, 3>;
 
@@ -132,7 +133,8 @@ struct Bvh::Together {
         };
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Double along = direction[part][axis];
-            // The inverse is large instead of infinite, so that on the face of a box 0 times it is 0, not NaN.
+            // The inverse is large instead of infinite, so that for a ray on the face of a box, 0 times the inverse is
+            // 0 and not NaN.
             const Double slow = length * 1e-30;
             const Double one = along < 0.0 ? Double{} - 1.0 : Double{} + 1.0;
             put(inverse[axis], length / (one * along > slow ? along : one * slow));
@@ -173,8 +175,8 @@ struct Bvh::Together {
         return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
     }
 
-    /// Calls visit(triangles, lanes as bits) for every leaf whose box some rays hit before those rays end; the call may
-    /// make rays end earlier.
+    /// Calls visit(triangles, lanes as bits) for every leaf whose box is hit by some of the rays before they end; visit
+    /// may make rays end earlier.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
         struct Waiting {

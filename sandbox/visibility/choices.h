@@ -12,7 +12,8 @@ enum class PainterKey { nearest, farthest, centroid };
 /// candidates, the one that cuts the fewest others, or the one whose larger child is smallest.
 enum class BspSplitter { first, random, fewest_splits, balanced };
 
-/// The order in which the two sides of a BSP node's plane are drawn: the side that the eye is on comes last, or first.
+/// The order in which the two sides of a BSP node's plane are drawn: the side that the eye is on comes last
+/// (back_to_front) or first (front_to_back).
 enum class BspOrder { back_to_front, front_to_back };
 
 /// The winding of front faces on the screen, as for glFrontFace.

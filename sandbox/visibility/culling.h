@@ -22,8 +22,8 @@ std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Vie
                                     FrontFace front = FrontFace::ccw);
 
 /// Decides by the sign of the screen area of the part in front of the near plane. The result is `neither` if all of the
-/// polygon is clipped, or if twice its area is at most 1e−12 of the square of its size there. A mirrored view swaps
-/// clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
+/// polygon is clipped, or if twice its screen area is at most 1e−12 times the square of its size on the screen. A
+/// mirrored view swaps clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      FrontFace front = FrontFace::ccw);
 
@@ -35,12 +35,12 @@ struct CullCounts {
     int disagree = 0;  ///< polygons that are front-facing one way and back-facing the other: none, except by rounding
 };
 
-/// Counts how polygons face. If canceled, counts only the first ones.
+/// Counts how polygons face. If canceled, counts only the first polygons.
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front = FrontFace::ccw,
                         const WorkProgress* progress = nullptr);
 
 /// Returns the polygons left after culling by the side of the plane, in the same order. A polygon seen edge-on is
-/// neither front-facing nor back-facing: it stays, and covers no pixel. front_and_back leaves nothing. If canceled,
+/// neither front-facing nor back-facing: it stays, but covers no pixel. front_and_back leaves nothing. If canceled,
 /// considers only the first polygons.
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
                             FrontFace front = FrontFace::ccw, const WorkProgress* progress = nullptr);

@@ -1,5 +1,5 @@
-// Intersects quadrics with a quadratic that avoids cancellation, and the torus with a quartic cut into monotone pieces.
-// Read ray_cast.cpp next.
+// Intersects rays with quadrics by solving a quadratic without cancellation, and with the torus by cutting a quartic
+// into monotone pieces. Read ray_cast.cpp next.
 #include "visibility/curved.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double ring_radius = 0.9, tube_radius = 0.34;
 
-/// The part of a ray within some region: from `enter` to `leave`, empty if enter ≥ leave.
+/// The part of a ray within some region, from `enter` to `leave`; empty if enter ≥ leave.
 struct Interval {
     double enter, leave;
     bool empty() const { return !(enter < leave); }
@@ -79,7 +79,7 @@ CurvedHits intersect_cone(const Ray& ray) {
     const double c = o.x * o.x + o.z * o.z - below_tip * below_tip;
     const Interval slab = within_slab(ray);
     if (slab.empty()) return hits;
-    if (a == 0.0) {  // parallel to a line on the side: one crossing, at −c / 2b; inside where 2 b t + c < 0
+    if (a == 0.0) {  // the ray is parallel to a line on the side: it crosses at −c / 2b, and 2 b t + c < 0 inside
         if (b != 0.0) {
             const double crossing = -c / (2.0 * b);
             add_interval(hits, common(slab, b > 0.0 ? Interval{-infinity, crossing} : Interval{crossing, infinity}));
@@ -89,9 +89,9 @@ CurvedHits intersect_cone(const Ray& ray) {
     const Interval roots = quadratic_roots(a, b, c);
     if (a > 0.0) {
         add_interval(hits, common(slab, roots));
-    } else if (roots.empty()) {  // steeper than the side and through the tip, or next to it
+    } else if (roots.empty()) {  // the ray is steeper than the side and passes through the tip or next to it
         add_interval(hits, slab);
-    } else {  // inside before and after the roots: one of these parts is in the slab
+    } else {  // the ray is inside before and after the roots; one of these parts is in the slab
         add_interval(hits, common(slab, {-infinity, roots.enter}));
         add_interval(hits, common(slab, {roots.leave, infinity}));
     }
@@ -117,7 +117,8 @@ double bracketed_zero(double low, double high, Function f, Derivative derivative
     return t;
 }
 
-/// A quartic t⁴ + p t² + q t + r: the form of any quartic after shifting its argument to the middle of its zeros.
+/// A quartic t⁴ + p t² + q t + r: the form that any quartic takes when it is divided by its leading coefficient and its
+/// argument is shifted by the mean of its zeros.
 struct DepressedQuartic {
     double p, q, r;
     double value(double t) const { return ((t * t + p) * t + q) * t + r; }

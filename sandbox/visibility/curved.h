@@ -10,11 +10,11 @@
 
 namespace viewing {
 
-/// In model space, as geometry/shapes.h makes them: a sphere of radius 1; a closed cylinder and a closed cone of radius
-/// 1 from y = −1 to 1, the cone's tip up; a torus with radii 0.9 and 0.34 about y.
+/// The curved shapes in model space, as geometry/shapes.h makes them: a sphere of radius 1; a closed cylinder and a
+/// closed cone of radius 1 from y = −1 to 1, the cone's tip up; a torus with radii 0.9 and 0.34 about y.
 enum class CurvedKind { sphere, cylinder, cone, torus };
 
-/// The points where a ray crosses a surface: at most four, nearest first, t ≥ 0 in units of the ray's direction.
+/// The points where a ray crosses a surface: at most four, nearest first, t ≥ 0 in units of the direction's length.
 class CurvedHits {
 public:
     const double* begin() const { return t_.data(); }
@@ -31,8 +31,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Returns the hits of a ray in model space. Its direction need not be unit, so t is the same as in world space if
-/// model_from_world was applied to both origin and direction. A ray that only touches the surface, or runs within a
+/// Returns the hits of a ray in model space. The direction need not have length 1, so t is the same as in world space
+/// if model_from_world was applied to both origin and direction. A ray that only touches the surface, or runs within a
 /// straight side or a cap, misses. A direction of length 0 misses.
 CurvedHits intersect_curved(CurvedKind kind, const Ray& ray_in_model);
 

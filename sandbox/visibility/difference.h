@@ -17,12 +17,12 @@ struct IdDifference {
     std::vector<std::uint8_t> differs;    ///< 1 for each pixel that `different` counts; row by row from the top
 };
 
-/// Compares IDs. Both images must have the same size.
+/// Compares the IDs of two images, which must have the same size.
 IdDifference difference(const IdImage& reference, const IdImage& image);
 
-/// The pair of polygons with the most wrong pixels, where the hidden one was drawn over the visible one.
+/// The pair of polygons with the most wrong pixels: pixels where the hidden one was drawn over the visible one.
 struct WrongPair {
-    int seen = -1, drawn = -1;    ///< sources: the one visible in the reference, and the one drawn there instead
+    int seen = -1, drawn = -1;    ///< sources: the polygon visible in the reference, and the one drawn there instead
     std::int64_t pixels = 0;      ///< wrong pixels of this pair
     std::int64_t all_pixels = 0;  ///< wrong pixels of all pairs
     std::int64_t compared = 0;    ///< pixels of the picture that were compared

@@ -49,9 +49,9 @@ struct FailureView {
 
 /// Searches the full circle in 15-degree steps of yaw, at the start's pitch and at three others, beginning at the
 /// start. If nothing fails, searches once more at yaws and pitches in between. Then searches near the worst view in
-/// ever smaller steps. The eye never goes below the target or, if it starts there, below its start. Deterministic.
-/// Tries no view if there are no polygons or no pixels, or if the orbit is not finite. If canceled, returns the worst
-/// view so far.
+/// ever smaller steps. The eye never goes below the target or, if it starts there, below its start. The search is
+/// deterministic. Tries no view if there are no polygons or no pixels, or if the orbit is not finite. If canceled,
+/// returns the worst view so far.
 FailureView find_failure(std::span<const Polygon> polygons, const Orbit& orbit, const FailureSearchOptions& options,
                          WorkProgress* progress = nullptr);
 

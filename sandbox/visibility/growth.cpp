@@ -100,7 +100,7 @@ private:
         do {
             GrowthRow row = bench.run(method, &progress);
             spent_ms += row.time_ms;
-            if (is_late(progress) && !runs.empty()) break;  // a run that was cut short
+            if (is_late(progress) && !runs.empty()) break;  // drops a run that was cut short
             runs.push_back(std::move(row));
         } while (runs.back().problem.empty() && spent_ms + runs.back().time_ms < request_.time_budget_ms &&
                  (runs.size() < fewest_runs || (spent_ms < enough_ms && runs.size() < most_runs)));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double small_radius = 0.025;  ///< radius of the sphere, whose diameter is 2.5 % of the cube's side of 2
 
-/// std::uniform_real_distribution may differ between standard libraries; this class does not.
+/// Random numbers that are the same with every standard library, unlike those of std::uniform_real_distribution.
 class Chance {
 public:
     explicit Chance(unsigned seed) : engine_(seed) {}

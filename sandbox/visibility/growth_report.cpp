@@ -72,8 +72,8 @@ std::string reign_text(const Reign& reign, std::span<const Reign> all) {
                "last"_a = grouped_number(reign.last));
 }
 
-/// Returns the factor by which the work grows for ten times the polygons. Uses the method's last row without a problem
-/// and the last one before it with at most half as many polygons.
+/// Returns the factor by which the work grows if there are ten times as many polygons. Uses the method's last row
+/// without a problem and the last one before it with at most half as many polygons.
 std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMethod method) {
     const GrowthRow *last = nullptr, *before = nullptr;
     for (const GrowthRow& row : rows) {

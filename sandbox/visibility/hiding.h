@@ -15,16 +15,16 @@
 
 namespace viewing {
 
-/// Indices: `before` must be painted before `after`, which hides a part of it.
+/// Two indices: `before` must be painted before `after`, which hides a part of it.
 struct HidingPair {
     int before = 0, after = 0;
     auto operator<=>(const HidingPair&) const = default;
 };
 
 /// Returns, sorted, all pairs in which one polygon hides a part of the other in this view. Clips polygons at the near
-/// plane. Two polygons that intersect appear in both orders; among coplanar ones, the one with the lowest source counts
-/// as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it suits at most
-/// thousands of polygons. Stops soon after finding more than `most` pairs; the result is then incomplete.
+/// plane. Two polygons that intersect appear in both orders; of coplanar polygons, the one with the lowest source
+/// counts as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it suits
+/// at most thousands of polygons. Stops soon after finding more than `most` pairs; the result is then incomplete.
 std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      std::optional<double> epsilon = std::nullopt,
                                      std::size_t most = std::numeric_limits<std::size_t>::max());
@@ -33,10 +33,10 @@ std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Vi
 /// holds the group of each item.
 std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<const int> group_of);
 
-/// Items from 0 to count − 1, back to front.
+/// An order of the items 0 to count − 1 from back to front, or a cycle that makes such an order impossible.
 struct WholeOrder {
     std::vector<int> order;  ///< satisfies every pair, the lowest item first where several fit; empty if impossible
-    std::vector<int> cycle;  ///< else a short cycle: each item must come before the next, the last before the first
+    std::vector<int> cycle;  ///< if impossible, a short cycle: each item must precede the next, the last one the first
 };
 WholeOrder whole_order(int count, std::span<const HidingPair> pairs);
 

@@ -7,8 +7,8 @@
 
 namespace viewing {
 
-/// Rows from the top, pixel (0, 0) at the top left. `ids` holds Polygon::source. `depths` holds window depths: 0 on the
-/// near plane and 1 on the far plane (standard mapping), infinite on the background.
+/// Rows are stored from the top; pixel (0, 0) is at the top left. `ids` holds Polygon::source. `depths` holds window
+/// depths: 0 on the near plane and 1 on the far plane (standard mapping), infinite on the background.
 struct IdImage {
     static constexpr int background = -1;
 

@@ -1,7 +1,7 @@
 // Keeps the list sorted by farthest vertex; P can be anywhere in it, but at first it is the farthest. A Q that must be
-// drawn first becomes P; if that leads back to an earlier P, something is cut. A P that becomes P again continues at
-// the Q where it stopped: it has passed its tests against everything farther, and its pieces pass them too. Read
-// software_zbuffer.cpp next.
+// drawn first becomes P; if that leads back to an earlier P, something is cut. A polygon that becomes P again continues
+// at the Q where it stopped, because it has already passed its tests against everything farther; its pieces pass these
+// tests too. Read software_zbuffer.cpp next.
 #include "visibility/newell.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ public:
                 return;
             }
             std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
-            // Behind an oblique near plane there may be points behind the eye.
+            // Points beyond an oblique near plane may still be behind the eye.
             if (seen && eye_plane) seen = clipped(*seen, *eye_plane, clip_epsilon);
             if (seen) add_fragment(*std::move(seen));
         }
@@ -206,7 +206,7 @@ private:
         return result_.fragments[fragment].source > result_.fragments[other].source;
     }
 
-    /// Cuts P by Q's plane or Q by P's. In some cycles, neither is possible; it then cuts one of them along the other's
+    /// Cuts P by Q's plane or Q by P's. If neither is possible, as in some cycles, cuts one of them along the other's
     /// outline. Returns false if nothing is left to cut.
     bool cut_one_of(int p, int q) {
         if (cut(p, q, p, plane_towards_eye(q)) || cut(p, q, q, plane_towards_eye(p))) return true;
@@ -214,7 +214,7 @@ private:
     }
 
     bool cut_along_outline(int p, int q, int fragment, int other) {
-        // A copy, since a cut adds fragments.
+        // This is a copy, because a cut adds fragments and may thereby move the original.
         const std::vector<glm::dvec3> outline = result_.fragments[other].vertices;
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const glm::dvec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
@@ -227,7 +227,7 @@ private:
         return false;
     }
 
-    /// Cuts P or Q in two, if the plane cuts it.
+    /// Cuts a fragment, P or Q, in two if it spans the plane; returns whether it did so.
     bool cut(int p, int q, int fragment, const glm::dvec4& plane) {
         if (!result_.problem.empty()) return false;
         if (side_of_plane(result_.fragments[fragment], plane, epsilon_) != PlaneSide::spanning) return false;
@@ -252,7 +252,7 @@ private:
 
     void add_piece(Polygon polygon, int whole) {
         Projected projected = project(polygon, viewpoint_, clip_from_world_);
-        projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // despite rounding
+        projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // guards against rounding
         add_fragment(std::move(polygon), std::move(projected));
         let_go_beyond_.back() = let_go_beyond_[static_cast<std::size_t>(whole)];
         const auto place = std::upper_bound(list_.begin(), list_.end() - 1, list_.back(),
@@ -267,7 +267,7 @@ private:
     const WorkProgress* const progress_;
     const double epsilon_;
     std::vector<Projected> projected_;   ///< per fragment
-    std::vector<double> let_go_beyond_;  ///< per fragment, as P: it passed against every Q that reaches beyond this
+    std::vector<double> let_go_beyond_;  ///< per fragment: as P, it passed against every Q farther than this
     std::vector<bool> is_in_chain_;      ///< by fragment
     std::vector<int> list_;              ///< not yet drawn; the next one is last
     std::vector<int> chain_;             ///< P is last, after those that wait for it

@@ -16,9 +16,9 @@
 
 namespace viewing {
 
-/// P is about to be drawn, Q later, as in the paper; the screen calls them A and B, because P is the projection there.
-/// If one of the first six tests passes, in this order, P may be drawn before Q; if one of the next two passes, Q may
-/// be drawn before P instead. The front of each plane faces the eye.
+/// P is about to be drawn and Q comes later, as in the paper; the screen calls them A and B, because P stands for the
+/// projection there. The tests are tried in this order. If one of the first six passes, P may be drawn before Q; if one
+/// of the next two passes, Q may be drawn before P instead. The front of each plane faces the eye.
 enum class NewellTest {
     depth_extents,         ///< Q's farthest vertex is no farther than P's nearest
     x_extents,             ///< apart on the screen's x axis
@@ -48,7 +48,7 @@ struct NewellStep {
     int split = -1;        ///< the one of the two that was cut
     int first_piece = -1;  ///< the piece in front; the other piece follows it
     glm::dvec4 cut_plane{
-        0.0};  ///< Q's or P's plane, or for a cycle that neither of these cuts, one through the eye and an edge
+        0.0};  ///< Q's or P's plane or, in a cycle that neither of them can cut, a plane through the eye and an edge
 };
 
 struct NewellOptions {
@@ -65,14 +65,14 @@ struct NewellCounters {
 };
 
 struct NewellOrder {
-    std::vector<Polygon> fragments;  ///< all that ever existed, even if cut later, in world space
+    std::vector<Polygon> fragments;  ///< all that ever existed, even those cut later; in world space
     std::vector<int> order;          ///< indices into fragments, back to front
-    double clipped_area = 0.0;       ///< of the parts on or behind the near plane, which the order leaves out
+    double clipped_area = 0.0;       ///< area of the parts on or behind the near plane, which the order leaves out
     std::vector<NewellStep> steps;
     std::int64_t steps_left_out = 0;
     NewellCounters counters;
-    /// A sentence if the sort stopped at a budget or was canceled: the rest is sorted by farthest vertex. If it was
-    /// canceled while clipping, which is possible only with more than 32,768 polygons, nothing is drawn.
+    /// A sentence if the sort stopped at a budget or was canceled; the rest is then sorted by farthest vertex. If it
+    /// was canceled while clipping, which is possible only with more than 32,768 polygons, nothing is drawn.
     std::string problem;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double relative_epsilon = 1e-9;
 
-/// Returns the normal whose length is twice the area. Differences from one corner keep it exact for distant objects.
+/// Returns the normal whose length is twice the area. Differences from one corner keep it accurate for distant objects.
 glm::dvec3 twice_area_normal(const std::vector<glm::dvec3>& corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

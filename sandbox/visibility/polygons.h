@@ -13,7 +13,7 @@
 
 namespace viewing {
 
-/// Convex and planar, counterclockwise seen from its front.
+/// A convex and planar polygon, counterclockwise when seen from its front.
 struct Polygon {
     std::vector<glm::dvec3> vertices;  ///< three or more, world space
     glm::dvec4 plane{0.0};             ///< unit, positive in front; a piece has the plane of the whole
@@ -31,7 +31,7 @@ inline constexpr double smallest_relative_area = 1e-12;
 /// polygon gets their mean plane, which has the normal of the area and passes through the mean of the corners.
 std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int object, int source);
 
-/// A placed mesh. It must outlive the call it is passed to.
+/// A placed mesh. The mesh must outlive the call that it is passed to.
 struct MeshInstance {
     const Mesh* mesh = nullptr;
     glm::dmat4 world_from_model{1.0};
@@ -42,12 +42,12 @@ struct PolygonSet {
     int dropped = 0;  ///< triangles without area; their numbers stay unused
 };
 
-/// Returns every triangle of every mesh; `object` is the index in `instances`, and `source` numbers the triangles
-/// across all of them. The winding is the mesh's, even under a mirroring world_from_model, as in GL. If canceled,
-/// returns only the first triangles.
+/// Returns every triangle of every mesh as a polygon. Its `object` is the index in `instances`, and `source` numbers
+/// the triangles of all meshes consecutively. The winding is the mesh's, even if world_from_model mirrors, as in GL. If
+/// canceled, returns only the first triangles.
 PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgress* progress = nullptr);
 
-/// Returns the default tolerance for points on a plane: 1e−9 of the bounds' diagonal, or 1e−9 if it is 0.
+/// Returns the default tolerance for points on a plane: 1e−9 of the bounds' diagonal, or 1e−9 if the diagonal is 0.
 double default_epsilon(std::span<const Polygon> polygons);
 
 Bounds bounds_of(std::span<const Polygon> polygons);

@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// An overlap of at most this, in normalized device coordinates, counts as touching, as neighbors in a mesh do.
+/// An overlap of at most this, in normalized device coordinates, counts as touching, like that of mesh neighbors.
 constexpr double touching = 2e-8;
 
 std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector<glm::dvec2>& corners) {
@@ -20,8 +20,8 @@ std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector
     return extent;
 }
 
-/// Returns whether a line parallel to some edge of `a` separates `a` from `b`. Also true if `a` has no width across an
-/// edge, or no edges.
+/// Returns whether a line parallel to some edge of `a` separates `a` from `b`. Also returns true if `a` has no width
+/// across an edge, or no edges.
 bool an_edge_separates(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
     bool is_a_point = true;
     for (std::size_t i = 0; i < a.size(); ++i) {

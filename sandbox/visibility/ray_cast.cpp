@@ -82,7 +82,7 @@ BoundedRay PixelRays::through(int x, int y) const {
     // almost 0.
     const glm::dvec3 along = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     const double length = glm::length(along);
-    // Behind an oblique near plane a ray may never reach that plane, or never leave through the far plane.
+    // With an oblique near plane, a ray may never reach that plane, or never leave through the far plane.
     if (!(on_near.w > 0.0)) return {{origin, along / length}, -1.0};
     if (!(on_far.w > 0.0)) return {{origin, along / length}, std::numeric_limits<double>::max()};
     return {{origin, along / length}, length / (on_near.w * on_far.w)};
@@ -90,7 +90,7 @@ BoundedRay PixelRays::through(int x, int y) const {
 
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress) {
-    // Neighboring rays mostly meet the same boxes, so blocks of four by two are traced together.
+    // Neighboring rays mostly meet the same boxes, so the rays of four by two pixels are traced together.
     constexpr int across = 4, down = 2;
     RayCastResult result;
     result.image = IdImage(options.width, options.height);

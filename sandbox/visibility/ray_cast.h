@@ -23,7 +23,7 @@ struct CurvedShape {
     int source = 0;  ///< its number in ID images, different from every polygon's
 };
 
-/// A ray's hit: a polygon or a curved shape.
+/// A ray's hit on a polygon or on a curved shape.
 struct RayCastHit {
     double t = 0.0;    ///< world units from the ray's origin
     int polygon = -1;  ///< index into the polygons, or −1
@@ -38,10 +38,10 @@ public:
     explicit RayScene(std::span<const Polygon> polygons, std::span<const CurvedShape> curved = {},
                       WorkProgress* progress = nullptr);
 
-    /// Returns the first hit with 0 ≤ t ≤ max_t; source −1 if there is none. The ray's direction must be unit.
+    /// Returns the first hit with 0 ≤ t ≤ max_t; source −1 if there is none. The ray's direction must have length 1.
     RayCastHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
-    /// Does the same for several rays; `hits` must be at least as long as `rays`. Neighboring rays are faster.
+    /// Does the same for several rays; `hits` must be at least as long as `rays`. Neighboring rays are traced faster.
     void nearest(std::span<const BoundedRay> rays, std::span<RayCastHit> hits, RayCounters& counters) const;
 
     /// Returns all hits with 0 ≤ t ≤ max_t, nearest first.

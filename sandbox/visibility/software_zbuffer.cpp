@@ -27,7 +27,7 @@ struct Span {
 };
 
 struct ScreenPoint {
-    double x, y, depth;  ///< pixels from the top left, window depth
+    double x, y, depth;  ///< pixels from the top left; window depth
 };
 
 class Rasterizer {
@@ -49,7 +49,7 @@ public:
         for (const glm::dvec3& vertex : polygon.vertices) clip_.push_back(clip_from_world_ * glm::dvec4(vertex, 1.0));
         keep_where([](const glm::dvec4& p) { return p.w + p.z; });
         keep_where([](const glm::dvec4& p) { return p.w - p.z; });
-        // Behind an oblique near plane there may be points behind the eye.
+        // Points beyond an oblique near plane may still be behind the eye.
         keep_where([this](const glm::dvec4& p) { return p.w - least_w_; });
         if (clip_.size() < 3) return;
         ++result_.counters.polygons;
@@ -135,7 +135,8 @@ private:
         }
     }
 
-    /// depth = at_origin + per_x · x + per_y · y, from the polygon's plane: the same for all pieces of one polygon.
+    /// Sets depth = at_origin + per_x · x + per_y · y from the polygon's plane, so that it is the same for all pieces
+    /// of a polygon.
     void set_depth_plane() {
         const glm::dvec4 p = clip_plane_from_world_ * polygon_->plane;
         const bool is_edge_on = std::abs(p.z) <= 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.w));

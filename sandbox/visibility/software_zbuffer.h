@@ -58,15 +58,15 @@ struct RasterResult {
     IdImage image;
     RasterCounters counters;
     RasterStep last;                               ///< the last fragment tested
-    std::vector<std::uint32_t> written_per_pixel;  ///< overdraw view; empty unless requested
+    std::vector<std::uint32_t> written_per_pixel;  ///< for the overdraw view; empty unless requested
     std::vector<std::int64_t> tested_after;        ///< the value of pixels_tested after each polygon drawn so far
     std::vector<RasterTouch> touches;              ///< in the order in which they were tested
 };
 
-/// Draws `polygons` in `order` (indices into them; any number of indices). A pixel belongs to a polygon that contains
-/// its center, with the top-left rule on edges. Clips at the near and far planes; clip_from_world has the clip range −1
-/// … 1. Depths are in double precision; among fragments whose depths agree to 1e−12 the first one stays, so coplanar
-/// polygons do not fight. If canceled, returns the picture so far.
+/// Draws `polygons` in `order`, which contains indices into them, any number of them. A pixel belongs to a polygon that
+/// contains its center, with the top-left rule on edges. Clips at the near and far planes; clip_from_world has the clip
+/// range −1 … 1. Depths are in double precision; among fragments whose depths agree to 1e−12, the first one stays, so
+/// coplanar polygons do not fight. If canceled, returns the picture so far.
 RasterResult rasterize(std::span<const Polygon> polygons, std::span<const int> order, const glm::dmat4& clip_from_world,
                        const RasterOptions& options, WorkProgress* progress = nullptr);
 

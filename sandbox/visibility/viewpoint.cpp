@@ -1,4 +1,4 @@
-// Derives the quantities that the methods need from a camera. Read painter.cpp next.
+// Computes, from a camera, the quantities that the methods need. Read painter.cpp next.
 #include "visibility/viewpoint.h"
 
 #include "geometry/plane.h"

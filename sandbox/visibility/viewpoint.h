@@ -1,4 +1,4 @@
-// The camera for the methods in this folder. Read painter.h next.
+// The camera that the methods in this folder use. Read painter.h next.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,8 +16,9 @@ struct Viewpoint {
     /// Returns the eye distance −z of a point in world space.
     double distance(const glm::dvec3& point_world) const;
 
-    /// Returns the eye with w = 1 or, for an orthographic camera, the unit direction toward the viewer with w = 0: its
-    /// dot product with a unit plane is positive if the plane's front is visible, 0 if the plane is seen edge-on.
+    /// Returns the eye with w = 1 or, for an orthographic camera, the unit direction toward the viewer with w = 0. In
+    /// both cases, its dot product with a unit plane is positive if the plane's front is visible, 0 if the plane is
+    /// seen edge-on.
     glm::dvec4 eye_world() const;
 
     /// Returns the unit plane in world space on which clip z = −w; visible points are on its positive side.

@@ -1,4 +1,4 @@
-// Benchmarks of our own parts in one process. ratios.cpp compares whole programs with the floor.
+// Benchmarks of parts of our own code in one process. ratios.cpp compares whole programs with the floor.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ Image noise() {
     return image;
 }
 
-/// Makes an image with a dot every 18 pixels, which gives the maximum number of boxes.
+/// Makes an image with a dot every 18 pixels, for which the comparison finds the maximum number of boxes.
 Image dotted() {
     Image image = picture();
     for (int y = 0; y < height; y += 18)

@@ -1,14 +1,14 @@
-// The floor: the least work with which a program can draw one lit mesh. A bare EGL context on a software device, a
-// torus, its own framebuffer, a readback, libpng. It deliberately shares no code with the sandbox: any cost beyond this
-// floor is the sandbox's own.
+// The floor: the least work with which a program can draw one lit mesh. It uses a bare EGL context on a software
+// device, a torus, its own framebuffer, a readback and libpng. It deliberately shares no code with the sandbox, so any
+// cost beyond this floor is the sandbox's own.
 //
 // bench-floor OUT.png [MESH.obj]
-//     one 1280 × 720 picture, like those of `viewing-sandbox snapshot`; with MESH.obj, it shows that mesh, read by
-//     tinyobjloader. Each corner must use the same index for position and normal
+//     draws one 1280 × 720 picture, like those of `viewing-sandbox snapshot`. It shows MESH.obj if given, read by
+//     tinyobjloader; each corner there must use the same index for position and normal
 // bench-floor --count N WxH read|png [shaded|dense]
-//     N pictures in one process, each rotated a bit more, read back (and encoded); prints pictures per second and CPU
-//     milliseconds per picture. shaded: the sandbox's shading (two-sided, sky light, highlight, sRGB) instead of one
-//     Lambert term
+//     draws N pictures in one process, each rotated a bit more, and reads them back (png: also encodes them); prints
+//     pictures per second and CPU milliseconds per picture. shaded: uses the sandbox's shading (two-sided, sky light,
+//     highlight, sRGB) instead of one Lambert term. dense: uses a torus of 79,524 triangles
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <png.h>
@@ -85,7 +85,7 @@ void main() {
     color = vec4(vec3(0.35, 0.62, 0.94) * (0.2 + 0.8 * lambert), 1);
 })";
 
-/// Shading is not overhead of the sandbox, so this shader computes the same terms in their simplest form.
+/// The sandbox's shading does not count as overhead, so this shader computes the same terms in their simplest form.
 constexpr const char* shaded_source = R"(#version 330 core
 in vec3 position_view;
 in vec3 normal_view;

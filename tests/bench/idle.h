@@ -6,8 +6,8 @@
 
 namespace viewing::bench {
 
-/// Returns the window's CPU time in percent of one core, over the five seconds after it comes to rest on its own
-/// display. The result is empty without Xvfb or if the window does not start.
+/// Starts the window on its own display, lets it come to rest, and returns the CPU time it uses over the next five
+/// seconds, in percent of one core. Returns nothing if there is no Xvfb or the window does not start.
 std::optional<double> idle_percent(const std::string& sandbox);
 
 }  // namespace viewing::bench

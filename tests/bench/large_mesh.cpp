@@ -1,6 +1,6 @@
-// Measures the cost that a million-triangle mesh adds to a frame in our own code, compared with an empty scene:
-// numbers, plan, problems and the requests of the other views, while the camera or the light moves. It only reports and
-// never fails.
+// Measures how much a million-triangle mesh adds to a frame's cost in our own code, compared with an empty scene. The
+// frame computes the numbers, the plan, the problems and what the other views request, while the camera or the light
+// moves. This program only reports; it never fails.
 #include <benchmark/benchmark.h>
 
 #include "frame/depth/near_advice.h"
@@ -61,7 +61,7 @@ void advise(const Params& params, const Scene& scene) {
     benchmark::DoNotOptimize(near_advice(params, derive(params, scene, viewport), scene));
 }
 
-/// Measures frames after the first one, which fills the scene's caches.
+/// Measures all frames but the first one, which fills the scene's caches.
 void frame(benchmark::State& state, void (*ask)(const Params&, const Scene&), Moving moving, int around, int up) {
     const Scene scene = scene_of(around, up);
     Params params = busy_params();

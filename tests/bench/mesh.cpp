@@ -1,6 +1,6 @@
-// Reads a million-triangle Wavefront file: our reader against tinyobjloader, the fastest reader in Debian.
+// Reads a million-triangle Wavefront file with our reader or with tinyobjloader, the fastest reader in Debian.
 //
-// bench-mesh write FILE                    a torus of 1,000 × 500 quads with normals
+// bench-mesh write FILE                    writes a torus of 1,000 × 500 quads with normals
 // bench-mesh load FILE sandbox|tinyobj     reads it; prints milliseconds, CPU milliseconds, the megabytes of the
 //                                          resulting arrays, and the megabytes by which the process grew at its peak
 #include <sys/resource.h>
@@ -46,7 +46,7 @@ double megabytes(const std::vector<T>& values) {
     return static_cast<double>(values.size() * sizeof(T)) / (1024.0 * 1024.0);
 }
 
-/// Returns the megabytes read.
+/// Returns the megabytes of the arrays that were read; 0 if the file cannot be read.
 double load(const std::string& path, bool ours) {
     if (ours) {
         const Result<ObjMesh> read = load_obj(path);

@@ -1,15 +1,16 @@
-// The floor's counterpart: draws many of our pictures in one process, with the code of the window and the snapshots.
+// The counterpart of floor.cpp: draws many pictures in one process, with the sandbox's code for windows and snapshots.
 //
-// bench-pictures STATE N WxH read|png      N camera pictures, each rotated a bit more, read back (and encoded);
+// bench-pictures STATE N WxH read|png      N camera pictures, each rotated a bit more, read back (png: also encoded);
 //                                          prints pictures per second and CPU milliseconds per picture
-// bench-pictures STATE N WxH window        N whole windows with every view redrawn, read back; the same numbers
-// bench-pictures STATE N WxH flight        the same while the forward key is held, as in the window: large meshes are
+// bench-pictures STATE N WxH window        N whole windows with every view redrawn, read back; prints the same numbers
+// bench-pictures STATE N WxH flight        the same while the forward key is held; as in the window, large meshes are
 //                                          then drawn coarsely
-// bench-pictures STATE N WxH frame         medians of our thread's CPU milliseconds per window frame: derive and plan;
-//                                          user interface; the whole frame with GL_RASTERIZER_DISCARD (nothing is
-//                                          drawn), without the views' draw calls; the same with them (a software
-//                                          renderer then transforms the vertices on our thread); the whole frame
-//                                          (the renderer then also sorts triangles into tiles).
+// bench-pictures STATE N WxH frame         prints medians of our thread's CPU milliseconds per window frame: for derive
+//                                          and plan; for the user interface; for the whole frame with
+//                                          GL_RASTERIZER_DISCARD, which draws nothing, and without draw calls; for the
+//                                          same with draw calls (a software renderer then transforms the vertices on
+//                                          our thread); and for the whole frame (the renderer then also sorts triangles
+//                                          into tiles).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -92,7 +93,7 @@ void windows(Renderer& renderer, const LoadedState& state, int count, glm::ivec2
     });
 }
 
-/// Leaves out the first four seconds, in which the window notices slow frames and makes a coarser mesh.
+/// Does not time the first four seconds, in which the window notices slow frames and makes a coarser mesh.
 void flight(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     Studio::Surroundings surroundings{.size_px = size_px, .shows_time = true, .input = {}};
     surroundings.input.down[static_cast<std::size_t>(Key::w)] = true;

@@ -1,4 +1,4 @@
-// Starts a program and measures it from outside: wall time, CPU time of all its threads, peak memory, its output.
+// Starts a program, measures its wall time, the CPU time of all its threads and its peak memory, and keeps its output.
 #pragma once
 
 #include <sys/types.h>

@@ -1,10 +1,10 @@
 // Compares the sandbox with the floor in one run, starting them alternately so that a warm or busy machine affects both
-// alike. Reports medians. Every ratio is given in wall time and in CPU time (user and system, all threads), since wall
-// time is noisy on a busy machine. Never fails: exit status 0 unless a program cannot be run.
+// equally. Reports medians. Times are compared as wall time and as CPU time (user and system, all threads), since wall
+// time is noisy on a busy machine. The exit status is 0 unless a program cannot be run.
 //
 // bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]
 //     FOLDER contains bench-floor, bench-pictures and bench-mesh; SANDBOX is the program; ONE_MESH and DENSE are states
-//     that match the floor's pictures: its mesh, and one of 80,000 triangles
+//     that match the floor's pictures, with its torus and with one of 80,000 triangles
 //
 // If VIEWING_BENCH_ROWS names a file, the rows are also appended to it, with tabs between columns, for
 // tests/bench/table. floor.cpp, pictures.cpp and mesh.cpp describe the timed work.
@@ -32,7 +32,7 @@ struct Programs {
     std::string floor, pictures, mesh, sandbox, one_mesh, dense;
 };
 
-/// Collects one value per round; their median is the result.
+/// Collects one value per round; the median of the values is the result.
 class Samples {
 public:
     void add(double value) { values_.push_back(value); }
@@ -90,7 +90,7 @@ void keep(const Row& row) {
 }
 
 void print(const Row& row) {
-    // printf counts bytes, and a sign such as × has two.
+    // printf counts bytes, and a character such as × has two.
     const auto continued =
         std::count_if(row.what.begin(), row.what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
     std::printf("%-*s ", static_cast<int>(46 + continued), row.what.c_str());
@@ -152,7 +152,7 @@ void compare_starts(const Programs& programs, const fs::path& scratch, int round
     for (const Kind& kind : {kinds[1], kinds[2]}) {
         for (const auto& [heat, start] : {std::pair("warm", &Kind::warm), std::pair("cold", &Kind::cold)}) {
             const Start &ours = kind.*start, &least = floor.*start;
-            // The opening state has five passes: only its cold time is judged; its warm time is just reported.
+            // The opening state has five passes, so only its cold time is judged; its warm time is just reported.
             const bool is_cold = start == &Kind::cold;
             const double most = kind.bound ? 1.3 : 1.5;
             print({std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
@@ -278,7 +278,7 @@ void compare_large_mesh(const Programs& programs, const fs::path& scratch, int r
                 Bound{Wanted::at_least, 10.0});
 }
 
-/// Our thread's milliseconds per frame, as bench-pictures prints them.
+/// The milliseconds of our thread per frame, as bench-pictures prints them.
 struct FrameCost {
     Samples numbers, ui, calls, submitted, whole;
 };

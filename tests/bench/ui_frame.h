@@ -1,5 +1,5 @@
-// Runs one frame of the user interface with its computed numbers but without GL: the cost of our own code before any
-// driver call. Follows Studio::frame between two edits.
+// Runs one frame of the user interface, with the numbers computed for it but without GL, to measure the cost of our own
+// code before any driver call. It does the same as Studio::frame between two edits.
 #pragma once
 
 #include <algorithm>

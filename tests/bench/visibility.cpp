@@ -1,10 +1,10 @@
 // Measures the speed of the hidden-surface methods on one core, in CPU time, against their targets. It only reports and
 // never fails.
 //
-// visibility-bench              a table in Google Benchmark's form and with its flags; compares ray casting with
-//                               Embree's single rays through the same pixels, its hierarchy with Embree's, and the
-//                               z-buffer with llvmpipe, all on one thread
-// visibility-bench --curves     time and dominant operation of every method on 10 … 100,000 polygons, as CSV
+// visibility-bench              prints a table in Google Benchmark's form and takes its flags; compares ray casting
+//                               with Embree's single rays through the same pixels, our hierarchy with Embree's, and
+//                               the z-buffer with llvmpipe, all on one thread
+// visibility-bench --curves     prints the time and dominant operation of every method on 10 … 100,000 polygons, as CSV
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
 #include <sys/resource.h>
@@ -43,7 +43,7 @@ std::vector<Polygon> polygons_of(const Mesh& mesh) {
     return viewing::polygons_of(std::span(&instance, 1)).polygons;
 }
 
-/// With a fovy of 40°, the shapes, of size 2 around the origin, fill the picture's height.
+/// With a fovy of 40°, the shapes fill the picture's height; they have size 2 and are centered at the origin.
 Viewpoint viewpoint(const glm::dvec3& target = glm::dvec3(0.0), double fovy_deg = 40.0) {
     const glm::dvec3 eye(1.0, 1.4, 3.0);
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))),
@@ -115,13 +115,13 @@ BENCHMARK_CAPTURE(z_buffer, large_squares, squares())->Unit(benchmark::kMillisec
 Mesh torus() {
     return torus_mesh(320, 157);
 }
-// The whole torus, a close-up of its tube so that every ray hits it, and the teapot.
+// `whole` shows the whole torus or teapot; `near_tube` is so close to the torus's tube that every ray hits it.
 const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0);
 
 // ---- the z-buffer in llvmpipe ------------------------------------------------------------------------
 
-/// Draws the same triangles with GL's depth test; the shaders transform them and write their numbers. Measures only
-/// drawing, since the triangles are uploaded once.
+/// Draws the same triangles with GL's depth test. The shaders transform the triangles and write their numbers. Uploads
+/// the triangles once, so only drawing is measured.
 void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) return state.SkipWithError(context.error().c_str());
@@ -196,7 +196,7 @@ BENCHMARK(hierarchy_build)->Unit(benchmark::kMillisecond);
 
 // ---- the same in Embree ------------------------------------------------------------------------------
 
-/// Embree's device with one mesh; works only on the calling thread.
+/// An Embree device with one mesh. It works only on the calling thread.
 class Embree {
 public:
     explicit Embree(const Mesh& mesh)

@@ -1,5 +1,5 @@
-// state --bundle writes a folder that draws the same picture even after its sources are gone. Also, `state` keeps
-// given names and titles.
+// `state --bundle` writes a folder that draws the same picture even after its sources are gone. Also, `state` keeps the
+// names and titles that it is given.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +27,7 @@ protected:
         words.insert(words.end(), state.begin(), state.end());
         return without_note(expect(0, words).out);
     }
-    /// Returns the PNG file without its state, since a bundle has other file paths.
+    /// Returns the PNG file without its state, since the file paths in a bundle are different.
     static std::string without_note(const std::string& png) {
         std::string rest = png.substr(0, 8);
         for (std::size_t at = 8; at + 12 <= png.size();) {

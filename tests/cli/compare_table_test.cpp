@@ -1,5 +1,5 @@
-// Redraws and recounts the README's table of comparisons. With VIEWING_COMPARE_TABLE=FOLDER, keeps the pairs of
-// pictures in that folder for other programs (tests/compare_table).
+// Redraws the pictures behind the README's table of comparisons and counts again. With VIEWING_COMPARE_TABLE=FOLDER,
+// also keeps the pairs of pictures in that folder for other programs (tests/compare_table).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,8 +86,8 @@ protected:
     }
 };
 
-/// Returns "equal, 12" or "different, 12", with the number of counted pixels; "different, shift 0.75" if only the mean
-/// shifts.
+/// Returns "equal, 12" or "different, 12", where 12 is the number of counted pixels, or "different, shift 0.75" if only
+/// the mean shifts.
 std::string cell(const CompareReport& report) {
     const bool counts =
         report.beyond_share() > report.options.share ||
@@ -100,7 +100,7 @@ std::string cell(const CompareReport& report) {
     return text.str();
 }
 
-/// Returns whether two verdicts agree for the same reason; numbers may differ between processors.
+/// Returns whether two verdicts agree and have the same reason. Their numbers may differ between processors.
 bool agree(const std::string& published, const std::string& found) {
     const std::size_t number = published.find_last_of(' ') + 1;
     if (published.substr(0, number) != found.substr(0, found.find_last_of(' ') + 1)) return false;

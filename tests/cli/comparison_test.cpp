@@ -1,4 +1,4 @@
-// Comparisons by `compare` and `snapshot --compare`: profiles, masks, a picture from standard input, and the picture of
+// Tests `compare` and `snapshot --compare`: profiles, masks, a picture from standard input, and the picture that shows
 // the differences.
 #include <gtest/gtest.h>
 

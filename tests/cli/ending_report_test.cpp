@@ -1,4 +1,4 @@
-// The report of --json, which is written however compare or snapshot ends.
+// Tests the report of --json, which is written no matter how compare or snapshot ends.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -39,7 +39,7 @@ protected:
         }
         return report;
     }
-    /// Expects the same, and that no new file appears.
+    /// Expects the same as told(), and that no new file appears.
     Json alone(int status, const Words& arguments, const Surroundings& surroundings = {}) const {
         const std::size_t before = files();
         Json report = told(status, arguments, surroundings);
@@ -69,7 +69,7 @@ TEST_F(EndingReport, OfBadInput) {
     EXPECT_EQ(alone(2, {"compare", "a.png"}).at("b"), nullptr);
     write("broken.png", "no picture");
     EXPECT_EQ(alone(2, small({"--compare", "broken.png"})).at("reference"), "broken.png");
-    // Standard output gets a report too.
+    // A report is also written if it goes to standard output.
     const Ended ended = run(small({"-o", "a.png", "--samples", "3", "--json", "-"}));
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.json().at("status"), 2);
@@ -113,7 +113,7 @@ TEST_F(EndingReport, OfATimeout) {
     const Ended by_pipe = run(small({"-", "-o", "b.png", "--timeout", "0.3", "--json", "-"}), waiting);
     EXPECT_EQ(by_pipe.status, 8);
     EXPECT_EQ(by_pipe.json().at("status"), 8);
-    // The report is written even if nobody reads the picture.
+    // The report is written even if no process reads the picture.
     ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
     EXPECT_EQ(alone(8, small({"-o", "pipe", "--timeout", "2"})).at("duration_s"), 2.0);
 }

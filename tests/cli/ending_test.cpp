@@ -1,4 +1,4 @@
-// Commands that are cut short from outside leave no unfinished file and no child process; a suite still leaves its
+// Commands that are stopped from outside leave no unfinished file and no child process; a suite still leaves its
 // report.
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -28,7 +28,7 @@ protected:
     void expect_nothing_unfinished() const {
         for (const std::string& name : names()) EXPECT_FALSE(has(name, ".viewing-sandbox-")) << name;
     }
-    /// Returns the number of processes that work in this folder.
+    /// Returns the number of processes whose working directory is this folder, of one program or of all.
     int processes_in_it(const std::string& program = "") const {
         int count = 0;
         std::error_code gone;  // a process may end while we look
@@ -65,7 +65,7 @@ protected:
 
 constexpr int many = 40;
 
-/// The parent cleans up after its workers, which leave nothing unfinished either.
+/// The parent cleans up after its workers, and the workers leave nothing unfinished either.
 TEST_F(Ending, OfASuiteReportsTheRestAsNotDrawn) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         SCOPED_TRACE(signal);
@@ -130,7 +130,7 @@ TEST_F(Ending, OfAKilledSuiteEndsItsWorkersToo) {
     EXPECT_EQ(run({"suite", "run", "suite.json", "--only", "e0"}).status, 0) << "the folder is still the suite's";
 }
 
-/// Signals arrive at random moments of the sweep, from its first picture on.
+/// Signals arrive at random moments of the sweep, but not before its first picture.
 TEST_F(Ending, OfASweepLeavesNoPartOfItsFolder) {
     constexpr unsigned seed = 41;
     std::cout << "seed " << seed << '\n';

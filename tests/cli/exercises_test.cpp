@@ -1,4 +1,5 @@
-// Exercises on the command line: the list, a student's sheet, the exercises' tests, and an exercise as a picture.
+// Exercises on the command line: listing them, making a student's sheet, testing exercises, and drawing an exercise as
+// a picture.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -18,7 +19,7 @@ bool has_hangul(const std::string& text) {
     });
 }
 
-/// Returns an exercise about z-far, which is 40; it lists `wrong` as a wrong answer.
+/// Returns an exercise that asks for z-far, which is 40, and that lists `wrong` as a wrong answer.
 std::string exercise_with(const std::string& wrong, const std::string& near_list = "[0.5, 0.7]") {
     return R"({"exercise": 1, "id": "N01-far", "title": "Far", "sets": ["camera"], "points": 2,
         "tags": {"T10": "ten"}, "pick": {"n": )" +
@@ -115,7 +116,7 @@ TEST_F(ExercisesCommand, SolutionsAreForTheLecturer) {
     ASSERT_EQ(sheet["exercises"].size(), 24U);
     for (const nlohmann::json& question : sheet["exercises"])
         EXPECT_FALSE(question["solution"].get<std::string>().empty()) << question;
-    // P = (0, 1, 0, 0), L = (−1, 4, 3, 1): S = (P·L) I − L Pᵀ by hand.
+    // P = (0, 1, 0, 0), L = (−1, 4, 3, 1): S = (P·L) I − L Pᵀ, computed by hand.
     const std::string by_hand =
         "4.000, 1.000, 0.000, 0.000; 0.000, 0.000, 0.000, 0.000; 0.000, −3.000, 4.000, 0.000; "
         "0.000, −1.000, 0.000, 4.000";

@@ -1,4 +1,4 @@
-// Snapshots of single views: as SVG and PDF, transparent, and for print. Also refusals.
+// Snapshots of single views: as SVG and PDF, transparent, and for print. Also tests what the program refuses.
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
@@ -56,7 +56,8 @@ TEST_F(Figure, CarriesItsState) {
     EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
 }
 
-/// In a file, each character of these names takes two bytes, and fields that the state omits are written in full.
+/// In JSON, each character of these names takes two bytes, and the state in a picture also has the fields that the file
+/// omits.
 TEST_F(Figure, AStateTooLongToReadBackIsLeftOutWithAMessage) {
     const std::string quotes(2 * 950, '\\');  // 950 characters, each escaped
     std::string objects;

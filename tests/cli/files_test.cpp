@@ -1,4 +1,5 @@
-// Input and output files: empty, long or misleading names, unreadable files. Nothing is written anywhere else.
+// Input and output files: empty, long or misleading names, and unreadable files. The program writes nothing anywhere
+// else.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -114,7 +115,7 @@ TEST_F(FileNames, NothingElseIsWrittenWithoutAHome) {
         expect(0, words, bare);
     EXPECT_TRUE(fs::is_empty(folder() / "home"));
     EXPECT_EQ(std::distance(fs::directory_iterator(folder() / "work"), fs::directory_iterator()), 1);
-    // The driver writes there once its cache is enabled.
+    // When its cache is enabled, the driver writes to that home.
     bare.without.pop_back();
     bare.environment["MESA_SHADER_CACHE_DISABLE"] = "false";
     expect(0, small("x.png"), bare);

@@ -85,7 +85,7 @@ protected:
         return probe["students"][0]["items"][0]["variant"];
     }
 
-    /// Returns a right answer to each exercise; `at` begins the times of the answers.
+    /// Returns a right answer to each exercise. The times of the first two answers start with `at`.
     std::string right_items(const std::string& student, const std::string& at = "2026-11-21T10:") const {
         return item("N01-far", variant_of(student), answer("40", at + "03:12")) + "," +
                item("M02-shadow", 0, answer(shadow_matrix, at + "07:40")) + "," +

@@ -1,4 +1,4 @@
-// Lessons on the command line: their list, their tests, a step as a picture, a handout.
+// Lessons on the command line: the list of lessons, their tests, a step as a picture, and a handout.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -59,7 +59,7 @@ TEST_F(LessonCommand, HiddenFunctionsInExpressionsAreRefused) {
     }
 }
 
-/// The cost of one call grows with its scene, whatever else the expression does.
+/// The cost of a call such as visibility_counts() grows with the scene, so even a single call can cost too much.
 TEST_F(LessonCommand, MeasuringALargeSceneIsRefusedBeforeItBegins) {
     std::string spheres;
     for (int i = 0; i < 200; ++i)

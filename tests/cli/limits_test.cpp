@@ -1,4 +1,4 @@
-// When the program runs into limits of the system or of time, its exit status is still a documented one.
+// When the program reaches a limit of the system or a time limit, its exit status is still a documented one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -54,7 +54,8 @@ TEST_F(Limits, LittleMemoryEndsWithADocumentedStatus) {
     }
 }
 
-/// Four samples per pixel, and an observer view besides the camera view: no other picture needs more.
+/// This picture has four samples per pixel and needs an observer view besides the camera view. No other picture needs
+/// more memory.
 TEST_F(Limits, TheLargestPictureTakesAtMostAGigabyte) {
     const Ended ended =
         expect(0, {"snapshot", "--view", "observer", "--samples", "4", "--size", "4096x4096", "-o", "a.png"});

@@ -1,4 +1,4 @@
-// help TOPIC, and the commands of the manual, run as typed.
+// Tests `help TOPIC`, and runs the commands of the manual as printed there.
 #include <fstream>
 
 #include "cli/program.h"

@@ -1,4 +1,5 @@
-// The chosen matrices, with digits and symbols, in every format, as Python and LaTeX read them.
+// Tests that `matrices` prints the chosen matrices in every format, as digits and as symbols, so that Python and LaTeX
+// can read them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-/// Two planes and two lights; the second plane sees the first light from behind.
+/// Settings that make two planes and two lights, where the first light is behind the second plane.
 const Words two{"--set", R"(planes=[{"equation":[0,0,-2,-6]}])", "--set", R"(lights=[{"position":[1,4,2,0]}])"};
 
 class ChosenMatrices : public Program {

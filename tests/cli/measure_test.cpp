@@ -1,4 +1,4 @@
-// measure: hidden-surface methods and depth fighting, as a script reads them.
+// Tests what a script reads from `measure` about hidden-surface methods and depth fighting.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -54,7 +54,8 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    // GL draws these and rounds the positions of their corners; software_depth_buffer alone is drawn pixel by pixel.
+    // GL draws these and rounds the positions of their corners, except that software_depth_buffer is drawn pixel by
+    // pixel.
     EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
     EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
@@ -107,7 +108,7 @@ TEST_F(Measure, OrderExistsForSeparateBoxes) {
               std::string::npos);
 }
 
-/// Uses triangles one behind the other, each of which hides all that come after it.
+/// The triangles are one behind the other, and each hides all that come after it.
 TEST_F(Measure, OrderListsAtMostAMillionPairs) {
     const auto write_squares = [this](int count) {
         std::string mesh;

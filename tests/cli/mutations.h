@@ -1,4 +1,4 @@
-// Deliberate changes to pictures, which a comparison must detect or ignore.
+// Makes deliberate changes to pictures, which a comparison must detect or ignore.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace cli_tests {
 
-/// A rectangle of pixels, completely inside the picture; empty only where a search finds none.
+/// A rectangle of pixels that is completely inside the picture. It is empty only if a search found no such rectangle.
 struct Area {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const Area&) const = default;
@@ -28,7 +28,7 @@ viewing::Image with_gamma(const viewing::Image& image, double gamma);
 /// Averages each block of k × k pixels in linear light, as a resolve does. The picture's sides must be multiples of k.
 viewing::Image resolved(const viewing::Image& image, int k);
 /// Returns an area of this size in the middle of the pixels that differ by more than `worst`, such that all pixels in a
-/// margin around it differ too; an empty area if there is none.
+/// margin around it differ, too. Returns an empty area if there is none.
 Area inside_of_difference(const viewing::Image& a, const viewing::Image& b, int worst, int width, int height,
                           int margin);
 

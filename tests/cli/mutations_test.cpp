@@ -1,5 +1,5 @@
-// Compares pictures with hundreds of deliberately changed ones, all of which must be found different, and with equal
-// ones in other kinds of PNG files, none of which may be found different.
+// Compares pictures with hundreds of deliberately changed pictures, which the comparison must all find different, and
+// with the same pictures in other kinds of PNG files, which it must all find equal.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -45,7 +45,8 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
     return sum / (4.0 * from.width * from.height);
 }
 
-/// Returns how far all levels of the area can move down or up, whichever is more, and whether that is up.
+/// Returns how many levels the whole area can be darkened or brightened, whichever is more, and whether that is
+/// brightened.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)
@@ -57,7 +58,7 @@ std::pair<int, bool> room_in(const Image& image, const Area& area) {
     return {std::max(low, 255 - high), 255 - high > low};
 }
 
-/// Makes changes in memory; a seed chooses their places and amounts.
+/// Makes changes in memory. A seed decides their places and amounts.
 class Mutator {
 public:
     Mutator(const Image& image, unsigned seed) : image_(image), random_(seed) {}
@@ -120,7 +121,7 @@ private:
             return result;
         }
     }
-    /// Adds a shadow that takes half of the light, where there is enough light.
+    /// Adds a shadow that removes half of the light, in a place that is bright enough.
     Image blended() {
         for (;;) {
             const Area where = area(8, 30);
@@ -253,8 +254,8 @@ void write_kind(const std::filesystem::path& path, const Image& image, const Kin
     std::fclose(file);
 }
 
-/// Reduces the picture to gray, which a gray file can store. The next function reduces it to 5 levels per channel,
-/// whose colors fit a palette.
+/// Reduces the picture to gray, so that a gray file can store it. The next function reduces it to 5 levels per channel,
+/// so that its colors fit in a palette.
 Image grey(const Image& image) {
     Image result = image;
     for (std::size_t i = 0; i < result.rgba.size(); i += 4) result.rgba[i + 1] = result.rgba[i + 2] = result.rgba[i];

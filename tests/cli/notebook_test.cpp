@@ -1,4 +1,4 @@
-// The lines of Python in the manual, run as printed.
+// Runs the Python lines of the manual as printed there.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// An output that is an input or another output: exit status 2, and nothing is touched.
+// If an output is also an input or another output, the program exits with status 2 and touches no file.
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
@@ -27,8 +27,8 @@ protected:
         EXPECT_EQ(contents(), before);
     }
 
-    /// Writes reference.png, state.json and a scene with its mesh, each also as a hard and a symbolic link, and a
-    /// folder with a link to it.
+    /// Writes reference.png, state.json and a scene with its mesh, a hard link and a symbolic link to each of these
+    /// files, and a folder with a symbolic link to it.
     void write_files() const {
         write("state.json", R"({"scene": "room.json"})");
         write("room.json", R"({"objects": [{"name": "it", "shape": "mesh", "file": "it.obj"}]})");

@@ -1,4 +1,4 @@
-// Files that a state names outside its own folder, and how little messages reveal about other files.
+// Tests files that a state names outside its own folder, and checks that messages reveal little about other files.
 #include <gtest/gtest.h>
 
 #include "cli/program.h"

@@ -1,4 +1,4 @@
-// The commands that draw or compare: snapshot, inspect, compare, doctor, and the message of open without a display.
+// Tests snapshot, inspect, compare and doctor, and the message that open prints without a display.
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -174,7 +174,7 @@ TEST_F(Snapshot, BadInputIsReportedBeforeTouchingGl) {
     expect(2, small("missing/a.png"), without_gl);
 }
 
-/// Mesa can dump its shaders and read replacements; these replacements do not compile.
+/// Mesa can write its shaders to files and read replacements for them. These replacements do not compile.
 Surroundings Snapshot::with_broken_shaders() const {
     const std::string shaders = (folder() / "shaders").string();
     std::filesystem::create_directory(shaders);
@@ -522,7 +522,7 @@ TEST_F(Doctor, ReportsADriverThatOffersNoSuitableContext) {
 }
 
 TEST_F(Doctor, ReportsTheContextOfPictures) {
-    // Omit the settings that make tests fast, since they would make both contexts equal.
+    // Removes the settings that make tests fast, since they would make both contexts equal.
     const Surroundings bare{.without = {"LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF"}};
     const Json report =
         expect(0, {"snapshot", "--view", "camera", "--size", "32x32", "-o", "x.png", "--json", "-"}, bare).json();

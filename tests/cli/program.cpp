@@ -43,7 +43,7 @@ std::map<std::string, std::string> environment_for(const Surroundings& surroundi
     return variables;
 }
 
-/// Runs in the child: makes only calls that are allowed between fork and exec, with everything prepared beforehand.
+/// Runs in the child, so it makes only calls that are allowed between fork and exec. The parent has prepared the rest.
 [[noreturn]] void become(const char* program, char** arguments, char** variables, const char* folder, int in, int out,
                          int err, const std::map<int, unsigned long>& limits) {
     for (const auto& [resource, value] : limits) {
@@ -56,7 +56,7 @@ std::map<std::string, std::string> environment_for(const Surroundings& surroundi
     ::_exit(127);
 }
 
-/// Waits for the child to end; returns its status and memory.
+/// Waits until the child ends, and returns its exit status and peak memory.
 Ended wait_for(pid_t child, const Surroundings& surroundings) {
     const Clock::time_point latest = Clock::now() + longest_run;
     int state = 0, signal = surroundings.signal;

@@ -43,11 +43,11 @@ struct Ended {
 struct Surroundings {
     std::string input = {};                               ///< standard input
     std::filesystem::path folder = {};                    ///< working directory; the test's own if empty
-    std::map<std::string, std::string> environment = {};  ///< set in addition to the test's
+    std::map<std::string, std::string> environment = {};  ///< variables to add to the test's own
     std::vector<std::string> without = {};                ///< environment variables to remove
-    bool input_stays_open = false;                        ///< standard input is a pipe without a writer
-    std::string output = {};                              ///< standard output goes to this file
-    std::map<int, unsigned long> limits = {};             ///< limits of the process: RLIMIT_… and value
+    bool input_stays_open = false;                        ///< standard input is a pipe that never delivers data or ends
+    std::string output = {};                              ///< the file that gets standard output, if not empty
+    std::map<int, unsigned long> limits = {};             ///< limits of the process, by RLIMIT_…
     bool output_has_no_reader = false;                    ///< standard output is a pipe whose other end is closed
     int signal = 0;                                       ///< sent as soon as `signal_when` is true; 0: none
     std::function<bool()> signal_when = {};

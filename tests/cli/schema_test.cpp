@@ -1,5 +1,5 @@
-// The JSON Schemas, checked with an independent validator: every preset and scene passes, and files that the program
-// refuses fail.
+// Checks the JSON Schemas with an independent validator: every preset and scene is valid, and files that the program
+// refuses are not.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ using Words = std::vector<std::string>;
 
 class Schema : public Program {
 protected:
-    /// Returns whether each of the files is valid, for example "yes no yes".
+    /// Returns whether each of the files is valid; for three files, for example "yes no yes".
     std::string valid(const std::string& schema, const Words& names) const {
         write("valid.py", R"(
 import json, sys, jsonschema

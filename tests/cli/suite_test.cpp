@@ -1,4 +1,4 @@
-// suite run, accept and merge, as an assistant's CI would use them.
+// Tests `suite run`, `suite accept` and `suite merge` as an assistant would use them in CI.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class SuiteCommand : public Program {
 protected:
-    /// Writes a suite of two pictures and the matrices of one; `settings` apply to all entries.
+    /// Writes a suite with two pictures and the matrices of one of them. `settings` apply to all entries.
     void write_suite(const std::string& settings = "{}", const std::string& more = "") const {
         write("suite.json", R"({"suite": 1, "title": "Two", "defaults": {"size": [160, 90], "samples": 0, "set": )" +
                                 settings + R"(},
@@ -271,7 +271,7 @@ TEST_F(SuiteCommand, AnEntryThatCannotFailIsRefused) {
     }
 }
 
-/// Sizes follow the rule of `snapshot`, and errors use its words.
+/// Sizes follow the rules of `snapshot`, and the error messages are the same.
 TEST_F(SuiteCommand, SizesAreThoseOfSnapshot) {
     for (const auto& [view, width, height] : {std::tuple("camera", 16384, 16384),
                                               {"camera", 4097, 4096},

@@ -1,4 +1,4 @@
-// sweep draws the same pictures as snapshot, and its table has known numbers.
+// `sweep` draws the same pictures as `snapshot`, and its table has the numbers that are known beforehand.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,7 +31,7 @@ TEST_F(Sweep, DrawsTheSameAsSnapshot) {
     EXPECT_FALSE(exists("frames/0006.png"));
 }
 
-/// For the floor, P · L is the light's height, which is also S's first entry.
+/// For the floor, P · L is the light's height, and so is the first entry of S.
 TEST_F(Sweep, WritesATableOfExpressions) {
     const std::string table = expect(0, {"sweep", "--vary", "light.position[1]=1:4:4", "--csv", "-", "--value",
                                          "facts.plane_dot_light", "--value", "S[0][0]"})
@@ -156,7 +156,7 @@ TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--value", "1"}), {"--value", "--csv"});
     refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", "nonsense"}),
             {"--value nonsense", "unknown name"});
-    // Refused before drawing: no driver could start with so little memory.
+    // The program refuses these before drawing: no driver could start with so little memory.
     for (const char* const expression : {"(function() return 1 end)()", "(--'\n(function() return 1 end)() --'\n)"})
         refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", expression}),
                 {"--value", "function is not allowed"},
@@ -164,7 +164,7 @@ TEST_F(Sweep, MistakesAreReportedBeforeDrawing) {
     refused(small({"--vary", "camera.yaw=0:1:2", "--vary", "camera.pitch=0:1:3", "--together", "-o", "a.png"}),
             {"2 and 3", "equal"});
     refused({"sweep", "--size", "63x36", "--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}, {"even"});
-    // Pictures are counted before they are listed: a hundred million would need gigabytes.
+    // The program counts pictures before it lists them: a list of a hundred million would need gigabytes.
     refused(small({"--vary", "camera.yaw=0:1:10000", "--vary", "camera.pitch=0:1:10000", "-o", "a"}),
             {"100000000 pictures", "10000"}, {.limits = {{RLIMIT_CPU, 2}}});
     refused({"sweep", "--vary", "camera.yaw=0:1:200", "-o", "a.png"}, {"sheet", "16384"});

@@ -1,4 +1,4 @@
-// The command line itself: help, version, misspelled and missing arguments.
+// Tests the command line itself: help, version, and misspelled and missing arguments.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -102,7 +102,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
-/// Results name their inputs and are UTF-8, so a name that is not UTF-8 could not appear correctly.
+/// Results name their inputs and are UTF-8, so they could not contain a name that is not UTF-8.
 TEST_F(Usage, InvalidUtf8IsRefusedWithItsPosition) {
     write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     refused({"state", "caf\xe9.obj"}, {"argument 2: caf\\xe9.obj: not UTF-8"});

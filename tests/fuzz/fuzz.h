@@ -1,4 +1,5 @@
-// Shared by the fuzz targets: a condition that ends the fuzzer, and a file in memory for readers that take a file name.
+// Shared by the fuzz targets: a check that aborts the fuzzer if it fails, and an in-memory file for readers that take a
+// file name.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +17,7 @@ inline void check(bool holds) {
     if (!holds) std::abort();
 }
 
-/// Checks that a message is a single sentence.
+/// Checks that a message is a single line and not empty.
 inline void check_message(const std::string& message) {
     check(!message.empty() && message.find('\n') == std::string::npos);
 }

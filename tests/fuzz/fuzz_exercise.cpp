@@ -1,5 +1,6 @@
-// libFuzzer: any text as an exercise. It has combinations or an error that says why not. Each of the first variants of
-// an accepted exercise becomes a step or reports why it does not. Nothing is measured.
+// libFuzzer: reads any text as an exercise. The text must yield combinations or an error that says why it does not.
+// Each of the first two variants of an accepted exercise must become a step or report why it cannot. Nothing is
+// measured.
 #include "fuzz.h"
 #include "lesson/exercise.h"
 #include "state/file/json.h"

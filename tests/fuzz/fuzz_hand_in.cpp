@@ -1,5 +1,6 @@
-// libFuzzer: any text as a student's hand-in. Accepted answers must read back after writing, give the same text when
-// they are written again, and merge with themselves. Only the first write may change the form of a setting's number.
+// libFuzzer: reads any text as a student's hand-in. An accepted hand-in must read back after it is written, yield the
+// same text when it is written again, and merge with itself. Only the first write may change how a setting's number is
+// written.
 #include "fuzz.h"
 #include "lesson/hand_in.h"
 

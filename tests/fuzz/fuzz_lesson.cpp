@@ -1,4 +1,4 @@
-// libFuzzer: any text as a lesson. An accepted lesson has steps, and their states must round-trip exactly.
+// libFuzzer: reads any text as a lesson. An accepted lesson must have steps whose states round-trip exactly.
 #include "fuzz.h"
 #include "lesson/lesson.h"
 #include "state/file/json.h"

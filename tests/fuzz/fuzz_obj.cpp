@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a Wavefront OBJ file. An accepted mesh must be valid: finite, within its box, with existing
-// indices and normals of length 1.
+// libFuzzer: reads any bytes as a Wavefront OBJ file. An accepted mesh must be valid: it must be finite and within its
+// box, its indices must refer to existing vertices, and its normals must have length 1.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

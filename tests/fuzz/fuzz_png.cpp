@@ -1,5 +1,5 @@
-// libFuzzer: any bytes as a PNG file. Chunk checksums are corrected first, because libpng would otherwise reject nearly
-// all inputs at their first chunk. An accepted picture must round-trip exactly.
+// libFuzzer: reads any bytes as a PNG file. Corrects the chunk checksums first, because libpng would otherwise reject
+// nearly all inputs at their first chunk. An accepted picture must round-trip exactly.
 #include <zlib.h>
 
 #include "fuzz.h"
@@ -11,7 +11,7 @@ using namespace viewing;
 
 constexpr std::size_t signature_bytes = 8, head_bytes = 8, checksum_bytes = 4;
 
-/// Corrects every chunk's checksum; a chunk that is too long ends with the file.
+/// Corrects every chunk's checksum, and shortens a chunk that would extend beyond the end of the file.
 std::string with_checksums(std::string_view bytes) {
     std::string file(bytes);
     std::size_t at = signature_bytes;

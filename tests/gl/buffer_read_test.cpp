@@ -1,4 +1,4 @@
-// Blocks of pixels and whole buffers, read back: blocks equal single reads, values are the same with and without GL's
+// Reads back blocks of pixels and whole buffers: blocks equal single reads, values are the same with and without GL's
 // ability to read depth and stencil, and counts match the depths.
 #include "render/buffer_read.h"
 
@@ -105,7 +105,8 @@ TEST_F(BufferRead, IsTheSameWithoutReadingDepthAndStencil) {
 }
 
 TEST_F(BufferRead, StencilIsReadByItsBits) {
-    // Marks from 0 to 255, side by side, are read by GL's own stencil reads and gathered bit by bit.
+    // One renderer reads the stencil with GL, the other gathers it bit by bit. Both find the marks from 0 to 255, which
+    // are drawn side by side.
     Renderer without = without_reading();
     Scene scene = testing::scene_of({});
     for (int i = 0; i < 16; ++i) {
@@ -178,7 +179,8 @@ TEST_F(BufferRead, CountsMatchTheBlocks) {
                     ++expected[static_cast<std::size_t>(std::clamp(value * 128.0, 0.0, 127.0))];
                 }
                 EXPECT_EQ(counts.unwritten, unwritten);
-                int moved = 0;  // at a bin's edge float32 may decide otherwise, with few bits for many pixels
+                // Float32 may put a depth at a bin's edge in the next bin; with few bits, many pixels share that depth.
+                int moved = 0;
                 for (std::size_t bin = 0; bin < expected.size(); ++bin)
                     moved += std::max(expected[bin] - static_cast<int>(counts.counts[bin]), 0);
                 EXPECT_LE(moved, 20) << scale << " " << mapping << " " << format;

@@ -54,9 +54,9 @@ Params at_origin() {
                                  "reflection.enabled=false", "plane.equation=[0,1,0,1000000]", "plane.extent=0.001"});
 }
 
-/// Returns how far a code may be from the exact value (facts): ±1 at 16 bits and ±4 at 24, since float32 arithmetic
-/// adds to GL's rounding. Where the arithmetic error exceeds one code, in a short logarithmic range, the test
-/// multiplies by that error. The shader produces codes of fewer bits, and it rounds to the nearest code.
+/// Returns how far a code may be from the exact value (facts): 1 at 16 bits and 4.5 at 24, since float32 arithmetic
+/// adds to GL's rounding. Where the arithmetic error exceeds one code, as in a short logarithmic range, the test
+/// multiplies this limit by that error. The shader makes codes of fewer bits and rounds to the nearest code.
 Exact allowed_codes(int bits) {
     return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
 }
@@ -111,7 +111,7 @@ struct Sample {
 struct Worst {
     Exact off = 0.0;            ///< in codes, or in last places of float32
     Exact by_arithmetic = 0.0;  ///< as a multiple of the arithmetic error, where that exceeds a last place
-    Exact places = 0.0;         ///< the same in last places
+    Exact places = 0.0;         ///< the same deviation in last places
 };
 
 TEST_F(DepthCodes, MatchTheFormula) {
@@ -157,7 +157,8 @@ TEST_F(DepthCodes, MatchTheFormula) {
 }
 
 TEST_F(DepthCodes, ReproduceTheDistance) {
-    // The status bar computes eye z from the code, so eye z is accurate to a few codes' width, which a formula gives.
+    // The status bar computes eye z from the code, so eye z is accurate to the width of a few codes. The width of one
+    // code follows from a formula.
     Random random(seed);
     for (int trial = 0; trial < 40; ++trial) {
         Params params = at_origin();

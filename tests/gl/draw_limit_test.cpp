@@ -89,7 +89,7 @@ TEST_F(DrawLimits, ClearingWithTheMaskOffEqualsNotClearing) {
                     kept = second_frame({mapping, "depth.clear=false"});
         EXPECT_EQ(masked, kept) << mapping;
         EXPECT_GT(testing::pixels_beyond(masked, cleared, 20), 100) << mapping;
-        // The first frame has no predecessor: it starts from its own depths.
+        // A view's first frame has no predecessor whose depths could remain, so both settings give the same picture.
         EXPECT_EQ(draw(params_with({mapping, "depth.write_while_clearing=false"}), far_scene, limited_px),
                   draw(params_with({mapping, "depth.clear=false"}), far_scene, limited_px));
     }

@@ -1,5 +1,5 @@
-// The properties of the driver's depth, measured by drawing, agree with values read back: the codes that a clear
-// stores, and the number of codes by which an offset moves a square.
+// The properties of the driver's depth, which the program measures by drawing, agree with values read back: the codes
+// that a clear stores, and the number of codes by which an offset moves a square.
 #include <bit>
 #include <cmath>
 #include <set>
@@ -63,8 +63,8 @@ TEST_F(DriverDepthTest, StoresAsManyCodesAsAreReadBack) {
         SCOPED_TRACE(static_cast<int>(kind));
         const StoredDepth stored = measured(kind);
         const int bits = std::min(stored.precision.bits, 24);
-        // 64 steps of one code reach 64 codes; 64 steps of half a code reach 32 or 33. Below 1/2, a float's codes are
-        // half as wide.
+        // 64 depths one code apart are stored as 64 codes; 64 depths half a code apart, as 32 or 33. Below 1/2, a
+        // float's codes are half as wide.
         EXPECT_NEAR(static_cast<double>(kept_apart(kind, 0.75, std::exp2(-bits))), 64.0, 1.0);
         if (bits < 24) {
             EXPECT_LE(kept_apart(kind, 0.75, std::exp2(-bits - 1)), 34U);

@@ -49,7 +49,7 @@ protected:
 };
 
 /// Returns states with other values of the field: each other value of an enumeration, the opposite of a switch, or
-/// three numbers or colors; none for fields with their own widget.
+/// three numbers or colors. There are none for fields with their own widget.
 std::vector<Params> with_other_values(const Params& params, const Field& field) {
     std::vector<Params> others;
     const auto other = [&](const auto& change) {

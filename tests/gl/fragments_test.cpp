@@ -45,7 +45,8 @@ bool in_known_order(const Codes& a, const Codes& b) {
     return is_one || a.greatest < b.least || b.greatest < a.least;
 }
 
-/// Returns whether float32 arithmetic cannot change any comparison among the fragments or with the cleared value.
+/// Returns whether errors of float32 arithmetic cannot change the result of any comparison, be it between two fragments
+/// or with the cleared value.
 bool is_decided(const std::vector<Fragment>& fragments, double cleared, const DepthPrecision& precision) {
     const std::int64_t cleared_code = code_of(cleared, precision);
     std::vector<Codes> codes{{cleared_code, cleared_code}};
@@ -87,10 +88,10 @@ protected:
     struct Seen {
         int compared = 0, codes_compared = 0, at_edges = 0, undecided = 0;
         std::map<std::string, double> worst;  ///< difference between the computed and read-back depth, in codes
-        std::map<std::string, double> used;   ///< the same as a share of the stated bound
+        std::map<std::string, double> used;   ///< the same difference as a share of the stated bound
     };
 
-    /// Compares object and code of the last drawn fragment with those read back, at random pixels of one state.
+    /// Compares the object and code of the last drawn fragment with those read back, at random pixels of one state.
     static void compare(const Params& params, const Scene& scene, Random& random, int pixels, Seen& seen) {
         const Derived derived = derive_for(params, scene, fragments_px);
         HiddenPictures pictures;
@@ -106,7 +107,7 @@ protected:
         for (int trial = 0; trial < pixels; ++trial) {
             const glm::ivec2 pixel(random.number(0, fragments_px.x), random.number(0, fragments_px.y));
             const std::vector<Fragment> fragments = finder.at(frame, pixel, fragments_px);
-            // GL rounds vertices to 1/256 of a pixel, so at an edge it may find other surfaces.
+            // GL rounds vertices to 1/256 of a pixel, so near an edge it may find other surfaces.
             const std::vector<std::vector<Fragment>> around = beside(finder, frame, pixel);
             if (std::ranges::any_of(around, [&](const auto& f) { return surfaces_of(f) != surfaces_of(fragments); })) {
                 ++seen.at_edges;
@@ -315,7 +316,7 @@ TEST_F(Fragments, StopAtTheDrawCall) {
     Random random(seed + 4);
     Seen seen;
     for (int trial = 0; trial < trials(40); ++trial) {
-        // Mirror mask, mirror image, patch, shadow and objects make up to 14 calls with four objects.
+        // With four objects, the mirror mask, mirror image, patch, shadow and objects take up to 14 draw calls.
         const std::vector<std::string> settings{
             "view.call=" + std::to_string(static_cast<int>(random.number(0, 16))),
             "view.triangle=" + std::to_string(static_cast<int>(random.number(-1, 14))),

@@ -1,5 +1,5 @@
-// Shared by all tests that draw: a software EGL context, a renderer in it, and the rule that any GL error fails the
-// test. Read ray_caster.h next, which computes the expected pictures.
+// Shared by all tests that draw: a software EGL context, a renderer that uses it, and the rule that any GL error fails
+// the test. Next, read ray_caster.h, which computes the expected pictures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ protected:
         for (; shared_->seen < errors.size(); ++shared_->seen) ADD_FAILURE() << "GL: " << errors[shared_->seen];
     }
 
-    /// For tests that provoke errors.
+    /// Ignores the GL errors so far, for tests that provoke errors.
     static void forget_errors() { shared_->seen = shared_->log.errors().size(); }
 
     static Renderer& renderer() { return *shared_->renderer; }

@@ -1,5 +1,5 @@
-// The heat map as GL draws it: compares the color of a pixel with the ratio of gap to step, computed here from the
-// facts' formula for the step and a ray through the pixel.
+// Tests the heat map as GL draws it: compares the color of a pixel with the ratio of gap to step. The ratio is computed
+// here from the facts' formula for the step and from a ray through the pixel.
 #include <cmath>
 
 #include "gl/gl_test.h"
@@ -50,7 +50,7 @@ Rgb expected(double ratio) {
 }
 
 TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
-    // With 16 bits the step is one code, to within a hundredth. Seen from the front, the gap in eye distance equals the
+    // With 16 bits, the step is one code to within a hundredth. Seen from the front, the gap in eye distance equals the
     // gap along the normal at every pixel; the slant of a pixel's view ray does not lengthen it.
     const Params params = params_for("d16");
     for (const double distance : {5.0, 20.0, 60.0}) {

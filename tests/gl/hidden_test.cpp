@@ -66,8 +66,8 @@ double distance_px(const glm::dvec2& point, const glm::dvec2& from, const glm::d
     return glm::length(point - from - share * along);
 }
 
-/// Returns the distance of a pixel's center from the nearest edge of the polygons `sources`, or of all polygons if that
-/// is empty. Polygons are first clipped at the near plane.
+/// Returns the distance of a pixel's center from the nearest edge of the polygons in `sources`, or of all polygons if
+/// `sources` is empty. Polygons are first clipped at the near plane.
 double edge_distance_px(const HiddenResult& result, const std::vector<int>& sources, glm::ivec2 pixel) {
     const glm::dvec4 near_plane = result.request.viewpoint.near_plane_world();
     double nearest = std::numeric_limits<double>::infinity();
@@ -86,9 +86,9 @@ double edge_distance_px(const HiddenResult& result, const std::vector<int>& sour
     return nearest;
 }
 
-/// The number of pixels at which two pictures differ. GL rounds screen positions to 1/256 of a pixel, so a pixel center
-/// closer than `rounding_px` to an edge may fall on either side of it. This yields slivers that the reference shows
-/// nowhere within a pixel.
+/// Numbers of pixels whose ID the reference shows nowhere within a pixel of them. GL rounds screen positions to 1/256
+/// of a pixel, so a pixel center closer than `rounding_px` to an edge may fall on either side of it. Such pixels count
+/// as slivers; all others are unexplained.
 struct Disagreement {
     static constexpr double rounding_px = 1.0 / 64.0;
     int at_slivers = 0, unexplained = 0;
@@ -128,8 +128,8 @@ TEST_F(Hidden, GlAgreesWithRayCastingOnRandomScenes) {
             covered += static_cast<int>(std::ranges::count_if(reference.ids, [](int id) { return id >= 0; }));
         }
         std::cout << slivers << " pixels at slivers and " << unexplained << " others of " << covered << "\n";
-        // In 3000 scenes, a single pixel remains, whose two depths are closer than 24 bits can distinguish; in the
-        // first 300, none remains.
+        // In 3000 scenes, a single pixel remains unexplained; its two depths are closer than 24 bits can distinguish.
+        // In the first 300 scenes, none remains.
         EXPECT_LE(unexplained, count / 1000);
         EXPECT_LE(slivers, count / 8) << "28 were measured in 300 scenes";
         EXPECT_GT(covered, count * 500);
@@ -146,7 +146,7 @@ bool is_outline(const Image& image, glm::ivec2 pixel) {
 
 struct Compared {
     int beyond = 0;    ///< pixels that differ by more than 3 levels
-    int in_faces = 0;  ///< of these, away from outlines of the first picture
+    int in_faces = 0;  ///< those of them that are away from outlines of the first picture
     int outlines = 0;
 };
 Compared compared(const Image& reference, const Image& image) {
@@ -162,7 +162,7 @@ Compared compared(const Image& reference, const Image& image) {
     return found;
 }
 
-/// States in which mirror, shadow, culling and patch all matter. In some the plane runs through the objects.
+/// States in which mirror, shadow, culling and patch all matter. In some of them, the plane cuts through the objects.
 const std::vector<std::vector<std::string>>& states() {
     static const std::vector<std::vector<std::string>> all{
         {},
@@ -199,7 +199,7 @@ protected:
                 SCOPED_TRACE(scene_name + " " + in_words(settings) + std::to_string(static_cast<int>(method)));
                 params.visibility.method = method;
                 const Compared found = compared(reference, picture(params, scene, picture_px, with));
-                // GL rounds each piece by itself, so a single pixel may show through where a vertex meets an edge.
+                // GL rounds each piece separately, so a single pixel may show through where a vertex meets an edge.
                 EXPECT_LE(found.in_faces, draws_pixels(params.visibility) ? 0 : 1);
                 EXPECT_LE(found.beyond, 6);
                 EXPECT_LT(found.outlines, picture_px.x * picture_px.y / 3) << "otherwise nothing is tested";

@@ -15,7 +15,7 @@ using testing::params_with;
 constexpr glm::ivec2 logarithm_px(64, 64);
 constexpr double log_near = 0.5, log_far = 40.0;
 
-using Corners = std::array<glm::dvec3, 3>;  ///< x and y in shares of half the picture, z the distance
+using Corners = std::array<glm::dvec3, 3>;  ///< x and y are in half pictures, z is the distance
 
 double logarithm(double distance) {
     return std::log(distance / log_near) / std::log(log_far / log_near);
@@ -32,7 +32,7 @@ glm::dvec3 weights_at(const Corners& corners, const glm::dvec2& point) {
 
 class LogarithmPerVertex : public testing::GlTest {
 protected:
-    /// Draws the triangle alone in the picture, cut into `cuts`² triangles.
+    /// Draws nothing but the triangle, cut into `cuts`² triangles, and reads back all pixels.
     static CellBlock block_of(const Corners& corners, int cuts, const std::string& format, bool orthographic,
                               bool per_vertex) {
         Mesh mesh;

@@ -1,4 +1,5 @@
-// Owners of GL objects, targets, programs and contexts: they free them in time, and without a context they are empty.
+// The owners of GL objects, targets, programs and contexts free what they own in time, and they are empty without a
+// context.
 #include <type_traits>
 
 #include "geometry/shapes.h"

@@ -36,7 +36,7 @@ TEST_F(PassState, HasEveryComparison) {
 }
 
 TEST_F(PassState, HasEveryStencilOperationOnlyWhenBothTestsPass) {
-    // GL reports only as many bits of the reference as the framebuffer's stencil has.
+    // GL reports only as many bits of the reference as the framebuffer's stencil buffer has.
     const gl::Target target({{1, 1}, 0, gl::DepthKind::d24_s8});
     glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
     const std::pair<StencilOp, GLenum> all[] = {{StencilOp::keep, GL_KEEP},      {StencilOp::replace, GL_REPLACE},

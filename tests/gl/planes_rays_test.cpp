@@ -1,5 +1,5 @@
-// Compares rooms with several planes, lights and mirrors in mirrors with the oracle of ray_caster.h: the object or
-// patch at each pixel and the number of mirrors in between, the lights missing on it, and the final stencil values.
+// Compares pictures of rooms with several planes, lights and mirrors in mirrors with the oracle of ray_caster.h: which
+// object or patch each pixel shows, which lights are missing on it, and which stencil values remain at the end.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 
@@ -47,8 +47,8 @@ int class_of(const Rgb& color, const Rgb& background) {
     return color.r == color.g && color.g > color.b ? 2 : undefined;
 }
 
-/// Missing light is visible only on patches that are not mirrors. A painted shadow also covers mirrors; if several
-/// lights are missing, the shadow of the last one is visible.
+/// Returns the class that the oracle expects. Missing light is visible only on patches that are not mirrors. A painted
+/// shadow also covers mirrors; if several lights are missing, the shadow of the last one is visible.
 int class_of(const Sight& sight, ShadowStyle style) {
     const auto last_light = [](unsigned missing) {
         unsigned last = 0;
@@ -66,7 +66,7 @@ int class_of(const Sight& sight, ShadowStyle style) {
 
 struct Tally {
     int compared = 0, thin = 0, pinholes = 0, shadow = 0, stencils = 0, stencil_shadow = 0;
-    int mirrored[5] = {};  ///< by number of mirrors
+    int mirrored[5] = {};  ///< pixels by number of mirrors
 
     void add(const Tally& other) {
         compared += other.compared;
@@ -99,7 +99,7 @@ std::string text_of(const std::vector<Difference>& differences) {
            std::to_string(first.found) + " in place of " + std::to_string(first.expected);
 }
 
-/// Returns whether the oracle finds a different class within a pixel of the center of (x, y), sampled more finely than
+/// Returns whether the oracle finds a different class within a pixel of the center of (x, y). Samples more finely than
 /// one ray per pixel.
 template <typename ClassAt>
 bool is_beside_edge(const ClassAt& class_at, int x, int y) {
@@ -112,7 +112,7 @@ bool is_beside_edge(const ClassAt& class_at, int x, int y) {
     return false;
 }
 
-/// Calls check(x, y, class) for each pixel whose 3 × 3 block has one class.
+/// Calls check(x, y, class) for each pixel that has the same class as all its neighbors.
 template <typename ClassAt, typename Check>
 void for_each_inner_pixel(const ClassAt& class_at, const Check& check) {
     std::vector<int> classes;
@@ -145,8 +145,8 @@ protected:
     }
 
     Tally tally_;
-    std::vector<Difference> differences_;  ///< of the room compared last
-    int pinholes_ = 0;                     ///< likewise
+    std::vector<Difference> differences_;  ///< in the room that was compared last
+    int pinholes_ = 0;                     ///< in the same room
 
 private:
     /// Draws the room so that its colors can be decoded.
@@ -177,8 +177,8 @@ private:
         });
     }
 
-    /// Compares the stencil of the nearest patch, even behind an object. Painted shadows count lights in the stencil
-    /// only with stencil_once.
+    /// Compares each stencil value with the one that the nearest patch leaves, even where an object hides the patch.
+    /// Painted shadows count lights in the stencil only with stencil_once.
     void compare_stencil(const Room& room, const RayCaster& caster) {
         const ShadowParams& shadow = room.params.shadow;
         const bool counts = shadow.stencil_once || shadow.style == ShadowStyle::missing_light;
@@ -202,8 +202,9 @@ private:
             differences_.push_back(here);
     }
 
-    /// A rasterizer may miss a point where it clips the two triangles of a square. Such a pinhole has no area and
-    /// almost vanishes in a picture five times as large, while a real error covers all 25 pixels.
+    /// Drops the differences that are pinholes. A rasterizer may miss a point where it clips the two triangles of a
+    /// square. Such a pinhole has no area and almost vanishes in a picture five times as large, while a real error
+    /// covers all 25 pixels.
     void forget_pinholes(const Room& room) {
         constexpr int larger = 5, few = 2;
         read(room, larger * rays_px);
@@ -234,7 +235,7 @@ TEST_F(PlanesRays, AgreeInEveryRoom) {
         EXPECT_LE(pinholes_, 1);
     }
     tally_.print();
-    // The comparison must have had something to compare.
+    // Each kind of pixel must have occurred often enough for the comparison to mean something.
     const auto each = static_cast<int>(count);
     EXPECT_GT(tally_.compared, 3000 * each);
     EXPECT_GT(tally_.stencil_shadow, 100 * each);

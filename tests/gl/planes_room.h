@@ -1,4 +1,4 @@
-// Random rooms of planes, lights and solids for the tests of shadows and mirrors: the same room as parameters, as
+// Random rooms of planes, lights and solids for the tests of shadows and mirrors. Each room is made as parameters, as
 // meshes, and for the oracle of ray_caster.h. Read planes_rays_test.cpp next.
 #pragma once
 
@@ -60,7 +60,7 @@ private:
             solid.scale = solid.is_sphere ? glm::dvec3(size)
                                           : glm::dvec3(size, random_.number(0.25, 0.7), random_.number(0.25, 0.7));
             room_.oracle.solids.push_back(solid);
-            // Fine enough to keep the sphere's facets well within a pixel.
+            // The mesh is so fine that its facets deviate from the sphere by well under a pixel.
             SceneObject placed =
                 object(std::to_string(i), solid.is_sphere ? sphere_mesh(64, 32) : box_mesh(), solid.position);
             placed.world_from_model = world_from_model(solid.position, angles, solid.scale);
@@ -70,13 +70,13 @@ private:
         room_.scene = scene_of(std::move(objects));
     }
 
-    /// Adds up to four planes of a rotated room: a floor, a ceiling facing it and two walls, usually tilted.
+    /// Adds one to four planes of a rotated room, usually tilted: a floor, a ceiling facing it, and two walls.
     void add_planes() {
         const glm::dvec3 inwards[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
         const Angles turn = random_.angles();
         const glm::dmat3 turned = rotation_of(turn.yaw_deg, turn.pitch_deg, turn.roll_deg);
         const double tilt = number_ % 5 == 0 ? 0.0 : random_.number(0.0, 0.5);
-        const bool in_a_row = chance(0.5);  // otherwise with the walls first
+        const bool in_a_row = chance(0.5);  // otherwise, the walls come first
         for (unsigned i = 0; i < 1 + number_ % 4; ++i) {
             const glm::dvec3 normal = turned * glm::normalize(inwards[in_a_row ? i : (i + 2) % 4] + random_.vec3(tilt));
             room_.oracle.planes.push_back({.equation = {normal, random_.number(0.8, 2.4)},
@@ -102,7 +102,7 @@ private:
         });
     }
 
-    /// Places the camera mostly inside the room, sometimes anywhere around it.
+    /// Places the camera usually inside the room and sometimes anywhere around it.
     void place_camera() {
         OracleCamera& camera = room_.camera;
         camera.orthographic = number_ % 5 == 3;
@@ -125,7 +125,7 @@ private:
         camera.height = random_.number(3, 7);
     }
 
-    /// Adds point lights (w = 1), directions (w = 0) and lights in between.
+    /// Adds point lights (w = 1), directions (w = 0) and lights with w = 0.5.
     void add_lights() {
         for (unsigned i = 0; i < 1 + number_ / 4 % 4; ++i) {
             glm::dvec4 light(0.0);

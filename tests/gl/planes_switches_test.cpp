@@ -1,6 +1,7 @@
-// Every preset that breaks shadow or mirror changes the picture where its artifact is visible, and reports it. Every
-// switch draws a busy state without a GL error. The reported reasons come from frame/planes/shadow_problems.cpp and
-// frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate states.
+// Every preset that breaks a shadow or a mirror changes the picture where its artifact is visible, and a sentence
+// reports the artifact. A busy state draws without a GL error, whichever switch is changed. The reported reasons come
+// from frame/planes/shadow_problems.cpp and frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate
+// states.
 #include "gl_test.h"
 #include "state/presets.h"
 
@@ -63,7 +64,7 @@ std::vector<Artefact> artefacts() {
     return all;
 }
 
-/// Each switch with the opposite of its default, or with another of its values.
+/// Each switch, set to the opposite of its default or to another of its values.
 constexpr const char* switches[] = {"shadow.enabled=false",
                                     "shadow.stencil_once=false",
                                     "shadow.clip_to_receiver=false",

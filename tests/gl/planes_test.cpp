@@ -1,6 +1,6 @@
-// Invariants of pictures with several planes, lights and mirrors: sign and length of an equation, culling of closed
-// objects, mirroring scene or camera, the clipping method, the depth format. planes_rays_test.cpp checks the content;
-// planes_switches_test.cpp breaks it.
+// Pictures with several planes, lights and mirrors do not depend on the sign and length of an equation, the culling of
+// closed objects, the choice between mirroring scene and camera, the clipping method, or the depth format.
+// planes_rays_test.cpp checks the content of such pictures; planes_switches_test.cpp has the broken states.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 
@@ -34,8 +34,8 @@ Room lived_in(unsigned number) {
     return room;
 }
 
-/// Counts the pixels that differ by more than `worst` levels although `b` hardly varies over the pixel and its eight
-/// neighbors, since edges may move by a pixel.
+/// Counts the pixels that differ by more than `worst` levels. Edges may move by a pixel, so pixels are ignored if `b`
+/// varies noticeably among the pixel and its eight neighbors.
 int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
     constexpr int flat = 6;
     int count = 0;
@@ -53,7 +53,7 @@ int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
 
 class Planes : public testing::GlTest {
 protected:
-    /// Draws rooms unchanged and changed, and expects the same picture away from edges.
+    /// Draws each room unchanged and changed, and expects the same picture away from edges.
     template <typename Change>
     static void expect_same_off_edges(const Change& change) {
         int mirrored = 0;
@@ -126,7 +126,8 @@ TEST_F(Planes, TheOrderOfPlanesAndLightsDoesNotMatter) {
     }
 }
 
-/// Returns convex solids that touch neither each other nor the three planes of the test below, which do not meet.
+/// Returns convex solids that touch neither each other nor the three patches of the test below. The patches do not meet
+/// either.
 Scene floating() {
     return scene_of({object("box", box_mesh(), {-1.3, 1.1, -0.2}, {0.6, 0.5, 0.7}),
                      object("ball", sphere_mesh(), {1.2, 1.0, 0.6}, glm::dvec3(0.7)),

@@ -24,7 +24,7 @@ using testing::scene_named;
 constexpr Shading all_shadings[] = {Shading::lit,  Shading::unlit,    Shading::flat,     Shading::facing,
                                     Shading::heat, Shading::caster_w, Shading::identity, Shading::polygon_identity};
 
-/// Returns programs of every kind: plain ones, and ones with every combinable feature.
+/// Returns programs of every kind: plain ones, and ones with all the features that can be combined.
 std::vector<SurfaceKind> surface_kinds() {
     using Source = SurfaceKind::Source;
     std::vector<SurfaceKind> kinds;
@@ -32,7 +32,7 @@ std::vector<SurfaceKind> surface_kinds() {
         for (const Shading shading : all_shadings) {
             if (shading == Shading::polygon_identity && source != Source::vertices) continue;
             SurfaceKind kind{.shading = shading, .source = source, .lights = shading == Shading::lit ? 1U : 0U};
-            kind.write_depth = source == Source::picture;  // the fixed pipeline has no depth for it
+            kind.write_depth = source == Source::picture;  // the picture's depths can only come from the shader
             kinds.push_back(kind);
             kind.clips = kind.mask_test = kind.mask_write = true;
             kind.write_depth = true;
@@ -206,7 +206,7 @@ int program_count() {
     return count;
 }
 
-/// Returns the number of programs that a picture needs, drawn by a renderer of its own.
+/// Returns the number of programs that a new renderer makes to draw one picture.
 int programs_for(const Params& params, const Scene& scene, const gl::Capabilities& capabilities) {
     const int before = program_count();
     Result<Renderer> made = Renderer::make(capabilities);
@@ -221,8 +221,8 @@ int programs_for(const Params& params, const Scene& scene, const gl::Capabilitie
 class ProgramCount : public testing::GlTest {};
 
 /// Five passes share three programs: masks and shadows, the patch, and lit surfaces, which the mirror reuses. A plane
-/// that clips its image and its shadow adds two. With shared stages each of these is a fragment stage; one vertex stage
-/// serves all programs without clipping, another those with it.
+/// that clips its image and its shadow adds two. With shared stages, each of these is a fragment stage; one vertex
+/// stage serves all programs without clipping, and another serves all programs with clipping.
 TEST_F(ProgramCount, MatchesThePicture) {
     gl::Capabilities capabilities = renderer().capabilities();
     const Scene whole = scene_named("torus-and-boxes");
@@ -247,8 +247,8 @@ std::size_t differing_pixels(const Image& a, const Image& b) {
     return count;
 }
 
-/// Since version 23, Mesa links whole programs more aggressively and rounds a few pixels differently: at edges, and in
-/// depth fighting.
+/// Since version 23, Mesa optimizes whole programs more aggressively when it links them, and rounds a few pixels
+/// differently at edges and in depth fighting.
 
 TEST_F(SharedStages, EqualWholeProgramsInEveryPreset) {
     if (!renderer().capabilities().shared_stages) GTEST_SKIP() << "only whole programs are available here";

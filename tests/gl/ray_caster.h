@@ -1,7 +1,7 @@
-// An oracle that shares nothing with the code under test: it finds the content of each pixel by rays alone. A pixel is
-// an object, a patch without the lights whose shadow rays hit a caster, or a mirror that shows what the reflected ray
-// hits, and so on from mirror to mirror. Spheres and boxes are intersected by formula, without meshes, the program's
-// matrices, or buffers. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
+// An oracle that shares nothing with the code under test: it finds the content of each pixel by rays alone. A pixel
+// shows an object, a patch without the lights whose shadow rays hit a caster, or a mirror that shows what the reflected
+// ray hits, and so on from mirror to mirror. Formulas intersect spheres and boxes, without meshes, buffers, or the
+// program's matrices. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
 #pragma once
 
 #include <cmath>
@@ -57,7 +57,7 @@ struct Solid {
 };
 
 struct OraclePlane {
-    glm::dvec4 equation{0, 1, 0, 0};  ///< any length and sign
+    glm::dvec4 equation{0, 1, 0, 0};  ///< with a unit normal, of either sign
     double extent = 4.0;
     bool receives = true, mirrors = false;
 };
@@ -67,7 +67,7 @@ struct OracleScene {
     std::vector<OraclePlane> planes;
     std::vector<glm::dvec4> lights;  ///< w is from 0 (a direction) to 1
     bool casts = true;
-    int bounces = 1;  ///< after this many mirrors, a further one is a plain patch
+    int bounces = 1;  ///< after this many mirrors, the next one acts as a plain patch
 };
 
 struct OracleCamera {
@@ -80,12 +80,12 @@ struct OracleCamera {
 /// The first hit of a view ray: a solid, or a patch with some lights missing.
 struct Met {
     int solid = -1, patch = -1;
-    unsigned missing = 0;  ///< bit i: a caster is between light i and the visible side
+    unsigned missing = 0;  ///< bit i is set if a caster hides light i from the visible side
     bool operator==(const Met&) const = default;
 };
 
-/// All hits in order: mirrors, and finally the surface visible in the last one. If all are mirrors, the background is
-/// visible.
+/// All hits of a view ray in order: mirrors, and finally the surface visible in the last mirror. If all hits are
+/// mirrors, the last one shows the background; if there are no hits, the pixel does.
 struct Sight {
     std::vector<Met> met;
     std::size_t mirrors = 0;  ///< how many of `met`, from the first, are mirrors
@@ -128,7 +128,7 @@ private:
         return {camera_.position, -axes_[2] + aside * std::tan(glm::radians(camera_.fovy_deg) * 0.5)};
     }
 
-    /// Returns the solid that is hit first and moves `to` to the hit; returns −1 if none is hit.
+    /// Returns the solid that the ray hits first and sets `to` to that hit's parameter; returns −1 if it hits none.
     int nearest_solid(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to) const {
         int found = -1;
         for (std::size_t i = 0; i < scene_.solids.size(); ++i) {
@@ -141,7 +141,8 @@ private:
     }
 
     static bool is_on_patch(const OraclePlane& plane, const glm::dvec3& point) {
-        // The contract's axes: n′ with its largest component positive, e the axis of the smallest (the last on a tie).
+        // The contract's axes: n′ is the normal with its largest component positive, and e is the axis of the smallest
+        // component (of several equally small ones, the last).
         const glm::dvec3 normal(plane.equation), size = glm::abs(normal);
         const int largest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const int smallest = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
@@ -159,7 +160,7 @@ private:
         return nearest_solid(point, to_light, 0.0, to) >= 0;
     }
 
-    /// Returns the lights that casters block at a point of a patch, on the side that the view ray hits.
+    /// Returns the set of lights that casters block at a point of a patch, on the side that the view ray hits.
     unsigned missing_at(const OraclePlane& plane, const glm::dvec3& point, const glm::dvec3& direction) const {
         if (!scene_.casts || !plane.receives) return 0;
         const double seen_side = glm::dot(glm::dvec3(plane.equation), direction) < 0.0 ? 1.0 : -1.0;
@@ -170,7 +171,8 @@ private:
         return missing;
     }
 
-    /// Returns the patch that is hit first and moves `to` to the hit; ignores the patch `start`, where the ray begins.
+    /// Returns the patch that the ray hits first and sets `to` to that hit's parameter. Ignores the patch `start`, on
+    /// which the ray begins.
     Met nearest_patch(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to, int start) const {
         Met found;
         for (std::size_t i = 0; i < scene_.planes.size(); ++i) {

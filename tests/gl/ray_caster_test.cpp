@@ -1,5 +1,5 @@
-// Compares whole pictures with the oracle of ray_caster.h: random planes, lights, cameras and solids are checked point
-// by point for the right object, patch, shadow or mirror image. Pixels beside an edge of the oracle's picture are
+// Compares whole pictures of random planes, lights, cameras and solids with the oracle of ray_caster.h. Each pixel must
+// show the right object, patch, shadow or mirror image, except that pixels beside an edge of the oracle's picture are
 // skipped. VIEWING_LONG_TESTS=N draws N times as many.
 #include "ray_caster.h"
 
@@ -54,7 +54,7 @@ void add_solids(Situation& made, Random& random) {
         solid.scale =
             solid.is_sphere ? glm::dvec3(size) : glm::dvec3(size, random.number(0.3, 0.8), random.number(0.3, 0.8));
         made.oracle.solids.push_back(solid);
-        // Fine enough to keep the sphere's facets well within a pixel.
+        // The mesh is so fine that its facets deviate from the sphere by well under a pixel.
         SceneObject placed =
             object(std::to_string(i), solid.is_sphere ? sphere_mesh(128, 64) : box_mesh(), solid.position);
         placed.world_from_model = world_from_model(solid.position, angles, solid.scale);
@@ -142,7 +142,7 @@ int class_seen(const Rgb& color, const Rgb& background) {
     return shows_unknown;
 }
 
-/// Returns the class that the oracle expects; shadow is also painted on mirrors.
+/// Returns the class that the oracle expects. Shadows are painted on mirrors, too.
 int class_seen(const Sight& sight) {
     for (const testing::Met& met : sight.met)
         if (met.missing != 0) return shows_shadow;
@@ -164,7 +164,7 @@ struct CastTally {
     std::string first_wrong;
 };
 
-/// Compares the pixels whose 3 × 3 block has one class in the oracle.
+/// Compares the pixels that have the same class as all their neighbors in the oracle's picture.
 CastTally compare(const Image& image, const std::vector<int>& expected, const Rgb& background) {
     const auto expected_at = [&](int x, int y) { return expected[static_cast<std::size_t>(y * cast_px.x + x)]; };
     CastTally tally;
@@ -207,8 +207,8 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
     for (unsigned number = first_seed; number < first_seed + count; ++number) {
         const Situation made = situation(number);
         const CastTally tally = tally_of(made);
-        // A rasterizer may leave a pinhole where it clips a triangle: there were 4 single pixels in 43 million, and 2
-        // in 2 million with the other compiler, whose scenes differ in their last bits.
+        // A rasterizer may leave a pinhole where it clips a triangle. One compiler's scenes had 4 such pixels in 43
+        // million; the other compiler's scenes, which differ in their last bits, had 2 in 2 million.
         EXPECT_LE(tally.wrong, 1) << "seed " << number << ": " << tally.first_wrong;
         sum.wrong += tally.wrong;
         EXPECT_GT(tally.compared, cast_px.x * cast_px.y / 2) << "seed " << number;
@@ -223,7 +223,7 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
         }
     }
     EXPECT_LE(sum.wrong, 3 + sum.compared / 5'000'000);
-    // The comparison must have had something to compare.
+    // Each kind of pixel must have occurred often enough for the comparison to mean something.
     const auto each = static_cast<int>(count);
     std::printf("%d pixels, %d wrong: %d shadow, %d patch, %d mirror image\n", sum.compared, sum.wrong, sum.shadow,
                 sum.patch, mirrored);

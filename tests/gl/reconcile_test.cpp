@@ -1,5 +1,5 @@
-// The fragments of a pixel where surfaces fight, reconciled with the values read back: the last drawn fragment is the
-// visible one, and rounding is blamed only where the computed list had another winner.
+// Where surfaces fight, a pixel's fragments are reconciled with the values read back. Then the last drawn fragment is
+// the visible one, and rounding is blamed only where the computed list had another winner.
 #include "frame/depth/reconcile.h"
 
 #include <bit>

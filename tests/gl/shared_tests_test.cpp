@@ -42,8 +42,8 @@ int left_by(const StencilState& state, int value, int reference) {
     return (value & ~state.write_bits) | (after & state.write_bits);
 }
 
-/// Expects that the unified tests pass the same fragments, and returns how many tests they change. A pass may touch a
-/// pixel never, once or repeatedly.
+/// Expects that the unified tests pass the same fragments, and returns how many tests differ from the original ones.
+/// Assumes that a pass may touch a pixel never, once or repeatedly.
 int expect_the_same_fragments(std::span<const Pass> passes) {
     const std::vector<StencilState> tests = shared_stencil_tests(passes);
     EXPECT_EQ(tests.size(), passes.size());

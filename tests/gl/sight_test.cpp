@@ -57,7 +57,7 @@ TEST(Sight, BoxesAtTheEdgeAndEmptyBoxesAreDrawn) {
     EXPECT_FALSE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
 }
 
-/// If a mesh has few vertices, they decide, because the box extends beyond its mesh.
+/// A box extends beyond its mesh. If a mesh has few vertices, is_kept_whole() therefore also tests the vertices.
 TEST(Sight, APlaneCutsAnObjectIfAVertexIsBehindIt) {
     SCOPED_TRACE("seed 8");
     Random random(8);

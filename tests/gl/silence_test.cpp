@@ -1,6 +1,6 @@
-// Neither silence nor false alarms: if a switch changes the picture, a sentence names it, and the fix that a sentence
-// offers changes a picture. The tests run over presets and over seeded states with several mistakes; with
-// VIEWING_LONG_TESTS, over all presets and more seeds.
+// No sentence is missing, and none is a false alarm: if a switch changes the picture, a sentence names it, and the fix
+// that a sentence offers changes a picture. The tests run over presets and over seeded states with several mistakes.
+// With VIEWING_LONG_TESTS, they cover all presets and more seeds.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -51,7 +51,7 @@ constexpr Unsaid unsaid[] = {
     {"mirror-plus-2ab", "reflection.stencil=false", "the image leaves the mirror inside a triangle"},
 };
 
-/// Beginnings of sentences on the drawing order; a picture may happen not to depend on it.
+/// Beginnings of sentences about the drawing order. A picture may happen not to depend on that order.
 constexpr std::string_view by_chance[] = {"GL_ALWAYS", "GL_NOTEQUAL", "the shadow writes its depth",
                                           "the mask writes the mirror's own depth"};
 
@@ -145,7 +145,7 @@ protected:
     }
 };
 
-/// Returns the presets that GL draws by itself, in color and without jiggling.
+/// Returns the presets that GL draws with its depth buffer, in color and without jiggling.
 std::vector<NamedFile> drawn_presets() {
     std::vector<NamedFile> drawn;
     for (const NamedFile& preset : presets()) {
@@ -178,7 +178,7 @@ TEST_F(Silence, SwitchesOfPresetsAreNamed) {
     EXPECT_GT(changed, 50) << "most switches change the picture somewhere";
 }
 
-/// When a state has several mistakes, each further one is named, too.
+/// When a state already has mistakes, a sentence names each further one, too.
 TEST_F(Silence, MistakesAreNamedBesideOthers) {
     constexpr unsigned first_seed = 3700;
     const std::vector<NamedFile> all = drawn_presets();

@@ -27,8 +27,9 @@ GLint bits_of_depth(const View& view) {
     return bits;
 }
 
-/// Convex solids that touch neither each other nor the plane, so 16 bits distinguish what 24 do. The label is in its
-/// board's plane: there the stencil decides, not depth. The mirror shows the front of neither.
+/// Returns convex solids that touch neither each other nor the plane, so 16 bits distinguish them as 24 do. The label
+/// is in its board's plane, so there the stencil decides, not depth. The mirror shows the front of neither of these
+/// two.
 Scene floating_with_decal() {
     SceneObject label = object("label", quad_mesh(), {1.0, 0.4, -1.7}, {0.35, 1.0, 0.45});
     label.description.decal = true;
@@ -48,8 +49,8 @@ protected:
         return *(choices.begin() + static_cast<std::ptrdiff_t>(random.number(0, static_cast<double>(choices.size()))));
     }
 
-    /// Returns random settings that use the stencil. Coplanar surfaces must not fight: without an offset for the
-    /// shadow, the depth test is off.
+    /// Returns random settings that use the stencil. Coplanar surfaces must not fight, so the depth test is off if the
+    /// shadow has no offset.
     std::vector<std::string> any_use_of_stencil() {
         const std::string offset = one_of({"none", "polygon_offset", "lift", "no_depth_test"});
         const std::string bools[] = {"shadow.enabled",     "shadow.stencil_once", "shadow.clip_to_receiver",

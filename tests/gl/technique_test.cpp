@@ -164,7 +164,7 @@ TEST_F(Technique, NothingBeyondTheLightCastsAShadow) {
         100);
 }
 
-/// Each vertex's own sign is forced: a vertex beyond the light is negated, one in front of the light is unchanged.
+/// The sign is forced for each vertex: a vertex beyond the light is negated, one in front of the light is unchanged.
 TEST_F(Technique, ForcedSignCastsAnAntiShadowThroughTheLight) {
     const std::vector<std::string> forced = plain({"shadow.sign=forced", "shadow.clip_at_light=false"});
     const Scene above = scene_of({object("above", box_mesh(), {5, 12, 0})});
@@ -238,7 +238,7 @@ TEST_F(Technique, CullingBackFacesOfClosedObjectsIsInvisible) {
             Params culled = params;
             culled.cull.enabled = true;
             const Image all = draw(params, scene, technique_px);
-            // On an outline both faces may cover a pixel at depths that round to the same code.
+            // On an outline, both faces may cover a pixel with depths that round to the same code.
             EXPECT_LE(pixels_beyond(all, draw(culled, scene, technique_px), 0), 4);
             culled.cull.face = CullFace::front;
             EXPECT_GT(pixels_beyond(all, draw(culled, scene, technique_px), 3), 200);
@@ -401,7 +401,7 @@ TEST_F(Technique, FacingInTheMirrorNeedsTheFlippedWinding) {
     };
     EXPECT_GT(mirrored({}).b, mirrored({}).r + 30);
     EXPECT_GT(mirrored({"reflection.flip_winding=false"}).r, mirrored({"reflection.flip_winding=false"}).b + 30);
-    // With culling, the flip decides between the outside and the inside of the far walls.
+    // With culling, the flip decides whether the outside of the near walls or the inside of the far walls is visible.
     const auto picture = [&](const std::vector<std::string>& more) {
         std::vector<std::string> settings = {"reflection.enabled=true", "reflection.reflectance=1",
                                              "shadow.enabled=false"};
@@ -465,7 +465,8 @@ TEST_F(Technique, MirroredLightIlluminatesTheMirroredSide) {
 }
 
 TEST_F(Technique, MirrorImageEqualsTheMirroredCamerasView) {
-    // Compares R · scene, with flipped winding, with the mirrored camera's picture, flipped left to right.
+    // Compares the picture of R · scene, drawn with flipped winding, with the mirrored camera's picture, flipped left
+    // to right.
     Random random(seed);
     const Scene scene = scene_named("torus-and-boxes");
     for (int trial = 0; trial < 10; ++trial) {
@@ -544,8 +545,8 @@ TEST_F(Technique, MirrorStaysInsideItsPatchOnlyWithTheStencil) {
 }
 
 TEST_F(Technique, OrthographicFacesAreLitByTheViewDirection) {
-    // A side that leans 10° from +x toward the camera, off the axis: parallel view rays meet its lit outside, whichever
-    // side of it the camera is on.
+    // This side is off the axis and leans 10° from +x toward the camera. Parallel view rays meet its lit outside,
+    // whichever side of its plane the camera is on.
     SceneObject leaning = object("leaning", quad_mesh(), {0, 0, 0});
     leaning.world_from_model = glm::translate(glm::dmat4(1.0), {3, 0, -5}) *
                                glm::rotate(glm::dmat4(1.0), glm::radians(-10.0), {0, 1, 0}) *

@@ -1,5 +1,5 @@
-// When a goal is measured in pictures, the window judges it in the background, with the same result as `grade`. No
-// reference pictures.
+// When a goal is measured in pictures, the window judges it in the background, with the same result as `grade`. The
+// tests need no reference pictures.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-/// A window at exercise E14, in which the student fixes decals and the judge counts pixels.
+/// A window that shows exercise E14, in which the student fixes decals and the judge counts pixels.
 class AnswerJudgeTest : public testing::GlTest {
 protected:
     void SetUp() override {
@@ -99,7 +99,7 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change that closely follows a save is saved later, and until then possibly nothing else would wake the window.
+/// A change that closely follows a save is saved later. Possibly nothing else would wake the window by then.
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);

@@ -1,4 +1,4 @@
-// Single views as pixels and as vector drawings.
+// Tests pictures of single views, as pixels and as vector drawings.
 #include <cmath>
 
 #include "app/figure.h"
@@ -40,7 +40,7 @@ std::string cut_line(const Drawing& drawing) {
         const Line* const line = std::get_if<Line>(&mark.what);
         if (!line || line->characters.empty()) continue;
         const DrawingBox clip{glm::max(mark.clip.min, glm::vec2(0.0F)), glm::min(mark.clip.max, drawing.size_px)};
-        // From cap height to the baseline, from the first origin to the middle of the last character.
+        // A text extends from cap height to the baseline and from the first origin to the middle of the last character.
         const float em = line->em_px, top = line->baseline_px - 0.65F * em;
         const float right = line->lefts_px.back() + 0.25F * em;
         const bool is_whole = line->lefts_px.front() >= clip.min.x - 1.0F && right <= clip.max.x + 1.0F &&
@@ -121,7 +121,7 @@ TEST_F(FigureTest, EmptyOrTooSmallViewsAreReported) {
               "the view tree has nothing to show: Only the BSP tree method has a tree to show.");
     EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::pixel, usual_px, std::nullopt})),
               "the view pixel needs a pinned pixel of the camera's picture: set view.pixel=[X,Y]");
-    // The picture does fit in the size that the message names.
+    // The picture really fits in the size that the message names.
     const std::string small = trouble(image_of(state_with({}), {PictureView::passes, {700, 320}, std::nullopt}));
     const std::string before = "it fits in 700x";
     const std::size_t at = small.find(before);

@@ -1,6 +1,6 @@
-// Compares each preset that breaks the picture with the same preset after its own fix: the switch must have a visible
-// effect. The reference pictures are the suite beside this file, which tests/golden/check runs. Read window_test.cpp
-// next.
+// Compares each preset that breaks the picture with the same preset after its own fix: the fix must have a visible
+// effect. The reference pictures belong to the suite beside this file, which tests/golden/check runs. Read
+// window_test.cpp next.
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"

@@ -1,5 +1,5 @@
-// The permitted cost of one hand-in, and the behavior when time runs out halfway. The tests count judged answers and
-// measure no time. No reference pictures.
+// Tests how much it may cost to grade one hand-in, and what happens when time runs out halfway. The tests count judged
+// answers and measure no time. They need no reference pictures.
 #include "report/grading.h"
 
 #include <set>
@@ -67,7 +67,7 @@ TEST_F(GradingTest, AFileStaysWithinItsBudgetAndKeepsItsPoints) {
     for (int i = 0; i < 1000; ++i) goals.push_back(near_plane(0.5 + 0.001 * i));
     numbers.front() = number(10);           // wrong, and a known mistake
     numbers.back() = number(40);            // right in the end
-    goals[7] = near_plane(0.125, "right");  // right early, and the file says so
+    goals[7] = near_plane(0.125, "right");  // right already, and marked as right in the file
     Grader of_both = grader({number_exercise, measured_exercise});
     const StudentGrade grade = of_both.grade(hand_in({{"N1", numbers}, {"G1", goals}}), "f.json", {});
     ASSERT_EQ(grade.items.size(), 2U);
@@ -104,7 +104,7 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
         hand_in({{"N1", {number(1), number(2), number(40)}}, {"G1", {near_plane(0.5), near_plane(0.6)}}});
     for (int judged = 0; judged <= 5; ++judged) {
         Grader of_both = grader({number_exercise, measured_exercise});
-        int asked = -static_cast<int>(both.items.size());  // first, each item asks whether to make its exercise
+        int asked = -static_cast<int>(both.items.size());  // first, each item asks once before its exercise is made
         of_both.stop_when([&] { return asked++ >= judged; }, "no time");
         const StudentGrade grade = of_both.grade(both, "f.json", {});
         const ItemGrade &typed = grade.items[0], &goal = grade.items[1];

@@ -1,5 +1,5 @@
-// The status bar while the pointer is over the camera's picture: on screen, where nothing waits for GL, it ends up with
-// the text that an offscreen picture shows immediately. No reference pictures.
+// The status bar while the pointer is over the camera's picture. On screen, nothing waits for GL, but the bar ends up
+// with the text that an offscreen picture shows immediately. The test needs no reference pictures.
 #include <chrono>
 #include <thread>
 

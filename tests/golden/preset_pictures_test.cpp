@@ -1,5 +1,5 @@
-// The thumbnails beside the list of presets: each equals a snapshot of its preset and is made once; unreadable presets
-// have none.
+// The thumbnails beside the list of presets: each equals a snapshot of its preset and is made only once. Unreadable
+// presets have none.
 #include "app/preset_pictures.h"
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace {
 
 class PresetPicturesTest : public testing::GlTest {
 protected:
-    /// Requests the picture once a frame, as the window does.
+    /// Requests the picture repeatedly, as the window does in each frame, until no work is left; returns it.
     static PresetPicture finished(PresetPictures& pictures, const std::string& name) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         do {

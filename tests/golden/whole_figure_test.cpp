@@ -1,5 +1,5 @@
-// Every view as a figure, checked against a frame's own vertices and pixels: each letter of the frame is in the
-// drawing, in its SVG document and on its PDF page, and the page drawn by Poppler has the picture's colors everywhere.
+// Checks every view as a figure against a frame's own vertices and pixels: each letter of the frame is in the drawing,
+// in its SVG document and on its PDF page, and when Poppler draws the page, it has the picture's colors everywhere.
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -24,7 +24,7 @@ struct Shown {
     std::vector<std::string> settings = {};
 };
 
-/// Every view once; tables and the whole window appear in the other looks, too.
+/// Every view once. Tables and the whole window are also shown in the other looks.
 const std::vector<Shown>& shown_views() {
     static const std::vector<Shown> all = {
         {PictureView::window},

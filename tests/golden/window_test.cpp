@@ -1,4 +1,5 @@
-// The screen and its snapshot are the same bytes, however often they are drawn. No reference pictures.
+// The screen and its snapshot have the same bytes, however often they are drawn. These tests need no
+// reference pictures.
 #include <chrono>
 #include <set>
 #include <thread>
@@ -96,7 +97,7 @@ TEST_F(WindowTest, TheCameraPictureMatchesItsStateWithAMovingLight) {
     EXPECT_EQ(shown, snapshot(carried, {PictureView::camera, {shown.width, shown.height}, std::nullopt}));
 }
 
-/// Runs frames until the coarse meshes are made.
+/// Runs frames until the coarse meshes are made, and returns the scene with them; null if drawing is fast enough.
 const Scene* held(StandIns& stand_ins, const Scene& scene, int version, bool is_slow) {
     for (int frame = 0; frame < 10000; ++frame) {
         stand_ins.follow(scene, version);

@@ -1,4 +1,4 @@
-// The values read for the lower views are the same as from a fresh probe at each step, and never older than the
+// The values read for the lower views equal those that a fresh probe reads at each step, and are never older than the
 // picture.
 #include "measure/depth_inspector.h"
 
@@ -86,7 +86,7 @@ TEST_F(Inspector, TouchesAreTrianglesThatSendThePixelAFragment) {
     EXPECT_EQ(tell_anew(wishes).touches, expected);
 }
 
-/// At each step, a cell differs between the two blocks only if the fragment there is drawn.
+/// At each step, a cell differs between the blocks before and after the step only if the fragment there is drawn.
 TEST_F(Inspector, StepsChangeTheCellsWhoseFragmentsPass) {
     const DepthWishes wishes{.pixel = glm::ivec2(77, 48), .calls = true, .cells = glm::ivec2(9, 7)};
     const std::vector<DrawCall> calls = tell(wishes).calls;

@@ -95,7 +95,7 @@ TEST_F(Counter, IsUpToDateWhenTheHeldValueReturns) {
         return update(!may_wait, !is_at_rest);
     };
     update(!may_wait, is_at_rest);
-    go_away_and_come_back();  // the count, or the search, is still running
+    go_away_and_come_back();  // the count or the search is still running
     EXPECT_TRUE(counter.wants_frames());
     finish();
     const auto back = go_away_and_come_back();

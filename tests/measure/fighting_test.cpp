@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 fighting_px(640, 360);
 
-/// Returns the number of codes between the near plane and a distance; a large number for floats.
+/// Returns the number of codes between the near plane and a distance, or a million for a float format.
 double codes_before(const Params& params, double z) {
     const double n = params.projection.near, f = params.projection.far;
     const DepthPrecision precision = precision_of(params.depth.format);
@@ -104,7 +104,7 @@ TEST_F(Fighting, DependsOnTheGapInCodes) {
         ASSERT_EQ(counts.pairs.size(), 6U);
         for (const CountedPair& counted : counts.pairs) {
             const double z = 4.0 - counted.pair.center_world.z;  // from the camera, which looks along −z
-            // The gap in codes at the pair's distance: the gap over the width of a code, z² (f − n) / (f n (2¹⁶ − 1)).
+            // A code is z² (f − n) / (f n (2¹⁶ − 1)) wide at distance z. Dividing by this gives the gap in codes.
             const double gap_codes = counted.pair.gap() / (z * z * (200.0 - near) / (200.0 * near * 65535.0));
             const double share = static_cast<double>(counted.wrong) / static_cast<double>(counted.pixels);
             EXPECT_NEAR(share, std::max(1.0 - gap_codes, 0.0), 0.06) << "near " << near << " z " << z;
@@ -221,7 +221,7 @@ TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
         ASSERT_TRUE(counts) << counts.error();
         for (const CountedPair& counted : counts->pairs) {
             const auto predicted = predict_pair(counted.pair, params, derived, large_px).wrong_share;
-            if (!predicted) continue;  // too few codes, or the code that the buffer was cleared to
+            if (!predicted) continue;  // there are too few codes, or the code is the one that the buffer was cleared to
             ++said;
             EXPECT_TRUE(predicted->holds(counted.wrong_fraction()))
                 << preset << " z " << counted.pair.center_world.z << ": " << counted.wrong_fraction() << " and "
@@ -231,7 +231,7 @@ TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
 }
 
 TEST_F(Fighting, StaysWithinThePredictionFromEveryCamera) {
-    // Random lenses, gaps, tilts and formats in front of the six pairs; the prediction holds for each picture.
+    // Draws the six pairs with random lenses, gaps, tilts and formats; the prediction must hold for each picture.
     Random random(seed);
     int said = 0, said_between = 0;
     for (int trial = 0; trial < 24; ++trial) {

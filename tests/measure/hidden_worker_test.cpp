@@ -108,7 +108,7 @@ TEST(HiddenWorker, CanceledWorkIsReportedAndNotRestarted) {
     EXPECT_FALSE(worker.fraction());
 }
 
-/// A canceled solver may lack part of the scene; the next request gets a complete one.
+/// A canceled solver may lack part of the scene, so the next request must get a complete solver.
 TEST(HiddenWorker, ARequestAfterACancelGetsTheWholeScene) {
     const Scene scene = slow_scene();
     const HiddenQuestion painter = question_for(params_with({"visibility.method=painter"}), scene);

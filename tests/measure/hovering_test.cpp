@@ -1,6 +1,6 @@
 // The report on the pixel under the pointer arrives without waiting for GL: each read goes into a buffer and is fetched
-// when its fence has passed. It belongs to the pixel that it names and to the picture on screen. A fake fence query
-// makes GL slow here.
+// when its fence has passed. The report belongs to the pixel that it names and to the picture on screen. Here, a fake
+// fence query makes GL seem slow.
 #include <thread>
 
 #include "gl/gl_test.h"
@@ -12,9 +12,9 @@ namespace {
 
 constexpr glm::ivec2 hovered_px(160, 90);
 
-bool is_slow = false;  ///< no fence passes
-int waits = 0;         ///< reads that wait for GL
-int copies = 0;        ///< reads into a buffer
+bool is_slow = false;  ///< if true, no fence passes
+int waits = 0;         ///< how often the program has waited for GL
+int copies = 0;        ///< number of reads into a buffer
 PFNGLREADPIXELSPROC read_pixels = nullptr;
 PFNGLCLIENTWAITSYNCPROC ask_fence = nullptr;
 PFNGLFINISHPROC finish = nullptr;
@@ -35,7 +35,8 @@ GLenum EPOXY_CALLSPEC slow_fence(GLsync sync, GLbitfield flags, GLuint64 timeout
     return is_slow ? GL_TIMEOUT_EXPIRED : ask_fence(sync, flags, timeout_ns);
 }
 
-/// Runs with GL's own depth and stencil reads, and without them; then both must be drawn first, as in the browser.
+/// Runs with GL's own reads of depth and stencil, and also without them. Without them, as in the browser, both must be
+/// drawn into a color picture first.
 class Hovering : public testing::GlTest, public ::testing::WithParamInterface<bool> {
 protected:
     void SetUp() override {

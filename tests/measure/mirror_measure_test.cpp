@@ -1,5 +1,5 @@
-// The four ways of drawing a mirror image, drawn by GL and compared: their effect on the picture and on the depths,
-// with every depth buffer, and the case without an image.
+// Draws a mirror image with GL in the four ways and compares their effect on the picture and on the depths, with every
+// kind of depth buffer. Also tests the case without an image.
 #include "measure/mirror_measure.h"
 
 #include "frame/ground.h"
@@ -68,8 +68,8 @@ TEST_F(MirrorMeasure, DepthsMatchTheirNearPlane) {
     const MirrorWayReport &clipped = of(ways, MirrorWay::clip_distance), &oblique = of(ways, MirrorWay::oblique);
     EXPECT_LT(oblique.first_depth, 0.001);
     EXPECT_LT(oblique.last_depth, 0.5);
-    // Image points are 5 to 15 from the eye. The formula of the facts is f/(f−n) − f n/((f−n) z), here with near 0.5
-    // and far 40.
+    // Points of the image are 5 to 15 from the eye. The facts compute the depth as f/(f−n) − f n/((f−n) z), here with
+    // near 0.5 and far 40.
     EXPECT_GT(clipped.first_depth, 40.0 / 39.5 - 20.0 / (39.5 * 5.0));
     EXPECT_LT(clipped.last_depth, 40.0 / 39.5 - 20.0 / (39.5 * 15.0));
     const MirrorWayReport& camera = of(ways, MirrorWay::camera);
@@ -237,7 +237,7 @@ TEST_F(MirrorMeasure, AgreesOnSeveralPlanesAndMirrorsInMirrors) {
         params.planes = {{}, {.equation = {0.0, 0.0, 1.0, 2.5}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
         const MirrorWays ways = measure(params);
         EXPECT_GT(of(ways, MirrorWay::clip_distance).image_pixels, 1000) << bounces;
-        // Each level's edges may move by a pixel, and parts seen through two levels may move by two.
+        // Each level's edges may move by a pixel, and parts seen through two levels of mirrors may move by two.
         const std::int64_t most = bounces == 1 ? 0 : ways.reports[0].compared / 500;
         EXPECT_LE(of(ways, MirrorWay::camera).different, most) << bounces;
         EXPECT_LE(of(ways, MirrorWay::oblique).different, most) << bounces;

@@ -1,10 +1,11 @@
 // The texts that the window can show, for tests/catalogue.
 //
-// texts SOURCES.pot…           prints one .pot file: the texts that xgettext found in the sources, without the parts
-//                              that labels hide behind "##", and those that the program itself lists: fields, presets
-//                              and scenes.
-// texts --check ALL.pot KO.po  checks that the catalog has all of them, nothing else, and the same placeholders in each
-//                              translation as in the English text. Exit status 1, with a line for each error.
+// texts SOURCES.pot…           prints one .pot file with the texts that xgettext found in the sources and those that
+//                              the program itself lists: fields, presets and scenes. Omits what follows "##" in a
+//                              label, since the window does not show it.
+// texts --check ALL.pot KO.po  checks that the catalog has all of these texts and no others, that each translation has
+//                              the same placeholders as its English text, and that places.h describes them. Prints a
+//                              line for each error and then exits with status 1.
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -134,7 +135,7 @@ int print_all(std::span<const char* const> sources) {
         const std::set<std::string> places = place_names(english);
         for (const std::string& place : places) std::cout << "#. {" << place << "}: " << meaning_of(place) << '\n';
         std::cout << "#: " << origin.files << '\n';
-        // msgfmt and Poedit then compare the placeholders of a translation with those of the text.
+        // This flag makes msgfmt and Poedit compare the placeholders of a translation with those of the text.
         if (!places.empty()) std::cout << "#, python-brace-format\n";
         std::cout << "msgid " << quote(english) << "\nmsgstr \"\"\n";
     }

@@ -1,4 +1,4 @@
-// The scene `coplanar` follows its parameters while the window is open.
+// The scene `coplanar` adapts to its parameters while the window is open.
 #include "desk.h"
 
 namespace viewing::test {

@@ -1,5 +1,5 @@
-// The depth buffer's controls: the panel's section, the second picture, the topics below, the pinned pixel and the
-// range of the histogram.
+// The depth buffer's controls: the panel's section, the second picture, the topics below it, the pinned pixel and the
+// histogram's range.
 #include <string>
 #include <vector>
 
@@ -140,7 +140,7 @@ TEST_F(DepthPanel, ChoosingTheOtherViewsTopicMovesItOver) {
     params.view.lower_left = Topic::precision;
     choose_topic(params, Slot::right, Topic::precision);
     EXPECT_EQ(topic_of(params, Slot::right), Topic::precision);
-    EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // shown on the right before
+    EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // it was on the right before
 }
 
 TEST_F(DepthPanel, ChangingTheMethodBringsBackItsTopic) {

@@ -1,5 +1,5 @@
-// The pixel view and the cell view in their own window, over a frame whose buffers are computed here fragment by
-// fragment. Their texts agree with the buffers, clicks take effect, and everything stays inside at every size.
+// The pixel view and the cell view in their own window. They show a frame whose buffers are computed here fragment by
+// fragment. Their texts agree with the buffers, clicks take effect, and every item stays inside its view at any size.
 #include <algorithm>
 #include <map>
 
@@ -199,7 +199,7 @@ TEST_F(PixelView, ClickingARowGoesToTheStepThatSendsItsFragment) {
         ASSERT_EQ(rows.size(), 1U);
         ui.click(rows.front());
         const FramePlan whole = plan(params, derived);
-        // The frame that stops there is the first that contains the fragment.
+        // The frame that stops at this step is the first one that contains the fragment.
         const auto count_in = [&](int step) {
             FramePlan stopped = whole;
             stopped.limit = limit_of(step, data.calls);

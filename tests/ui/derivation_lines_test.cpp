@@ -1,4 +1,4 @@
-// The derivations as lists of lines: their numbers agree, and each step shows one more line.
+// The derivations as lists of lines: their numbers are right, and each step shows one more line.
 #include "ui/planes/derivation_lines.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(DerivationLines, HoldForAnyPlaneAndLight) {
         const Lines lines = shadow_lines(found, false);
         if (!found.shadow_world || std::abs(found.w) < 0.1) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
-        // The same with S itself: (P·L) p − (P·p) L.
+        // S itself must give the same numbers: S p = (P·L) p − (P·p) L.
         const double to_light = glm::dot(plane, light), to_point = glm::dot(plane, glm::dvec4(p, 1.0));
         const glm::dvec4 sent = to_light * glm::dvec4(p, 1.0) - to_point * light;
         EXPECT_NEAR(last_number(lines, "w"), sent.w, 6e-4);

@@ -1,5 +1,5 @@
-// The derivations of shadow and mirror image in use: selected as topics, while l_w is dragged, and in every special
-// case.
+// The derivations of shadow and mirror image in the window: when selected as topics, while l_w is dragged, and in every
+// special case.
 #include <algorithm>
 
 #include "desk.h"

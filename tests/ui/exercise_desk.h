@@ -1,5 +1,5 @@
-// A desk with a finished exercise sheet. It is made as in the studio but without pictures, so measured parts are
-// missing.
+// A desk with a finished exercise sheet. The sheet is made as in the studio but without pictures, so parts that must be
+// measured are missing.
 #pragma once
 
 #include "desk.h"

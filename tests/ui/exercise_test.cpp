@@ -1,5 +1,5 @@
-// Exercises in the window: every question is readable, input comes from fields and the clipboard, and only a right
-// answer uncovers hidden parts.
+// Exercises in the window: every question is readable, fields and the clipboard take input, and only a right answer
+// uncovers hidden parts.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -38,7 +38,8 @@ protected:
     ExerciseSheetDesk desk{GetParam().size};
 };
 
-/// Checks before an answer and after each known wrong one. Each screen checks every other exercise.
+/// Checks each question before an answer and after each known wrong answer. Each screen checks only every second
+/// exercise.
 TEST_P(ExerciseScreensSlowTest, EveryQuestionIsReadable) {
     std::map<std::string, std::string> wrong;
     std::size_t count = GetParam().size.x > 1100.0F ? 0 : 1;
@@ -144,7 +145,7 @@ TEST_F(ExercisesInTheWindow, AMisconceptionIsExplainedAndARightAnswerUncovers) {
     desk.check();
     EXPECT_EQ(desk.run().verdict()->place, 2) << "the row with the largest difference";
     desk.run().answer() = right;
-    for (double& number : desk.run().answer().numbers) number *= -2.5;  // any multiple is the same map
+    for (double& number : desk.run().answer().numbers) number *= -2.5;  // any multiple of the matrix is the same map
     desk.check();
     EXPECT_TRUE(desk.run().is_revealed());
     desk.settle();
@@ -253,7 +254,7 @@ TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     desk.click("lesson strip/All exercises");
     ui.frames(3);
     Student student{"viewing-2026", "", ""};
-    for (int number = 1; number < 1000; ++number) {  // a student with the same values in this exercise
+    for (int number = 1; number < 1000; ++number) {  // find a student whose variant has the same values
         student.number = std::to_string(number);
         desk.workbench.exercises.sit_down(student);
         if (variant() == practiced) break;

@@ -1,4 +1,4 @@
-// States and scenes in and out: clipboard, presets, dialogs, dropped files, loading a large mesh.
+// Reading and writing states and scenes: clipboard, presets, dialogs, dropped files, and loading a large mesh.
 #include <unistd.h>
 
 #include <chrono>
@@ -57,7 +57,7 @@ protected:
         const RecordedItem* item = ui.try_find("file/trouble");
         return item ? item->text : "";
     }
-    /// Opens the scene list and picks an entry, scrolling when needed.
+    /// Opens the scene list, scrolls if needed, and picks an entry.
     void choose_scene(const std::string& name) {
         const std::string label = "top/" + name;
         desk.click("top/scene");
@@ -377,7 +377,7 @@ TEST_F(FilesTest, AFileOutsideTheStatesFolderNeedsPermission) {
 }
 
 TEST_F(FilesTest, ALargeMeshShowsProgressAndCanBeCanceled) {
-    write_grid("huge.obj", 1000);  // 2 million triangles take seconds, a click a tenth of one
+    write_grid("huge.obj", 1000);  // 2 million triangles load in seconds; a click takes 0.1 s
     write_grid("big.obj", 400);    // 320,000 triangles
     const Params before = params;
     drop("huge.obj");

@@ -1,4 +1,5 @@
-// Flights in the window: F9 and the menu record, the file plays, and Escape or any edit ends playback.
+// Flights in the window: F9 and the menu record a flight, opening its file plays it, and Escape or any edit ends the
+// playback.
 #include <filesystem>
 
 #include "desk.h"

@@ -1,4 +1,4 @@
-// The texts of the pixel view and the cell view, without drawing them: tests in words, numbers in cells, steps.
+// The texts of the pixel view and the cell view, without drawing them: tests in words, numbers in cells, and steps.
 #include "ui/depth/fragment_text.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::uint32_t bits_of(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
-/// Returns a fragment as FragmentFinder would make it; `with` is the code in the buffer.
+/// Returns a fragment as FragmentFinder would make it. `with` is the code that it is compared with.
 Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = CompareFunc::less) {
     Fragment made;
     made.object = "box";
@@ -156,15 +156,15 @@ TEST(FragmentText, ChangesInTheCellDecideTheSentence) {
     before.stored = other_color.stored = 15;
     other_code.stored = other.stored = 14;
     other_color.color = other.color = {1, 2, 3};
-    // Computed to fail, but the cell changes: the code that is read back passes.
+    // The fragment is computed to fail, but the cell changes: the code that is read back passes.
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other_code, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
-    // Computed to pass, but nothing changes.
+    // The fragment is computed to pass, but nothing changes.
     EXPECT_EQ(cell_sentence(fragment(13, 15), before, before, bits_8),
               "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
-    // The same code again, in another color.
+    // The code stays the same, but the color changes.
     EXPECT_EQ(cell_sentence(fragment(15, 15, CompareFunc::lequal), before, other_color, bits_8),
               "box, triangle 3: 15 ≤ 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence(fragment(15, 15), before, other_color, bits_8),

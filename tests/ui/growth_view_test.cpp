@@ -1,4 +1,5 @@
-// The growth of costs: measured in the background, watched, canceled, shown and written to files.
+// The growth of costs is measured in the background. The user can watch and cancel that; results are shown and written
+// to files.
 #include <chrono>
 #include <fstream>
 #include <set>
@@ -47,7 +48,7 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     ui.click("lower/operations");
     EXPECT_TRUE(hidden().growth.shows_operations);
 
-    // Each kind of scene keeps its own rows; the current scene's rows disappear with it.
+    // Each kind of scene keeps its own rows. The rows for the state's scene disappear when that scene changes.
     hidden().growth.scene = static_cast<int>(GrowthScene::small_triangles);
     ui.frames(2);
     EXPECT_TRUE(says("Measures every method"));

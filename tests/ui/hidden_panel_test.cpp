@@ -1,4 +1,4 @@
-// The hidden-surface methods in the panel and in the pictures: selecting methods, stepping, searching, picking.
+// The hidden-surface methods in the panel and in the pictures: selecting methods, stepping, searching and picking.
 #include <chrono>
 #include <thread>
 
@@ -66,7 +66,7 @@ TEST_F(HiddenPanel, OptionsSetTheirFields) {
     desk.settle();
     desk.choose("depth/compare", "depth/compare/painter");
     EXPECT_EQ(params.visibility.compare_with, VisibilityMethod::painter);
-    ASSERT_TRUE(desk.answer()->other);  // GL, which is absent here, draws the painter's order
+    ASSERT_TRUE(desk.answer()->other);  // without GL, which would draw the painter's order
     EXPECT_GT(difference(desk.answer()->camera->image, desk.answer()->other->image).different, 0);
 }
 

@@ -1,5 +1,5 @@
-// The tree and the drawing order in the lower right: linked with the pictures in both directions, with a sentence for
-// each step.
+// The tree and the drawing order in the lower right: they are linked with the pictures in both directions, and each
+// step has a sentence.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -234,7 +234,7 @@ TEST_F(LargeHiddenViews, LongListsBuildOnlyVisibleRowsAndScrollOnceToTheSelectio
     const Rect rect = desk.layout().lower_right;
     EXPECT_GE(row.min.y, rect.min.y);
     EXPECT_LE(row.max.y, rect.max.y);
-    // Afterwards the wheel can scroll away from it.
+    // After that, the wheel can scroll away from the row.
     ui.hover(label);
     for (int i = 0; i < 60; ++i) {
         ImGui::GetIO().MouseWheel = 5.0F;

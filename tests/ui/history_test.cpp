@@ -1,4 +1,4 @@
-// Undo and redo in use: a drag, a flight or a typed number is one step.
+// Undo and redo in use: a drag, a flight or a typed number counts as one step.
 #include "desk.h"
 
 namespace viewing::test {

@@ -1,5 +1,5 @@
 // The input queue: each frame gets one change, in order and with the time when it happened, however late the window
-// receives it. Below, the whole user interface handles bursts of events as a busy machine produces them.
+// receives it. Further tests send the whole user interface bursts of events as a busy machine produces them.
 #include "ui/parts/input_queue.h"
 
 #include "desk.h"
@@ -144,7 +144,7 @@ TEST_F(Queue, AKeyActsAsLongAsItIsHeld) {
 }
 
 TEST_F(Queue, NothingIsLostOrReordered) {
-    // The frames, replayed one by one, show the pushed events; only consecutive wheel events may be joined.
+    // The changes of the frames, taken one by one, are the pushed events; only consecutive wheel events may be joined.
     std::vector<std::string> pushed, shown;
     unsigned seed = 5;
     std::array<bool, 3> down{};
@@ -191,7 +191,7 @@ protected:
     InputQueue queue;
     double now_s = 10.0;
 
-    /// Pushes an event of a burst; a busy window receives all events of a burst at the same time.
+    /// Pushes an event as part of a burst: a busy window receives all events of a burst at the same time.
     void push(InputEvent event) { queue.push(std::move(event), {now_s, now_s}); }
     void click_at(const RecordedItem& item) {
         push(PointerMoved{glm::vec2((item.min.x + item.max.x) * 0.5F, (item.min.y + item.max.y) * 0.5F)});

@@ -1,4 +1,4 @@
-// The keys: each has its effect, and none has any while the user types or a dialog is open.
+// The keys: each has its effect, but none has an effect while the user types or a dialog is open.
 #include "desk.h"
 
 namespace viewing::test {

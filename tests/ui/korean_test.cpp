@@ -1,6 +1,6 @@
-// Korean: every character of the catalog and the lessons is drawn; others are loaded on demand or shown as a box;
-// English loads none of this. Switching is immediate, and the language belongs to the user: opening or undoing never
-// changes it.
+// Korean: every character of the catalog and the lessons is drawn. Other characters are loaded on demand or shown as a
+// box. English loads none of these. Switching is immediate, and the language belongs to the user: neither opening nor
+// undoing ever changes it.
 #include <regex>
 #include <set>
 
@@ -113,7 +113,7 @@ TEST_F(KoreanTest, EveryTextOfTheLectureIsTranslated) {
         // Formulas are the same in both languages.
         static const std::regex words("[a-z]{3,} [a-z]{2,} ");
         const bool is_sentence = std::regex_search(text.in_english(), words);
-        static const std::regex latin("[A-Za-z]");  // a number is the same in all languages
+        static const std::regex latin("[A-Za-z]");  // texts without Latin letters need no translation
         const std::string korean = text.in(Language::ko);
         EXPECT_TRUE(!is_sentence || std::regex_search(korean, hangul) || !std::regex_search(korean, latin))
             << text.in_english();

@@ -1,6 +1,6 @@
-// Every text goes through the catalog and fits when it is longer. The window is drawn in the pseudo-language
-// (text/catalogue.h), in which each text of the catalog is in brackets, 40 % longer and has no English letter. An
-// English word in ImGui's vertices was therefore never looked up, and a "[" without its "]" is cut off.
+// Every text goes through the catalog and still fits when it is longer. The window is drawn in the pseudo-language
+// (text/catalogue.h), in which each text of the catalog is in brackets, is 40 % longer and has no English letters. If
+// ImGui's vertices spell an English word, it was never looked up. If a "[" lacks its "]", the text is cut off.
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -17,8 +17,8 @@ bool is_english(ImWchar c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Returns whether a word is not text but a symbol of a formula, GL or one of its names, a function of the lecture, or
-/// the program's name.
+/// Returns whether a word is not text but a symbol of a formula, a name from GL, a function of the lecture, or the
+/// program's name.
 bool is_symbol(const std::string& word) {
     static const std::set<std::string> symbols{"GL",
                                                "BACK",
@@ -52,7 +52,7 @@ bool is_symbol(const std::string& word) {
     return symbols.count(word) > 0 || word.rfind("gl", 0) == 0;
 }
 
-/// Returns the words of at least two English letters, without the symbols.
+/// Returns the words of at least two English letters that are not symbols.
 std::set<std::string> english_words(const std::vector<Letter>& letters) {
     std::set<std::string> words;
     std::string word;

@@ -1,5 +1,5 @@
-// The lecture's code on screen: each line lights up together with the matrix entry it fills, the switch shows the
-// mistake as printed on the slide, and the observer's rays follow light, plane and scene.
+// The lecture's code on screen: each line lights up together with the matrix entry that it fills, the switch shows the
+// mistake as it is printed on the slide, and the observer's rays follow light, plane and scene.
 #include "desk.h"
 #include "ui/parts/links.h"
 
@@ -17,7 +17,7 @@ protected:
         ui.frames(3);
     }
 
-    /// Returns the entries of both matrices that are highlighted while the pointer is over an item.
+    /// Returns the entries in both matrices that light up while the pointer is over an item.
     widgets::Links entries_at(const std::string& label) {
         ui.hover(label);
         ui.frames(2);

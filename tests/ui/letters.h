@@ -1,5 +1,5 @@
-// The letters that ImGui draws, read back from a frame's vertices: each visible character, its position and its clip
-// rectangle. They show what the user sees, independently of the code that drew it.
+// Reads back from a frame's vertices which letters ImGui draws: each visible character with its position and clip
+// rectangle. This is what the user sees, independently of the code that drew it.
 #pragma once
 
 #include <imgui.h>
@@ -19,11 +19,11 @@ namespace viewing::test {
 struct Letter {
     ImWchar character;
     ImVec2 pen;  ///< its origin, at the top of its line
-    float end;   ///< where the next letter of its word starts
+    float end;   ///< where the next letter of the same word would start
     float line_height;
     ImVec2 min, max;  ///< of its ink
     ImVec4 clip;
-    bool is_shaved;  ///< ImGui itself clipped part of it
+    bool is_shaved;  ///< whether ImGui itself clipped a part of it
     float baseline;
     ImU32 color;
 };
@@ -35,7 +35,7 @@ inline std::string utf8(ImWchar c) {
     return {byte(0xE0U | (c >> 12U)), byte(0x80U | ((c >> 6U) & 0x3FU)), byte(0x80U | (c & 0x3FU))};
 }
 
-/// Finds the characters of some fonts in a frame.
+/// Finds the characters that a frame draws in certain fonts.
 class Page {
 public:
     explicit Page(std::initializer_list<const ImFont*> fonts) { add(fonts); }
@@ -70,7 +70,7 @@ private:
         const auto found = glyphs_.find({corner.uv.x, corner.uv.y});
         if (found == glyphs_.end()) return std::nullopt;
         const auto [glyph, font] = found->second;
-        // A shaved letter keeps the position of its upper left corner in the font, not that of the opposite corner.
+        // A shaved letter keeps the texture position of its upper left corner but not that of the opposite corner.
         const float across = (opposite.pos.x - corner.pos.x) / (glyph->X1 - glyph->X0);
         const float along = (opposite.pos.y - corner.pos.y) / (glyph->Y1 - glyph->Y0);
         const float scale = std::max(across, along);
@@ -98,7 +98,7 @@ inline bool goes_on(const Letter& before, const Letter& letter) {
            letter.pen.x - before.end < room && std::abs(letter.line_height - before.line_height) < 0.5F;
 }
 
-/// Consecutive letters: a text, or a line of it.
+/// Consecutive letters: a text or one line of a text.
 struct Line {
     std::string text;
     ImVec2 min, max;

@@ -1,4 +1,4 @@
-// The comparison of four ways to draw a mirror image: captions on the pictures, and the way that a click selects.
+// The comparison of four ways to draw a mirror image: the captions on the pictures, and which way a click selects.
 #include "ui/planes/mirror_ways_view.h"
 
 #include <algorithm>

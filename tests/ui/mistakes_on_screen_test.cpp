@@ -1,5 +1,5 @@
-// Common mistakes on screen: the eye of a mistaken V in the observer's view, R's mistakes in its matrix and in the
-// lecture's code, display() in its own view, and a depth picture without a depth buffer.
+// Common mistakes on screen: where a wrong V puts the eye in the observer's view, the mistakes in the matrix R and in
+// the lecture's code for it, display() in its own view, and a depth picture without a depth buffer.
 #include "desk.h"
 #include "letters.h"
 

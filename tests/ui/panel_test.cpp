@@ -9,7 +9,7 @@ namespace {
 struct Control {
     const char* label;
     const char* field;
-    Navigation mode = Navigation::fly;  ///< the mode in which it is enabled
+    Navigation mode = Navigation::fly;  ///< the mode in which the control is enabled
 };
 
 /// All controls of the panel that hold a value, with every section folded out in the opening state.
@@ -193,7 +193,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
 TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
     std::set<std::string> reached;
     for (const Control& control : controls) reached.insert(control.field);
-    // Shown in other states or places; each has its own test in this folder.
+    // These have controls in other states or places; each is tested elsewhere in this folder.
     reached.insert({"scene",
                     "projection.height",
                     "depth.offset.factor",
@@ -247,7 +247,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "visibility.exact_curves",
                     "visibility.compare_with",
                     "visibility.numbers"});
-    // There is only one version; a layout and a pin by object are written in files, not dragged.
+    // There is only one version. A layout and a pin by object are written in files, without a control in the panel.
     const std::set<std::string> without = {
         "version", "view.pin", "view.layout.big", "view.layout.matrices", "view.layout.controls", "view.layout.folded"};
     for (const Field& field : fields()) {
@@ -274,7 +274,7 @@ TEST_F(PanelTest, FieldsHiddenInTheOpeningStateHaveControls) {
     }
 }
 
-// Both are enabled only with a plane that they affect.
+// Both switches are enabled only if the plane is one that they affect.
 TEST_F(PanelTest, TheMistakesOfRHaveSwitchesIfTheyAffectThePlane) {
     desk.fold_out_all();
     EXPECT_FALSE(ui.find("reflection/+2ab in R").enabled);

@@ -1,5 +1,5 @@
-// Stepping through the frame pass by pass: the bar, the list, and the value of view.pass. Read gl/pass_limit_test.cpp
-// for what GL then draws.
+// Stepping through the frame pass by pass: the bar, the list, and the value of view.pass. gl/pass_limit_test.cpp tests
+// what GL then draws.
 #include "ui/planes/passes_view.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ protected:
         ui.click(title(pass));
         desk.settle();
     }
-    /// Returns the highest opacity painted within an item, without the scrollbar.
+    /// Returns the highest opacity of anything painted within an item, except the scrollbar.
     int strongest_alpha(std::string_view label) const {
         const RecordedItem& item = ui.find(label);
         int strongest = 0;
@@ -180,7 +180,7 @@ TEST_F(PassesView, APassPastTheLastOneShowsTheWholeFrame) {
     }
 }
 
-/// The frames of these methods are drawn whole, and the view says so.
+/// Frames of these methods are always drawn whole, and the view says so.
 TEST_F(PassesView, HiddenSurfaceMethodsHaveNoStops) {
     for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                           VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast}) {

@@ -1,4 +1,4 @@
-// The views of the depth buffer's precision in use: near and far on the chart, the advice, the codes.
+// The views of the depth buffer's precision in use: near and far on the chart, the advice and the codes.
 #include <algorithm>
 
 #include "desk.h"
@@ -91,7 +91,7 @@ TEST_F(PrecisionView, CodesAreSummarizedInASentence) {
     EXPECT_TRUE(says("One tick every"));
 }
 
-/// The views are as small as they get.
+/// The window is so small that the views are as small as they can be.
 TEST_F(PrecisionView, WorksInSmallViewsAndForAnyLens) {
     ImGui::GetIO().DisplaySize = {700, 480};
     params.view.lower_left = Topic::automatic;  // only one of the two fits

@@ -1,5 +1,5 @@
-// The window around the open preset: its caption, its title in the list, the way back, the list with its search, and
-// the next preset.
+// What the window offers around the open preset: its caption, its title in the list, the way back, the list with its
+// search, and the next preset.
 #include <filesystem>
 
 #include "desk.h"
@@ -150,7 +150,7 @@ TEST_F(PresetsTest, NextAndPreviousSkipPresetsThatSetTheLooks) {
     EXPECT_FALSE(ui.find("top/next preset").enabled);
 }
 
-/// The looks of the preset `projector` last only as long as it is shown.
+/// The looks of the preset `projector` last only while it is open.
 TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     desk.session.open("projector");
     desk.settle();

@@ -1,4 +1,4 @@
-// Whatever the user does, the reader still accepts the state, and no displayed number is NaN.
+// Whatever the user does, the state can still be read back, and no displayed number is NaN.
 #include <unistd.h>
 
 #include <filesystem>
@@ -116,7 +116,7 @@ TEST(RandomActions, KeepTheStateReadable) {
                   desk.derived.clip_from_world, desk.derived.planes[0].shadows[0].shadowed_world_from_world,
                   desk.derived.planes[0].mirrored_world_from_world})
                 ASSERT_FALSE(has_nan(matrix));
-            // An open dialog would swallow everything that follows.
+            // An open dialog would receive everything that follows.
             if (action % 10 == 9) desk.press(Key::escape);
         }
     }

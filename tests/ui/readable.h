@@ -18,7 +18,7 @@ inline bool scrolls(const std::string& window) {
            window != "message" && window != "lesson";
 }
 
-/// Returns whether two lines overlap in the parts that remain after a scrolling window clips them.
+/// Returns whether two lines overlap in the parts that remain visible after a scrolling window clips them.
 inline bool overlap(const Line& a, const Line& b) {
     constexpr float touch = 1.5F;
     const float accents = 0.3F * std::min(a.line_height, b.line_height);  // these reach into the line above
@@ -28,8 +28,8 @@ inline bool overlap(const Line& a, const Line& b) {
            top(b) + accents < bottom(a);
 }
 
-/// Returns whether a text ends with an ellipsis that is not its own. An ellipsis is the text's own after a blank or if
-/// the catalog has it. Texts of the pseudo-language, which begin with "[", may be shortened.
+/// Returns whether a text ends with an ellipsis that is not its own. An ellipsis is the text's own if it follows a
+/// blank or if the catalog has it. Texts of the pseudo-language, which begin with "[", may be shortened.
 inline bool is_shortened(const std::string& text) {
     if (!text.ends_with("…") || text.ends_with(" …") || text.starts_with('[')) return false;
     static const std::vector<PoEntry> all = catalogue();

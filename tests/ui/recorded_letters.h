@@ -1,4 +1,4 @@
-// Checks that a figure contains every letter that Dear ImGui draws, once, in its place and color, and no other letter.
+// Checks that a figure contains each letter that Dear ImGui draws exactly once, in its place and color, and no others.
 // The letters are read from the latest frame's vertices (letters.h), independently of the recorder's own method.
 #pragma once
 
@@ -79,7 +79,7 @@ private:
     std::map<ImWchar, std::vector<LetterOfFrame>> drawn_;
 };
 
-/// Returns the contents of the text elements of an SVG document.
+/// Returns the contents of an SVG document's text elements.
 inline std::vector<std::string> lines_in(const std::string& svg) {
     std::vector<std::string> texts;
     for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
@@ -104,7 +104,7 @@ inline std::vector<std::string> lines_in(const Drawing& drawing) {
     return texts;
 }
 
-/// Compares the drawing and its SVG document with the frame that it was recorded from.
+/// Compares the drawing with the frame from which it was recorded, and its SVG document with the drawing.
 inline void expect_all_letters(const Drawing& drawing, const std::string& what) {
     const std::vector<Letter> letters = letters_of_frame();
     EXPECT_FALSE(letters.empty()) << what;

@@ -1,4 +1,4 @@
-// A frame recorded as a figure, without GL: random tables, and the windows of all presets.
+// Records frames as figures, without GL: random tables, and the windows of presets.
 #include <cstdlib>
 #include <random>
 
@@ -33,7 +33,7 @@ protected:
     }
 };
 
-/// A table's columns are drawn one after the other, although its vertices were made row by row.
+/// ImGui draws a table column by column, although it makes the table's vertices row by row.
 TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     constexpr unsigned seed = 20261126;
     std::mt19937 random(seed);
@@ -58,7 +58,7 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
                         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 8.0F, at.y + 8.0F}, IM_COL32_WHITE, 2.0F);
                     if (c == 1) widgets::PlateText(ImGui::GetWindowDrawList(), at, IM_COL32_WHITE, number().c_str());
                     if (c == 2)
-                        ImGui::TextUnformatted("0.000");  // equal numbers below each other
+                        ImGui::TextUnformatted("0.000");  // the same number in every row
                     else
                         ImGui::TextUnformatted(number().c_str());
                 }
@@ -77,7 +77,7 @@ TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
     }
 }
 
-/// Covers every fifth preset; all of them with VIEWING_LONG_TESTS.
+/// Covers every fifth preset, or all presets with VIEWING_LONG_TESTS.
 TEST_F(RecordingTest, TheWindowsOfPresetsAreComplete) {
     const std::size_t step = std::getenv("VIEWING_LONG_TESTS") ? 1 : 5;
     const std::vector<NamedFile> all = presets();

@@ -1,5 +1,5 @@
-// A method at work in a small raster: a click selects the pixel under the pointer at any size and scale, rows become
-// steps, and both levels of steps lead to the right place.
+// A method at work in a small raster: a click selects the pixel under the pointer at any size and scale, a click on a
+// row goes to its step, and both levels of steps lead to the right place.
 #include <algorithm>
 
 #include "frame/hidden/step_groups.h"
@@ -74,7 +74,7 @@ protected:
         return std::to_string(touch + 1) + " " +
                desk.session.scene().objects[static_cast<std::size_t>(object)].description.name;
     }
-    /// Clicks the first row that starts with this text; the pixel's fragments come before the order.
+    /// Clicks the first row that starts with this text. The pixel's fragments come before the order.
     void click_row(const std::string& start) {
         for (const RecordedItem& item : desk.recorded())
             if (item.label.starts_with("left/" + start)) {

@@ -1,5 +1,5 @@
-// Nothing jumps: whatever is switched, reported or followed, each control stays in place, so that the next click lands
-// where the user aimed.
+// Nothing jumps: whatever the user switches or follows and whatever is reported, each control stays in place, so that
+// the next click lands where the user aimed.
 #include <map>
 
 #include "desk.h"
@@ -8,7 +8,7 @@ namespace viewing::test {
 namespace {
 
 struct Steady : UiTest {
-    /// Returns the top of each item in the columns, except texts that may come and go.
+    /// Returns the top of each item in the columns, except the texts that may appear and disappear.
     std::map<std::string, float> tops() const {
         std::map<std::string, float> found;
         for (const RecordedItem& item : desk.recorded()) {

@@ -1,5 +1,5 @@
-// Leaves every text field of the window in every way: the typed text becomes the field's value, and only Escape
-// discards it. The fields of dialogs come last.
+// Leaves every text field of the window in every possible way: the typed text becomes the field's value, and only
+// Escape discards it. The fields of dialogs come last.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -23,7 +23,7 @@ struct FieldOfText {
     std::function<void(FieldDesk&)> begin;  ///< gives it the keyboard focus and selects its text
     const char* typed;
     std::function<std::string(const FieldDesk&)> value;
-    bool is_on_page = false;  ///< the page covers the window, so keys have nothing beside it to change
+    bool is_on_page = false;  ///< the page covers the window, so keys cannot change anything else
 };
 
 void open_page(FieldDesk& desk) {
@@ -61,7 +61,7 @@ FieldOfText number_field(const char* name, const char* exercise, const char* lab
 std::vector<FieldOfText> all_fields() {
     const auto answer = [](std::size_t place) {
         return [place](const FieldDesk& desk) {
-            // Returns the answer of the step where it was typed, whichever step is current.
+            // The answer belongs to the step in which it was typed, whichever step is current.
             const LessonRun& run = *desk.workbench.guide.run();
             const ExerciseDesk& exercises = desk.workbench.exercises;
             for (const char* id : {"E16-shadow-matrix", "E06-radians"})
@@ -83,8 +83,8 @@ std::vector<FieldOfText> all_fields() {
 struct WayOut {
     const char* name;
     std::function<void(FieldDesk&)> leave;
-    bool goes_on = false;     ///< to the next number, which starts editing
-    bool turns_page = false;  ///< of an exercise; elsewhere the field stays
+    bool goes_on = false;     ///< editing goes on in the next number
+    bool turns_page = false;  ///< in an exercise; elsewhere, the field is not left
 };
 
 std::vector<WayOut> all_ways_out() {
@@ -196,7 +196,7 @@ TEST(TextFields, LeavingAPageByAClickKeepsTheTypedText) {
     }
 }
 
-/// The fields of dialogs: the dialog can use their text at once, in whatever way they are left.
+/// The fields of dialogs: however the user leaves one, the dialog can use its text at once.
 class ActingFields : public testing::ScratchFolder {};
 
 TEST_F(ActingFields, AFileNameIsTheTextOfItsField) {

@@ -1,5 +1,5 @@
-// The tooltips of the panel: they have the shown label as their title, name the path that --set takes, and contain
-// formulas whose words keep their spaces and whose signs exist in the fonts.
+// The tooltips of the panel: their title is the control's visible label, they name the path that --set takes, and they
+// contain formulas whose words keep their spaces and whose signs exist in the fonts.
 #include <regex>
 
 #include "desk.h"
@@ -38,7 +38,8 @@ const RecordedItem* shown_tooltip(const Desk& desk) {
     return found == desk.recorded().end() ? nullptr : &*found;
 }
 
-/// A tooltip covers neither the control nor the next one; in a column it covers nothing of the column.
+/// A tooltip covers neither its control nor the next one; if the control is in a column, the tooltip is beside the
+/// column.
 TEST(Tooltips, AppearBesideTheirColumn) {
     Desk desk({1600, 900});
     for (const char* label :
@@ -52,7 +53,7 @@ TEST(Tooltips, AppearBesideTheirColumn) {
         EXPECT_LE(tooltip->max.x, 1600.0F) << label;
         EXPECT_LE(tooltip->max.y, 900.0F) << label;
     }
-    // Also when the column takes nearly half of the window.
+    // This also holds when the column takes nearly half of the window.
     Desk small({800, 600});
     small.params().ui.theme = Theme::projector;
     small.apply_looks();

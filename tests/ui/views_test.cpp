@@ -1,4 +1,4 @@
-// The mouse in the views: handles, looking around, the observer, picking a vertex.
+// The mouse in the views: dragging handles, looking around, the observer, and picking a vertex.
 #include "desk.h"
 
 namespace viewing::test {

@@ -1,5 +1,5 @@
-// The logarithmic chart: positions of decades and points, names that do not overlap, the curve under the pointer, and
-// empty curves.
+// The logarithmic chart: decades and points are in their places, names do not overlap, the curve under the pointer is
+// found, and empty curves do no harm.
 #include <cmath>
 #include <limits>
 #include <random>

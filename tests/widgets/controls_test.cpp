@@ -25,7 +25,7 @@ TEST_F(ControlsTest, Toggle) {
     EXPECT_EQ(changes, 3);
 }
 
-/// If the field kept its undo steps, ImGui would apply them to the current text and crash the program.
+/// If the field kept the undo steps of its old text, ImGui would apply them to the current text and crash the program.
 TEST_F(ControlsTest, ATextFieldForgetsItsUndoStepsWhenLeft) {
     std::string text = "a text that is much longer than what comes later";
     start([&] {

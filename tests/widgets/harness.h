@@ -1,5 +1,5 @@
 // Drives real ImGui input without a window or GL: finds a recorded widget by label, then clicks, drags and types. ImGui
-// 1.86 has no input queue, so every press, move and release takes a frame of its own. See widget_test.h for a window
+// 1.86 has no input queue, so every press, move and release takes a frame of its own. widget_test.h adds a window
 // around single widgets; the UI's tests pass their own drawing function.
 #pragma once
 
@@ -45,7 +45,7 @@ inline bool& key_down(ImGuiKey key) {
 class Harness {
 public:
     /// `draw` draws one whole frame between ImGui::NewFrame and ImGui::Render and calls widgets::NewFrame(context)
-    /// itself. Creates an ImGui context and fonts unless there are any.
+    /// itself. Creates an ImGui context if there is none, and builds the fonts.
     Harness(Context& context, std::function<void()> draw, ImVec2 display_size = ImVec2(1280, 800))
         : context_(context), draw_(std::move(draw)), owns_imgui_(ImGui::GetCurrentContext() == nullptr) {
         if (owns_imgui_) ImGui::CreateContext();
@@ -98,7 +98,7 @@ public:
     std::string text_of(std::string_view label) const {
         return find(label).text;
     }
-    /// Whether an ImGui item was active at the end of the last frame.
+    /// Returns whether an ImGui item was active at the end of the last frame.
     bool any_item_active() const {
         return any_item_active_;
     }

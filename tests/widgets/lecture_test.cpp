@@ -1,5 +1,5 @@
-// Planes, lights and matrices under real input: they never become degenerate, matrices show their rows as on the
-// slides, and links work in both directions.
+// Planes, lights and matrices under real input: planes and lights never become degenerate, matrices show their rows as
+// on the slides, and links work in both directions.
 #include <array>
 
 #include "widget_test.h"
@@ -91,7 +91,7 @@ TEST_F(LectureTest, LightIsNeverAllZero) {
     EXPECT_EQ(light, glm::dvec4(0, 0, 0, 1));
 }
 
-/// Returns a matrix whose row r, column c holds 10 r + c; both count from 1, as on the slides.
+/// Returns a matrix that holds 10 r + c in row r and column c, both counted from 1 as on the slides.
 glm::dmat4 numbered_rows() {
     return glm::transpose(glm::dmat4(11, 12, 13, 14, 21, 22, 23, 24, 31, 32, 33, 34, 41, 42, 43, 44));
 }

@@ -1,4 +1,4 @@
-// Numbers and sliders under real input: drag, type, reset, clamp; displaying a number never changes it.
+// Numbers and sliders under real input: dragging, typing, resetting and clamping. Displaying a number never changes it.
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -353,7 +353,7 @@ TEST_F(NumberTest, ANarrowRowShrinksBeforeItLosesDigits) {
         ImGui::SetNextItemWidth(width);
         return Vec3("n", value, {.decimals = 2});
     });
-    // From the narrowest row that still shows 0.15 as 0.15 to one as wide as a row of the panel.
+    // From the narrowest row that still shows 0.15 with both decimals to one as wide as a row of the panel.
     for (width = 150.0F; width < 260.0F; width += 5.0F) {
         ui.frames(2);
         EXPECT_EQ(ui.text_of("n/x"), "0.15") << width;

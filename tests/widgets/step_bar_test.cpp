@@ -1,4 +1,4 @@
-// The step bar under real input: its buttons, track and number, and playing over frames of uneven length.
+// The step bar under real input: its buttons, its track and its number, and playing when frames take unequal times.
 #include <cmath>
 #include <random>
 
@@ -165,7 +165,7 @@ TEST_F(StepBarTest, FramesThatAddUpToWholeStepsPlayThem) {
     step = 0;
     start_bar();
     player.playing = true;
-    dt_s = 0.01;  // ten of these make a step of 0.1 s, though 0.1 has no exact binary form
+    dt_s = 0.01;  // ten of these make a step of 0.1 s, though neither is exact in binary
     ui.frames(300);
     EXPECT_EQ(step, 30);
 }
@@ -214,7 +214,7 @@ TEST_F(StepBarTest, AHeldButtonRepeatsWithoutMovement) {
     ui.frame();
     io.MouseDown[0] = true;
     ui.frame();
-    for (double held_s = 0.0; held_s < 0.6;) {  // a window that draws only on request
+    for (double held_s = 0.0; held_s < 0.6;) {  // as in a window that draws only on request
         const float in_s = RedrawIn(context);
         ASSERT_GE(in_s, 0.0F) << "asleep after " << held_s << " s";
         held_s += std::max(static_cast<double>(in_s), 0.01);

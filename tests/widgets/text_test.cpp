@@ -1,4 +1,4 @@
-// Numbers and formulas as text, contrast and hues of the palettes, labels in a view.
+// Numbers and formulas as text, the contrast and hues of the palettes, and labels in a view.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -217,7 +217,7 @@ TEST_F(ViewTest, LabelsNeverCoverEachOther) {
     }
 }
 
-/// This holds where there is space beside the lines; elsewhere, the plate keeps the label readable.
+/// Labels keep off lines where there is enough space; elsewhere, the plate behind a label keeps it readable.
 TEST_F(ViewTest, LabelsKeepOffLines) {
     std::mt19937 random(34);
     std::uniform_real_distribution<float> across(150, 1100), down(150, 650);

@@ -1,4 +1,5 @@
-// The tree diagram: layout properties for every kind of tree; pan, zoom, folding and selection under real input.
+// The tree diagram: properties of the layout for every kind of tree, and pan, zoom, folding and selection under real
+// input.
 #include <cmath>
 #include <random>
 
@@ -47,7 +48,8 @@ std::vector<TreeNode> complete_tree(int levels) {
     return nodes;
 }
 
-/// Chains below the leaves of a complete tree: every row is as wide as the ninth, so the tree is both wide and tall.
+/// Returns a complete tree with a chain below each leaf. All rows from the ninth on are equally wide, so the tree is
+/// both wide and tall.
 std::vector<TreeNode> hanging_chains() {
     std::vector<TreeNode> nodes = complete_tree(9);
     const int leaves = 256, length = 200;
@@ -115,7 +117,7 @@ TEST(TreeLayoutTest, ACompleteTreeIsAsWideAsItsLeaves) {
 }
 
 TEST(TreeLayoutTest, ADeepNarrowSubtreeFitsBesideAShallowOne) {
-    // A threaded contour: the front subtree ends at level 2, the back one continues to the left below it.
+    // Tests a threaded contour: the front subtree ends at level 2, and the back one continues to the left below it.
     std::vector<TreeNode> nodes(9);
     link(nodes, 0, 1, true);
     link(nodes, 1, 2, false);
@@ -145,7 +147,7 @@ TEST(TreeLayoutTest, DegenerateSizes) {
 
 TEST(TreeLayoutTest, LinksThatFormNoTreeAreIgnored) {
     std::vector<TreeNode> nodes = random_tree(10, 1);
-    nodes[9].front = 0;              // back up: a cycle
+    nodes[9].front = 0;              // back to the root: a cycle
     nodes[9].back = 9;               // to itself
     nodes[8].back = 1000;            // out of range
     nodes[7].front = -7;             // negative
@@ -341,7 +343,7 @@ TEST_F(TreeDiagramTest, ANewRevisionUnfoldsAndFits) {
     EXPECT_TRUE(state.collapsed.empty());
     EXPECT_TRUE(ui.has("tree/6"));
     EXPECT_FALSE(ui.has("tree/7"));
-    nodes.clear();  // without a new revision number
+    nodes.clear();  // although the revision number stays the same
     ui.frames(2);
     EXPECT_FALSE(ui.has("tree/0"));
     EXPECT_EQ(state.hovered, -1);

@@ -46,7 +46,7 @@ bool ClipToPlot(const ChartPlot& plot, ImVec2& a, ImVec2& b) {
 
 namespace {
 
-/// Lengths of dashes and gaps, alternating, in design pixels.
+/// The lengths of dashes and gaps, alternating, in design pixels.
 using Dash = std::array<float, 4>;
 constexpr Dash dashes[] = {{0, 0, 0, 0}, {7, 4, 7, 4}, {2, 3, 2, 3}, {9, 3, 2, 3}};
 
@@ -93,7 +93,7 @@ private:
     ImVec2 last_;
     bool has_last_ = false;
     std::size_t phase_ = 0;
-    float used_ = 0.0F;  ///< used part of the current dash
+    float used_ = 0.0F;  ///< used part of the current dash or gap
 };
 
 void DrawMarker(ImDrawList* draw, ImVec2 at, std::size_t shape, float r, ImU32 color) {

@@ -35,7 +35,8 @@ bool IsInPlot(const ChartPlot& plot, const glm::dvec2& point);
 /// Clips a line to the plot. Returns false if nothing remains.
 bool ClipToPlot(const ChartPlot& plot, ImVec2& a, ImVec2& b);
 
-/// Draws the axes, with their ticks and titles around the plot; leaves `label_room` at its right. Returns the plot.
+/// Draws the axes, with their ticks and titles around the plot; leaves `label_room` pixels free at the plot's right.
+/// Returns the plot.
 ChartPlot DrawAxes(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const ChartCurve> curves,
                    const LogChartStyle& style, float label_room);
 
@@ -49,7 +50,8 @@ struct EndLabel {
     Box box;
 };
 /// Places names beside the curves' ends, to the left of `right`. Nudges them so that none covers another name or
-/// `taken`; avoids curves, too, if a small nudge suffices. Omits names that do not fit, emphasized ones last.
+/// `taken`; also avoids curves if a small nudge suffices. Places emphasized names first and omits names that do not
+/// fit.
 std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCurve> curves, float right,
                                   std::vector<Box> taken);
 void DrawEndLabel(ImDrawList* draw, const EndLabel& label, const char* name, ImU32 color);

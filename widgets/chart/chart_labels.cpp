@@ -15,7 +15,7 @@ bool AreApart(const Box& a, const Box& b) {
     return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
 }
 
-/// The last point inside the plot; null if there is none.
+/// Returns the curve's last point inside the plot; null if there is none.
 const glm::dvec2* EndOf(const ChartPlot& plot, const ChartCurve& curve) {
     for (std::size_t i = curve.points.size(); i > 0; --i) {
         if (IsInPlot(plot, curve.points[i - 1])) return &curve.points[i - 1];
@@ -23,7 +23,7 @@ const glm::dvec2* EndOf(const ChartPlot& plot, const ChartCurve& curve) {
     return nullptr;
 }
 
-/// Areas that a name should avoid: markers, and lines in small pieces.
+/// Returns the areas that a name should avoid: the markers and, in small pieces, the lines.
 std::vector<Box> Obstacles(const ChartPlot& plot, std::span<const ChartCurve> curves) {
     std::vector<Box> boxes;
     const auto add = [&boxes](ImVec2 at, float r) {
@@ -50,7 +50,7 @@ std::vector<Box> Obstacles(const ChartPlot& plot, std::span<const ChartCurve> cu
     return boxes;
 }
 
-/// Nudges the box up or down to the nearest free place.
+/// Moves the box up or down to the nearest free place. Returns nullopt if there is none within `most_px`.
 std::optional<Box> Nudged(const Box& wanted, const ChartPlot& plot, float most_px, std::span<const Box> taken,
                           std::span<const Box> obstacles) {
     const float height = wanted.max.y - wanted.min.y, step = std::ceil(height * 0.25F);

@@ -1,5 +1,5 @@
-// A chart's axes: ranges of whole decades, a line and a number at each decade, small ticks in between. If decades are
-// dense, only some of them have a number; if there are few, the values 2 and 5 have one, too.
+// A chart's axes, with a line and a number at each decade and small ticks in between. If the decades are dense, only
+// some of them have a number; if there are few, the ticks at 2 and 5 have one, too.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,7 +10,7 @@
 namespace widgets::inner {
 
 float LogScale::At(double value) const {
-    constexpr double far = 1e5;  ///< in pixels; beyond it nothing is visible and lines lose precision
+    constexpr double far = 1e5;  ///< in pixels; nothing farther away is visible, and lines lose precision there
     const double fraction = (std::log10(value) - low) / (high - low);
     return static_cast<float>(std::clamp(from + fraction * (to - from), -far, far));
 }

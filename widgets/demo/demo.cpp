@@ -17,7 +17,8 @@ constexpr const char* heading_file = "/usr/share/fonts/opentype/inter/Inter-Semi
 constexpr const char* number_file = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf";
 constexpr const char* signs_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-/// Loads a font at a design size, with the math signs that it lacks. Returns ImGui's own font if the file is missing.
+/// Loads a font at a size in pixels and adds the math signs that it lacks. Returns ImGui's own font if the file is
+/// missing.
 ImFont* LoadFont(const char* file, float size_px) {
     static constexpr ImWchar latin[] = {0x20, 0xFF, 0x2013, 0x2026, 0x2212, 0x2212, 0};
     static constexpr ImWchar signs[] = {0x370,  0x3FF,  0x1D40, 0x1D40, 0x2070, 0x209C,

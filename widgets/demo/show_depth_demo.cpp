@@ -18,7 +18,7 @@ ImVec2 Tall(float height) {
     return ImVec2(0.0F, height * context.scale * context.palette.type_scale);
 }
 
-/// The step of an integer format under the standard perspective projection.
+/// Returns the step of an integer format at several eye distances, under the standard perspective projection.
 std::vector<glm::dvec2> IntegerSteps(int bits, double near, double far) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= 60; ++i) {
@@ -28,7 +28,8 @@ std::vector<glm::dvec2> IntegerSteps(int bits, double near, double far) {
     return points;
 }
 
-/// The step of a stored float with reversed depth, or the arithmetic error of the depth, estimated as 10⁻⁷ near/z.
+/// Does the same for the step of a stored float with reversed depth or, if `is_arithmetic`, the error of the depth
+/// arithmetic, estimated as 10⁻⁷ near/z. Both are converted to eye distance.
 std::vector<glm::dvec2> ReversedFloatSteps(double near, double far, bool is_arithmetic) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= 400; ++i) {

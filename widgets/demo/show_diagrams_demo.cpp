@@ -84,7 +84,7 @@ void ShowCosts(const Palette& palette) {
     struct Method {
         const char* name;
         double factor, exponent;
-        int points;  ///< a slow method stops early
+        int points;  ///< fewer for a slow method, whose curve ends early
         ImU32 color;
     };
     const Method methods[] = {

@@ -16,7 +16,7 @@ namespace {
 using inner::Px;
 using inner::Shown;
 
-/// Layout of the cells: squares of whole pixels.
+/// The layout of the cells, which are squares of whole pixels.
 struct Grid {
     ImVec2 min;
     float side;
@@ -50,7 +50,8 @@ Grid LayOut(ImVec2 min, ImVec2 max, int columns, int rows) {
     return grid;
 }
 
-/// Black or white, whichever has more contrast: at least 4.5 : 1 on any color. Source: WCAG 2, relative luminance.
+/// Returns black or white, whichever has more contrast, which is at least 4.5 : 1 on any color. Source: WCAG 2,
+/// relative luminance.
 ImU32 ContrastingInk(ImU32 color) {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
     const auto linear = [](float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F); };

@@ -21,7 +21,7 @@ struct Rows {
     float upper, lower;
     double near, far;
 
-    /// Tolerates rounding of a code's eye distance.
+    /// Whether a code's eye distance is inside near…far, apart from rounding errors.
     bool Holds(double z) const {
         const double rounding = 1e-6 * (far - near);
         return z >= near - rounding && z <= far + rounding;
@@ -36,7 +36,7 @@ struct CodeTick {
     bool is_joined;
 };
 
-/// Returns every n-th tick, so that they stay apart in the upper row, and always the last one.
+/// Returns only every n-th tick, so that the ticks stay apart in the upper row, and always the last one.
 std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
     const std::size_t last = eye_distances.size() - 1;
     const std::size_t most = std::max<std::size_t>(static_cast<std::size_t>((rows.right - rows.left) / Px(6)), 1);

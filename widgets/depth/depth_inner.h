@@ -9,10 +9,11 @@
 
 namespace widgets::inner {
 
-/// The value at a pixel of a logarithmic axis.
+/// Returns the value at a pixel of a logarithmic axis.
 double ValueAtPixel(const LogScale& scale, double pixel);
 
-/// An area's size in pixels: `wanted`, or the available size, but at least `least` in design pixels.
+/// Returns an area's size in pixels: `wanted` or, where that is 0, the available size, but at least `least` (in design
+/// pixels).
 ImVec2 AreaSize(ImVec2 wanted, ImVec2 least);
 
 /// A vertical line that can be dragged sideways.
@@ -29,10 +30,10 @@ struct DragLineUse {
 };
 /// Adds the item of a line from `top` to `bottom`. Moves the cursor.
 DragLineUse UseLine(const DragLine& line, float top, float bottom);
-/// Does the same for two lines that may coincide: the pointer then grabs the one on its own side.
 struct DragLinesUse {
     DragLineUse low, high;
 };
+/// Does the same for two lines. If they coincide, the pointer grabs the one on its own side.
 DragLinesUse UseLines(const DragLine& low, const DragLine& high, float top, float bottom);
 /// Draws a line with a grip at its top.
 void DrawDragLine(ImDrawList* draw, float x, float top, float bottom, ImU32 color, const DragLineUse& use);

@@ -19,7 +19,7 @@ using inner::Shown;
 /// The rectangle of the bars and its scales.
 struct Plot {
     ImVec2 min, max;
-    double low, high;  ///< values at the left and right end
+    double low, high;  ///< values at the left and right ends
     double tallest;    ///< height of a bar that reaches the top
 
     float X(double value) const {
@@ -36,7 +36,7 @@ std::uint32_t HighestOf(std::span<const std::uint32_t> counts) {
     return counts.empty() ? 0U : *std::max_element(counts.begin(), counts.end());
 }
 
-/// The range from the first bar with counts to the end of the last; the full range if there are no counts.
+/// Returns the range from the first bar with counts to the end of the last one; the full range if there are no counts.
 glm::dvec2 Fitted(std::span<const std::uint32_t> counts, double min, double max) {
     const auto has_counts = [](std::uint32_t count) { return count > 0; };
     const auto first = std::find_if(counts.begin(), counts.end(), has_counts);
@@ -48,7 +48,7 @@ glm::dvec2 Fitted(std::span<const std::uint32_t> counts, double min, double max)
     return {min + begin * bar, max - behind * bar};
 }
 
-/// The range, clamped to min…max; the full range if it is invalid.
+/// Returns the range, clamped to min…max; the full range if `range` is invalid.
 glm::dvec2 SensibleRange(const glm::dvec2& range, double min, double max) {
     const bool is_range = range.x < range.y && range.x < max && range.y > min;
     return is_range ? glm::clamp(range, glm::dvec2(min), glm::dvec2(max)) : glm::dvec2(min, max);
@@ -79,7 +79,8 @@ void DrawBars(ImDrawList* draw, const Plot& plot, std::span<const std::uint32_t>
                   Px(1) * palette.stroke);
 }
 
-/// Draws the extra bar of unwritten values, cut by two slanted lines if it is higher than all others.
+/// Draws the extra bar of unwritten values. If it is higher than all others, it is cut off, which two slanted lines
+/// show.
 void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, const HistogramStyle& style) {
     const Palette& palette = CurrentContext().palette;
     const double height = HeightOf(style.unwritten, style);
@@ -99,7 +100,8 @@ void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, 
     inner::RecordRect("unwritten", min, max, std::to_string(style.unwritten));
 }
 
-/// Labels the range below its lines, side by side if the lines are close. Also labels the full range if there is space.
+/// Labels the ends of the range below its lines; if the lines are close, the labels are side by side. Also labels the
+/// ends of the full range if there is space.
 void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     const Palette& palette = CurrentContext().palette;
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);

@@ -17,13 +17,13 @@ using inner::ChartPlot;
 using inner::Px;
 using inner::Shown;
 
-constexpr double least_ratio = 1.001;  ///< of far to near after a drag
+constexpr double least_ratio = 1.001;  ///< smallest ratio of far to near after a drag
 
 bool IsDistance(double z) {
     return z > 0.0 && std::isfinite(z);
 }
 
-/// Position on the axis, clamped to its ends.
+/// Returns a distance's position on the axis, clamped to the axis's ends.
 float PlaceOf(const ChartPlot& plot, double z) {
     return std::clamp(plot.x.At(z), plot.min.x, plot.max.x);
 }

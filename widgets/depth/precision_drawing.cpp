@@ -31,7 +31,8 @@ ImU32 FaintColor(ImU32 color) {
 
 namespace {
 
-/// Draws dots along a line, evenly spaced even around its corners. `walked`: pixels since the last dot.
+/// Draws dots along a segment of a curve. `walked`, the pixels since the last dot, keeps the dots evenly spaced even
+/// around corners.
 void DrawDots(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 color, float radius, float& walked) {
     const float length = Distance(a, b), step = 3.5F * radius;
     float at = step - walked;

@@ -7,15 +7,15 @@
 
 namespace widgets::inner {
 
-/// Interpolates a curve linearly on logarithmic axes. Empty in gaps and beyond its ends.
+/// Interpolates a curve linearly on logarithmic axes. Returns nullopt in gaps and beyond the curve's ends.
 std::optional<double> ValueAt(const ChartCurve& curve, double x);
 
-/// The emphasized curve for the readout and the marks; null: none.
+/// Returns the first emphasized curve, which the readout and the marks use; null if there is none.
 const ChartCurve* EmphasizedOf(std::span<const ChartCurve> curves);
 
-/// Draws a line without markers; dotted for terms, faint unless emphasized.
+/// Draws a curve as a line without markers: dotted, or else faint unless it is emphasized.
 void DrawPlainCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, bool dotted);
-/// The color of a curve that is not emphasized.
+/// Returns the color of a curve that is not emphasized.
 ImU32 FaintColor(ImU32 color);
 
 /// A vertical line's name, preferably near the top of the plot.

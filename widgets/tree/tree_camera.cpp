@@ -10,13 +10,13 @@ namespace widgets::inner {
 namespace {
 
 constexpr double smallest_zoom = 0.02, largest_zoom = 3.0;
-constexpr double margin = 26.0;  ///< around a fitted tree, from its outer nodes' centers, in design pixels
+constexpr double margin = 26.0;  ///< in design pixels, around the outer nodes' centers of a fitted tree
 
 glm::dvec2 ViewSize(const TreeCamera& camera) {
     return glm::dvec2(camera.max.x - camera.min.x, camera.max.y - camera.min.y) / camera.unit;
 }
 
-/// The nodes of a level that have children.
+/// Returns the nodes of a level that have children.
 std::unordered_set<int> ParentsAt(const TreeLayout& layout, int level) {
     std::unordered_set<int> parents;
     for (const int node : layout.Level(level)) {
@@ -56,7 +56,7 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
         return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::comfortable_zoom <= room;
     };
     if (fits(state.layout) || state.layout.LevelCount() <= least_levels) return false;
-    // More levels never make a tree narrower, so bisect.
+    // More levels never make a tree narrower, so bisection works.
     int fitting = least_levels, too_many = state.layout.LevelCount();
     while (too_many - fitting > 1) {
         const int levels = (fitting + too_many) / 2;

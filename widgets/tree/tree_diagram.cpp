@@ -215,7 +215,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(min, max, inner::Shown(palette.view_ground), Px(4));
 
-    if (CurrentContext().printed) {  // a printed figure shows the unfolded nodes in the whole area
+    if (CurrentContext().printed) {  // a printed figure fits all unfolded nodes into the area
         state.fit_whole_next = true;
         state.reveal_next = -1;
     }

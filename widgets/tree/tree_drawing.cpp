@@ -76,15 +76,15 @@ private:
         return node >= 0 && node < std::min(static_cast<int>(nodes_.size()), style_.shown_count) && LevelOf(node) >= 0;
     }
 
-    /// The node, or the folded one that hides it; −1 if it is not in the tree.
+    /// Returns the node, or the folded one that hides it; −1 if the node is not in the tree.
     int ShownAncestor(int node) const {
         if (node >= static_cast<int>(nodes_.size())) return -1;
         while (node >= 0 && LevelOf(node) < 0) node = At(node).parent < node ? At(node).parent : -1;
         return node;
     }
 
-    /// Returns the part of a level that overlaps the view, if each node's item extends from `first_x` to `last_x`. Both
-    /// must increase along the level.
+    /// Returns the nodes of a level whose items overlap the view. An item extends from `first_x` to `last_x`, both of
+    /// which must increase along the level.
     template <class First, class Last>
     std::span<const int> InView(int level, double margin, First first_x, Last last_x) const {
         const std::span<const int> all = state_.layout.Level(level);
@@ -198,8 +198,8 @@ private:
                   Shown(color), label);
     }
 
-    /// Draws the traversal number above the node, on the side away from the edge to the parent; smaller if it would
-    /// overlap a neighbor's.
+    /// Draws the traversal number above the node, on the side away from the edge to the parent, and in smaller type if
+    /// it would overlap a neighbor's number.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);

@@ -1,4 +1,4 @@
-// Shared by the tree diagram's interaction (tree_diagram.cpp) and drawing (tree_drawing.cpp): places of nodes on
+// Shared by the tree diagram's interaction (tree_diagram.cpp) and drawing (tree_drawing.cpp): where the nodes are on
 // screen.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace widgets::inner {
 struct TreeCamera {
     static constexpr double pitch = 48.0, row = 42.0;  ///< between nodes and between levels, in design pixels at zoom 1
     static constexpr double readable_zoom = 0.42;      ///< at this zoom or above, labels fit into nodes
-    static constexpr double comfortable_zoom = 0.75;   ///< for trees that do not fit as a whole
+    static constexpr double comfortable_zoom = 0.75;   ///< the zoom for trees that do not fit as a whole
 
     ImVec2 min, max;  ///< the view
     double unit;      ///< pixels per design pixel
@@ -23,9 +23,9 @@ struct TreeCamera {
     double LayoutX(float x) const { return ((x - min.x) / unit - pan.x) / (pitch * zoom); }
     double LayoutLevel(float y) const { return ((y - min.y) / unit - pan.y) / (row * zoom); }
     float Pitch() const { return static_cast<float>(pitch * zoom * unit); }
-    /// Half the size of a node's box; stops growing when its text does.
+    /// Returns half the size of a node's box. The box stops growing when its text does.
     ImVec2 HalfBox() const;
-    /// Radius of the triangle below a node, which folds it.
+    /// Returns the radius of the triangle below a node, which folds the node.
     float TriangleRadius() const { return static_cast<float>(6.5 * unit); }
     ImVec2 TriangleCenter(ImVec2 node) const { return ImVec2(node.x, node.y + HalfBox().y + TriangleRadius()); }
     bool ShowsText() const { return zoom >= readable_zoom; }
@@ -34,12 +34,12 @@ struct TreeCamera {
 /// Centers the whole tree. If that would be unreadable and `whole` is false, shows the top, with the root as close to
 /// the middle as the tree's own edges allow.
 void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole);
-/// Folds a tree that is too wide to read, at the deepest level that still fits. Returns whether it had to.
+/// If the tree is too wide to read, folds it at the deepest level that still fits. Returns whether it did so.
 bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state);
 /// Keeps part of the tree in the view.
 void KeepInView(const TreeCamera& camera, TreeDiagramState& state);
 void ZoomAbout(const TreeCamera& camera, ImVec2 pointer, double factor, TreeDiagramState& state);
-/// Moves by as little as needed to show a node. First zooms in if labels are too small to read.
+/// Moves the view as little as needed to show a node. If labels are too small to read, zooms in first.
 void MoveIntoView(const TreeCamera& camera, int node, TreeDiagramState& state);
 
 struct TreeChildren {

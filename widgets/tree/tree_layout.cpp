@@ -26,7 +26,7 @@ namespace {
 using Children = inner::TreeChildren;
 using inner::ChildrenOf;
 
-/// Computes the distances between parents and children, in node widths.
+/// Computes the horizontal offsets of children from their parents, in node widths.
 class Placer {
 public:
     explicit Placer(std::size_t count) : nodes_(count) {}
@@ -62,7 +62,7 @@ private:
     Node& At(int node) { return nodes_[static_cast<std::size_t>(node)]; }
     static Reached Moved(Reached place, double dx) { return {place.node, place.dx + dx}; }
 
-    /// The next node down a subtree's contour.
+    /// Returns the next node down a subtree's contour.
     Reached Below(const Reached& place, Side side) {
         const Node& node = At(place.node);
         const int near = side == left ? node.children.front : node.children.back;

@@ -134,10 +134,10 @@ bool waits_for_gl() {
     return page->studio.reads_back() && !page->drawn.has_passed() && page_now_s() - page->drawn_s < patience_s;
 }
 
-/// Shorter freezes go unnoticed.
+/// Freezes shorter than this go unnoticed.
 constexpr double noticed_ms = 500.0;
 
-/// Reports a freeze in the frame after the slow one; otherwise the slow frame's length would count as part of the
+/// Reports a freeze only in the frame after the slow one. Otherwise, the slow frame's length would count as part of the
 /// message's time on screen.
 void tell_standstill() {
     const double ms = take_standstill_ms();

@@ -97,7 +97,7 @@ Result<PictureRequest> picture_request(std::string_view view, glm::dvec2 size_px
 
 Result<Image> asked_picture(const PictureRequest& request, const Params& params) {
     if (request.view == PictureView::window) return page->studio.read();
-    for (int most = 16; most > 0 && glGetError() != GL_NO_ERROR; --most) continue;  // from earlier drawing
+    for (int most = 16; most > 0 && glGetError() != GL_NO_ERROR; --most) continue;  // discards older errors
     Result<Image> image = camera_picture(page->renderer, params, page->studio.session.scene(), request.size_px);
     if (image && glGetError() == GL_OUT_OF_MEMORY)
         return Error{"picture: the graphics driver lacks memory for " + std::to_string(request.size_px.x) + " by " +
@@ -149,7 +149,7 @@ void refuse_what_is_not_there() {
 extern "C" {
 using namespace viewing;
 
-/// Returns one sentence that says why page.js must not pass a text of this size; "" if it may.
+/// Returns one sentence that says why page.js must not pass on a text of this size; "" if it may.
 EMSCRIPTEN_KEEPALIVE const char* page_text_trouble(double bytes) {
     return given(text_trouble(static_cast<std::size_t>(bytes)));
 }

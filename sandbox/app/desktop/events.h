@@ -46,8 +46,8 @@ private:
     void release_held();
 
     bool composes_ = false;         ///< the input method holds keys that it has not yet turned into a character
-    std::vector<InputEvent> held_;  ///< a key that ends an entry and all later events, until the last character arrives
-    bool has_committed_ = false;    ///< a character has arrived since then
+    std::vector<InputEvent> held_;  ///< an entry's last key and all later events, until its last character arrives
+    bool has_committed_ = false;    ///< a character has arrived since the first held event
     double held_until_s_ = 0.0;
     double polled_s_ = 0.0;
     std::optional<double> heard_since_s_;  ///< earliest possible time of the events being delivered; empty: now

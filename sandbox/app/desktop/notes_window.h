@@ -30,7 +30,7 @@ public:
     NotesWindow& operator=(const NotesWindow&) = delete;
 
     GLFWwindow* glfw() const { return window_; }
-    /// True until the person closes it.
+    /// True until the person closes the window.
     bool is_shown() const;
 
     /// Sets the notes to show from the next draw() on.

@@ -29,7 +29,7 @@ private:
     Error failure();
 
     ChildProcess process_;
-    int file_ = -1;  ///< the growing film; has no name, so that nothing is left behind
+    int file_ = -1;  ///< the file that ffmpeg writes; it has no name, so that nothing is left behind
 };
 
 }  // namespace viewing

@@ -43,7 +43,7 @@ figcaption { font-size: 9pt; color: #5a6470 }
 img { display: block; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
 )";
 
-/// Returns a text from a hand-in, without markup or changes of writing direction.
+/// Makes a text from a hand-in safe to show: escapes markup, and characters that change the writing direction.
 std::string foreign(const std::string& text) {
     return escaped(printable(text));
 }

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Returns a line for each student, with a column for each exercise under its short id; a file that cannot be read
-/// shows its error.
+/// Returns a line for each student, with a column for each exercise under its short id. The line for a file that cannot
+/// be read is its error.
 std::string grades_as_text(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 /// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% at the last attempt".
 std::string tags_as_text(const std::vector<TagCount>& tags);
@@ -25,8 +25,8 @@ std::string tags_as_csv(const std::vector<TagCount>& tags);
 std::string grades_as_json(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
                            const std::vector<TagCount>& tags, const HandInFiles& files);
 
-/// Returns, for example, "12 files judged, 1 not read, 3 skipped: 2 not JSON, 1 a link": only counts above 0, without a
-/// period.
+/// Returns, for example, "12 files judged, 1 not read, 3 skipped: 2 not JSON, 1 a link", without a period. Leaves out
+/// all counts that are 0 except the first.
 std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files);
 
 /// Returns students / of, clamped to 0 … 1; 0 if `of` is 0.

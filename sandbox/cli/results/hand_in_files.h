@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// In the order in which the summary lists them.
+/// The reasons for skipping a file, in the order in which the summary lists them.
 enum class WhySkipped { not_json, link, hidden, no_file };
 /// Returns the words that follow a count: "not JSON", "a link".
 const char* name_of(WhySkipped why);

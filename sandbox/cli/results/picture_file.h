@@ -14,7 +14,7 @@ namespace viewing {
 /// Whether the name has the ending of a vector format: .svg or .pdf.
 bool is_vector_name(const std::string& target);
 
-/// Pixels or, if there are none, shapes and text.
+/// A picture of pixels or, if it has none, of shapes and text.
 struct DrawnPicture {
     Image image;
     Drawing drawing;
@@ -22,7 +22,8 @@ struct DrawnPicture {
     bool is_blank() const;  ///< all pixels have the same color, or nothing is drawn
 };
 
-/// Returns the state to store in a figure; "", with a sentence on standard error, if it is too long to be read back.
+/// Returns the state to store in a picture. If it is too long to be read back, prints a sentence on standard error and
+/// returns "".
 std::string carried_state(const Params& params);
 
 std::vector<std::uint8_t> picture_file(const std::string& target, const DrawnPicture& picture,

@@ -14,8 +14,8 @@ namespace viewing {
 
 class Reference {
 public:
-    /// A missing file is not an error yet. Throws Failure if the file is not a PNG, or if a mask does not have the
-    /// picture's size.
+    /// Reads the file; a missing one is not an error yet. Throws Failure if the file is not a PNG, or if a mask does
+    /// not have the picture's size.
     Reference(std::string file, const ThresholdOptions& thresholds, glm::ivec2 size_px);
 
     /// Adds the comparison to the report, and, if `diff` is given, the picture of the differences to the outputs. Adds
@@ -26,8 +26,8 @@ public:
     /// Return the exit status and the message for this comparison.
     ExitStatus status() const;
     std::string told() const;
-    /// Prints the message on standard output, unless a result goes there. Throws Failure with the message if it must go
-    /// to standard error instead.
+    /// Prints the message on standard output, unless a result goes there. Throws Failure with the message if there is
+    /// no reference, or if the pictures differ and a result goes to standard output.
     void tell(bool stdout_is_taken) const;
 
 private:

@@ -144,7 +144,8 @@ private:
         cairo_paint_with_alpha(page_, inset.tint.a / 255.0);
     }
 
-    /// Copies pixels into Cairo's format: premultiplied, each pixel one word in native byte order.
+    /// Copies pixels into Cairo's format, which is premultiplied and stores each pixel as one word in native byte
+    /// order.
     static void copy(const Image& image, cairo_surface_t* surface) {
         unsigned char* const data = cairo_image_surface_get_data(surface);
         const int stride = cairo_image_surface_get_stride(surface);
@@ -170,12 +171,12 @@ private:
 std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& options) {
     std::vector<std::uint8_t> bytes;
     const double points_per_px = 72.0 / options.dpi;
-    PdfFaces faces;  // must outlive the surface, which writes them when it ends
+    PdfFaces faces;  // must outlive the surface, which writes them when it is finished
     const Owned<cairo_surface_t> surface(
         cairo_pdf_surface_create_for_stream(append, &bytes, drawing.size_px.x * points_per_px,
                                             drawing.size_px.y * points_per_px),
         cairo_surface_destroy);
-    // From PDF 1.5 on, cairo 1.18 compresses objects, and image/figure_note.cpp could not find the state.
+    // From PDF 1.5 on, cairo 1.18 compresses objects, in which image/figure_note.cpp could not find the state.
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
     const auto tell = [&](cairo_pdf_metadata_t what, const std::string& text) {
         cairo_pdf_surface_set_metadata(surface.get(), what, text.c_str());

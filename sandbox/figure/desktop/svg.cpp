@@ -184,7 +184,7 @@ private:
         return id;
     }
 
-    /// Returns the index of a font in the drawing, in the order in which style() counts them.
+    /// Returns the index of a font in the drawing, in the order in which style() numbers the fonts.
     std::ptrdiff_t face_number(const std::string& face) const {
         return std::distance(faces_.begin(), faces_.find(face));
     }

@@ -18,7 +18,7 @@ struct Shares {
     std::array<float, block_length> from_near, to_far;
 };
 
-/// Clamps a value that is not a valid depth code to the nearest valid one; signed arithmetic vectorizes.
+/// Clamps an invalid depth code to the nearest valid one. Signed arithmetic lets the compiler vectorize this.
 std::int32_t within(std::uint32_t stored, std::int32_t last) {
     return std::max(std::min(static_cast<std::int32_t>(stored), last), 0);
 }
@@ -71,7 +71,7 @@ private:
     std::array<float, steps + 2> shares_;
 };
 
-/// Converts depths as read to fractions of the plan's scale.
+/// Converts depths, as they were read back, to fractions of the plan's scale.
 class Scale {
 public:
     Scale(const DepthPrecision& read_as, const FramePlan& plan)

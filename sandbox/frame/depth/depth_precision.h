@@ -1,5 +1,6 @@
-// Computes how depth precision is spread between near and far: the step over the eye distance for every format and
-// mapping, and the positions of the codes. Pure. Read near_advice.h next; ui/depth/precision_view.h draws the result.
+// Computes how depth precision is spread between near and far: the step as a function of eye distance, for every format
+// and mapping, and the positions of the codes. Pure. Read near_advice.h next; ui/depth/precision_view.h draws the
+// result.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace viewing {
 /// The points of a curve: (eye distance, step Δz), from near to far.
 using StepPoints = std::vector<glm::dvec2>;
 
-/// The total step Δz with a format and a mapping.
+/// The total step Δz for one format and mapping.
 struct StepCurve {
     DepthFormat format = DepthFormat::d24;
     DepthMapping mapping = DepthMapping::standard;
@@ -40,8 +41,9 @@ struct DepthCodes {
     std::int64_t codes_per_tick = 1;
 };
 
-/// Returns the codes at the ends of at most `most_ticks` intervals (at least 2): one interval per step between codes if
-/// that many fit, otherwise a power of two.
+/// Returns the codes at the ends of equal intervals. Every code is an end if that takes at most `most_ticks` intervals;
+/// otherwise, the number of intervals is the largest power of two up to `most_ticks`. A `most_ticks` below 2 counts as
+/// 2.
 DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks);
 
 /// States where half of the codes lie or, for a float format, how many lie in the farther half of the range.

@@ -79,7 +79,7 @@ void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, co
     tell.broken(depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
                 tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
                 alone("depth.func"));
-    // A buffer that is cleared to the nearest depth rejects everything with GL_LESS, too.
+    // A buffer that is cleared to the nearest depth rejects everything with GL_LESS, too, so GL_LESS would fix nothing.
     const char* const as_usual = clears_to_nearest(depth) ? "" : "depth.func";
     tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
@@ -111,7 +111,7 @@ double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
     return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
 }
 
-/// Reports objects whose depth code equals that of the background, so that they do not count as nearer.
+/// Reports objects whose depth code equals that of the cleared buffer, so that GL_LESS rejects them.
 void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     const bool refuses_ties = depth.tests() && depth.func == CompareFunc::less;
@@ -131,7 +131,7 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
                 "depth.format");
 }
 
-/// Returns the gap below which depths are not distinguished at an eye distance, as a share of the picture's height
+/// Returns the largest gap that depth may fail to distinguish at an eye distance, as a share of the picture's height
 /// there.
 double unresolved_share(const Params& params, const Derived& derived, double distance) {
     return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
@@ -180,7 +180,7 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
                 finer_depth(params, derived, seen, worst->farthest));
 }
 
-/// Returns whether a polygon offset moves anything, decals or shadows.
+/// Returns whether a polygon offset moves decals or shadows.
 bool has_offset(const Params& params, const Scene& scene) {
     const DepthParams& depth = params.depth;
     const ShadowParams& shadow = params.shadow;

@@ -11,8 +11,8 @@ inline bool is_cleared_to_farthest(const DepthParams& depth) {
            (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
 }
 
-/// Returns whether depth is computed only at the vertices and interpolated in between, where it then does not follow
-/// from the distance.
+/// Returns whether depth is computed only at the vertices and interpolated in between. Interpolated depth then does not
+/// match the distance.
 inline bool has_bent_depth(const DepthParams& depth) {
     return depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
 }

@@ -10,8 +10,8 @@ namespace viewing {
 
 struct StoredDepth {
     DepthPrecision precision;  ///< as stored: {32, true} is float32
-    /// Codes per unit of glPolygonOffset; for a float format, the codes between 1/2 and 1 count. A multiple of 1/4 from
-    /// 0 to 16. None if not measured.
+    /// Codes per unit of glPolygonOffset; for a float format, codes as wide as those between 1/2 and 1. A multiple of
+    /// 1/4 from 0 to 16. None if not measured.
     std::optional<double> unit_codes;
     bool operator==(const StoredDepth&) const = default;
 };

@@ -89,7 +89,7 @@ glm::dvec3 center_of(std::span<const Polygon> parts) {
     return weighted / total_area(parts);
 }
 
-/// Returns the distance from the center to the farthest corner.
+/// Returns the distance from the center to the object's farthest corner.
 double radius_about(const glm::dvec3& center, const FlatObject& flat) {
     double radius = 0.0;
     for (const Polygon& triangle : flat.triangles)
@@ -170,8 +170,8 @@ double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
     const double depth = window_depth(lens, coding.mapping, z);
     if (coding.mapping == DepthMapping::logarithmic) {
-        // Errors of eye z, w and their quotient change the logarithm by as much; then the logarithm and the depth are
-        // rounded.
+        // Relative errors of eye z, w and their quotient change the logarithm by the same amount; then the logarithm
+        // and the depth are rounded.
         const double range = std::log(lens.far / lens.near);
         return (3.0 + 2.0 * std::log(z / lens.near)) / range + depth;
     }

@@ -43,13 +43,13 @@ struct DepthCoding {
 DepthCoding depth_coding(const Params& params, const Derived& derived);
 
 /// Returns how far apart float32 rounding may move the window depths of two surfaces before they are stored, although
-/// these depths should be equal. The surfaces are at an eye distance between near and far. `span` is how much nearer to
-/// the eye they extend: depth is interpolated across them, so the larger values at their near ends are rounded too.
-/// Adds up the largest error of each float32 rounding.
+/// these depths should be equal. `distance`, between near and far, is the surfaces' eye distance. `span` is how much
+/// nearer to the eye they extend: depth is interpolated across them, so the larger values at their near ends are
+/// rounded too. Adds up the largest error of each float32 rounding.
 double depth_rounding(const DepthCoding& coding, double distance, double span = 0.0);
 
 /// The smallest gap at which depth distinguishes two surfaces, wherever their depths fall within a code. With a smaller
-/// gap, they fight. Measured as eye distance, from a surface toward the eye.
+/// gap, they may fight. The gap is measured in eye distance, from a surface toward the eye.
 struct FightingOnset {
     double quantisation = 0.0;  ///< one whole code, but at most the distance to the near plane
     double arithmetic = 0.0;    ///< added by the float32 arithmetic before depth is stored

@@ -1,6 +1,6 @@
-// The data of the depth fighting view: each pair's prediction and counts, and the smallest gap found. Plain data;
-// measure/fighting_measure.h counts pixels, measure/minimum_gap.h searches, measure/fighting_counter.h fills in the
-// data.
+// The data of the depth fighting view: each pair's prediction and counts, and the smallest gap found. Plain data:
+// measure/fighting_measure.h counts the pixels, measure/minimum_gap.h searches for the gap, and
+// measure/fighting_counter.h fills in the data.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +60,7 @@ struct FightingReport {
     struct Row {
         std::string first, second;  ///< the objects' names, in drawing order
         PairPrediction predicted;
-        ShareSpread spread;  ///< cameras is 0 until counted
+        ShareSpread spread;  ///< `cameras` is 0 until they are counted
     };
     FightingCounts counts;
     /// A cure and its counts, for the same pairs and in a picture of the same size.
@@ -78,7 +78,7 @@ struct FightingReport {
     std::string problem;  ///< a sentence if nothing could be counted
 };
 
-/// A spread uses this many cameras. trembling() returns the state with one of them (counted from 0): the state's own
+/// The number of cameras in a spread. trembling() returns the state with one of them (counted from 0): the state's own
 /// camera, jittered.
 constexpr int spread_cameras = 12;
 Params trembling(const Params& state, int camera);

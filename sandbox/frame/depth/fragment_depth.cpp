@@ -33,8 +33,8 @@ double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm:
     return 0.5 * zw.x / zw.y + 0.5;
 }
 
-/// Returns the width of one code in window depth; for a float, as in GL, that of the code at the triangle's greatest
-/// depth.
+/// Returns the width of one code in window depth. For a float, GL uses the code at the triangle's greatest depth; a
+/// shader that writes depth uses codes of 24 bits.
 double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     const bool by_shader = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const DepthPrecision precision = by_shader ? precision_of(plan.depth_format) : plan.stored_depth.precision;
@@ -50,7 +50,7 @@ double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes.value_or(1.0) * code_of_unit(plan, triangle);
 }
 
-/// Returns the error of one unit: one code unless it was measured, since GL does not define how many codes it spans.
+/// Returns the error of one unit: 0 if the unit was measured; otherwise one code, since GL does not define its size.
 double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
@@ -69,8 +69,8 @@ double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
     return steepest;
 }
 
-/// Returns a depth after it has passed through the clip range. For reversed depth in −1 … 1, GL halves it and adds a
-/// half in float32, which rounds away the finest steps.
+/// Returns a depth after it has passed through the clip range. When reversed depth is in −1 … 1, GL halves the value
+/// and adds 0.5 in float32, which rounds away the finest steps.
 double as_clip_range_keeps(const FramePlan& plan, double depth) {
     if (plan.clip_zero_to_one || plan.depth_mapping != DepthMapping::reversed) return depth;
     const auto z_ndc = static_cast<float>(2.0 * depth - 1.0);

@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// Returns whether GL keeps the hit, which must lie between near and far. With a logarithm per vertex, the interpolated
-/// depth decides.
+/// Returns whether GL keeps the hit, that is, whether it lies between near and far. With a logarithm per vertex, the
+/// interpolated depth decides this.
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit);
 
 /// Returns the window depth, 0 … 1, with the offset, before it is rounded to a code. `neighbors_px` points to the
@@ -17,10 +17,10 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                 const glm::dvec2& neighbors_px);
 
-/// Returns how far GL's depth may be from depth_of() before it is stored. There are two causes: float32 arithmetic,
-/// each step of which rounds up to three times as coarsely as IEEE requires, and corners rounded to 1/256 of a pixel,
-/// which moves a steep surface. An offset whose unit was not measured adds one code per unit: GL does not define how
-/// many codes a unit spans; up to two are expected.
+/// Returns how far GL's depth may be from depth_of() before it is stored. There are two causes: float32 arithmetic, in
+/// which each step may be three times as coarse as IEEE allows, and corners rounded to 1/256 of a pixel, which moves a
+/// steep surface. If the offset's unit was not measured, each unit adds an error of one code: GL does not define how
+/// many codes a unit spans, and up to two are expected.
 double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                    const glm::dvec2& neighbors_px, glm::ivec2 size_px);
 

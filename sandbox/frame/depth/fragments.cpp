@@ -176,7 +176,7 @@ private:
     std::uint32_t depth_, stencil_ = 0;
 };
 
-/// Returns false for mirror images, and for masks and shadows, which have one flat color. While overdraw is added up,
+/// Returns false for mirror images, and for masks and shadows, which have one flat color. While overdraw is counted,
 /// the scene has a flat color too, but it does show surfaces.
 bool shows_surfaces(const Pass& pass) {
     return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
@@ -186,7 +186,7 @@ bool is_mask(const Pass& pass) {
     return pass.subject == Subject::patch && !shows_surfaces(pass);
 }
 
-/// Returns whether the pass clears the stencil everywhere, before marks of another kind.
+/// Returns whether the pass clears the stencil everywhere, before marks of another kind are set.
 bool clears_marks(const Pass& pass) {
     return pass.subject == Subject::backdrop && pass.stencil.on_pass == StencilOp::zero;
 }

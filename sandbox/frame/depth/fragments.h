@@ -1,5 +1,5 @@
 // Finds every surface on a pixel's ray, in drawing order, each with its stored depth and the test that decides its
-// fate. Computed, not read back. Read fragments.cpp next.
+// fate. Everything is computed, not read back. Read fragments.cpp next.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct Fragment {
     bool decided_by_rounding = false;  ///< GL's decision contradicts these codes: see reconcile()
 };
 
-/// Keeps a scene's triangles sorted for fast repeated queries; make one finder per scene.
+/// Keeps a scene's triangles in box trees for fast repeated queries; make one finder per scene.
 class FragmentFinder {
 public:
     /// Shares the scene's meshes.
@@ -48,9 +48,9 @@ public:
     /// If the frame stops at a draw call, the result leaves out everything after that call.
     ///
     /// Mirror images and shadows are left out; the depth that a mirror image without stencil writes outside the patch
-    /// does not count here. Depths are exact until they are stored: if two codes are closer than their errors, GL may
-    /// decide otherwise: see reconcile(). Methods that sort have their own order and pieces. If a method finds one
-    /// surface per pixel in software, only that surface passes, as at the method's last step.
+    /// does not count here. Depths are exact until they are stored, so if two codes are closer than their errors, GL
+    /// may decide differently (see reconcile()). Methods that sort have their own order and pieces. If a method finds
+    /// one surface per pixel in software, only that surface passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
 private:

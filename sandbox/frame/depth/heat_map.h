@@ -35,7 +35,8 @@ struct HeatMap {
     /// Returns the eye distance of an entry.
     double distance_of(std::size_t entry) const;
 
-    /// Interpolates the onset's logarithm between the entries; outside near … far, uses the nearer end.
+    /// Returns the onset at a distance by interpolating its logarithm between the entries; outside near … far, uses the
+    /// nearer end.
     double onset_at(double distance) const;
 
     bool operator==(const HeatMap&) const = default;

@@ -56,7 +56,7 @@ public:
         for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
     }
 
-    /// Returns the same sides as forms over boxes in a model's space: negative outside.
+    /// Returns the view's sides as forms over boxes in a model's space: a form is negative outside its side.
     std::vector<BoxForm> inwards(const glm::dmat4& view_from_model) const {
         std::vector<BoxForm> forms;
         for (const glm::dvec4& side : sides_) forms.emplace_back(side, view_from_model);

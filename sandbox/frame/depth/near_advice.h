@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// An object of the scene or the plane's patch, with the eye distances of its relevant part, whatever near is: the part
-/// within the four sides of the view, in front of the eye and not beyond far.
+/// An object of the scene or the plane's patch, with the eye distances of its part in view. Near does not matter here:
+/// that part is within the four sides of the view, in front of the eye, and not beyond far.
 struct SeenThing {
     std::string name;
     double nearest = 0.0, farthest = 0.0;
@@ -27,8 +27,8 @@ struct DistanceMark {
     double z = 0.0;     ///< eye distance at which the nearest thing begins
     bool is_plane = false;
 };
-/// Returns marks from near to far, at most `most` (at least 1): neighbors whose distances have the smallest ratio share
-/// a mark first.
+/// Returns at most `most` marks (0 counts as 1), from near to far. Neighbors whose distances have the smallest ratio
+/// are merged first.
 std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std::size_t most);
 
 /// A better near for the things in view.

@@ -75,8 +75,8 @@ struct SeenCodes {
     /// Returns whether both surfaces have one and the same code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// Widens the share over all phases of a code to the share of the pixels. A depth that is linear over a polygon has
-    /// a density with one maximum, which is at most twice the mean, and is sampled once per pixel.
+    /// Widens a share over all phases of a code into one that holds for the pixels. A depth that is linear over a
+    /// polygon has a density with one maximum, which is at most twice the mean, and is sampled once per pixel.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {
@@ -142,9 +142,9 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
 }
 
 /// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit spans, so the
-/// program measures it; it is exactly one if the shader adds the offset. Without a measurement, and for a float, it
-/// counts as at least one. `lead` and `most_lead`: by how many codes, at least and at most, the surface that should be
-/// visible is nearer without the offset.
+/// program measures it; it is exactly one if the shader adds the offset. Without a measurement, and for a float, a unit
+/// counts as at least one code. `lead` and `most_lead`: by how many codes, at least and at most, the surface that
+/// should be visible is nearer without the offset.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {

@@ -16,8 +16,8 @@ struct ShareInterval {
 
 /// Returns the share of wrong pixels of two surfaces whose codes fall on the pixels at random. The surfaces are
 /// `gap_codes` to `most_gap_codes` (not less) apart, and arithmetic moves them by at most `arithmetic_codes` relative
-/// to each other. In a tie, both have the same code. Without arithmetic, the probability of a tie is 1 − gap, or 0 for
-/// gaps of at least one code.
+/// to each other. `tie_is_wrong`: the wrong surface is visible if both have the same code. Without arithmetic, the
+/// probability of such a tie is 1 − gap, or 0 for gaps of at least one code.
 ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, double arithmetic_codes,
                                     bool tie_is_wrong);
 
@@ -27,16 +27,17 @@ struct PairPrediction {
     double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< as eye distance
     double slant = 1.0;     ///< gap along the normal ÷ slant = gap in eye distance; 0: seen edge-on
-    /// The share of the pair's pixels that are wrong; none if it is not certain to within nine tenths. That is so for a
-    /// pair that is out of view or whose surfaces cross, a depth function that does not compare nearness, a depth
-    /// buffer that is not written or not cleared to the farthest depth, depths that may equal the cleared code,
-    /// logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes (all of their
-    /// pixels may have the same one) or more than one code in two pixels (pixel positions decide which ones), decals
-    /// drawn with GL_EQUAL, and a polygon offset whose effect is not measured and does not surely exceed one code.
+    /// The share of the pair's pixels that are wrong; none if it cannot be predicted to within nine tenths. There is no
+    /// prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
+    /// nearness, a depth buffer that is not written or not cleared to the farthest depth, depths that may equal the
+    /// cleared code, logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes
+    /// (all of their pixels may have the same one) or more than one code in two pixels (pixel positions decide which
+    /// ones), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and does not surely exceed
+    /// one code.
     std::optional<ShareInterval> wrong_share;
 };
 
-/// Predicts a pair in a picture of that size. The part of the overlap inside the view counts, even where it is hidden.
+/// Predicts a pair in a picture of this size. The part of the overlap inside the view counts, even where it is hidden.
 PairPrediction predict_pair(const FlatPair& pair, const Params& params, const Derived& derived, glm::ivec2 size_px);
 
 }  // namespace viewing

@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// Relative to the terms of the sum, so that rounding never rejects a box that covers the pixel.
+/// A tolerance relative to the terms of the sum, so that rounding never rejects a box that covers the pixel.
 constexpr double rounding = 1e-9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {

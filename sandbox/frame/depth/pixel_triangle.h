@@ -48,7 +48,7 @@ public:
     bool may_meet(const Bounds& bounds) const;
 
 private:
-    glm::dvec4 across_, up_, w_, distance_;  ///< each one's dot product with a point is a member of its PixelCorner
+    glm::dvec4 across_, up_, w_, distance_;  ///< their dot products with a point are the members of its PixelCorner
 };
 
 }  // namespace viewing

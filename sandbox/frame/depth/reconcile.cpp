@@ -52,7 +52,7 @@ void decide(Fragment& fragment, bool passes) {
     fragment.passes = passes;
 }
 
-/// Handles a pixel for which no fragment wrote depth, so that all were compared with the previous frame's value.
+/// Handles a pixel where no fragment wrote depth, so that all fragments were compared with the previous frame's value.
 void compare_with_last_frame(std::vector<Fragment>& fragments, const PixelReport& report) {
     for (Fragment& fragment : fragments) {
         if (!is_compared(fragment)) continue;
@@ -75,7 +75,7 @@ void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool
     const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
                                   return later.passes && !later.drawn;
                               });
-    // Without clearing, the previous frame left the depth of the same surface.
+    // If depth is not cleared, the previous frame left the depth of the same surface.
     const std::uint32_t computed = seen->stored;
     if (leaves_depth && !clears_depth)
         for (auto one = fragments.begin(); one <= seen; ++one)

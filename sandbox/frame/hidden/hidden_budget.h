@@ -9,11 +9,11 @@
 namespace viewing {
 
 /// At these limits, a method takes about ten seconds on one processor and a gigabyte of memory if all polygons
-/// intersect one another: with its pieces in a BSP tree, a polygon takes up to seven thousand bytes.
+/// intersect one another: in a BSP tree, a polygon and its pieces take up to seven thousand bytes.
 inline constexpr std::int64_t most_hidden_polygons = 400'000, most_bsp_polygons = 100'000;
 
-/// Returns why the methods refuse a scene, before any work is spent on it. `builds_tree`: one of them builds the BSP
-/// tree.
+/// Returns an error if the scene is too large for the methods, before any work is spent on it. `builds_tree`: one of
+/// the methods builds the BSP tree.
 Status check_hidden_budget(const Scene& scene, bool builds_tree);
 
 }  // namespace viewing

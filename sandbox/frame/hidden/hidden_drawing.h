@@ -19,7 +19,7 @@ struct OrderedVertex {
     float source_id = 0.0F;  ///< Polygon::source + 1
 };
 
-/// The surface point visible at a pixel. Made of floats: each vector is a texel of its own texture.
+/// The surface point visible at a pixel. It consists of floats because each vector becomes a texel of its own texture.
 struct SurfacePixel {
     glm::vec4 position_world{0.0F};  ///< w: window depth; 2 if nothing is seen
     glm::vec4 normal_world{0.0F};    ///< toward the eye; w: 1 front face, 0 back face
@@ -37,9 +37,9 @@ struct HiddenDrawing {
     std::vector<OrderedVertex> triangles;  ///< three vertices per triangle, in drawing order
     std::vector<Run> runs;                 ///< the runs of all triangles, in order
     glm::ivec2 size_px{0};
-    glm::dvec2 share{1.0};                ///< of the view that the picture fills: HiddenRequest::share
+    glm::dvec2 share{1.0};                ///< the share of the view that the picture fills: HiddenRequest::share
     std::vector<SurfacePixel> pixels;     ///< rows from the top
-    std::vector<std::uint32_t> overdraw;  ///< per pixel; with `pixels`
+    std::vector<std::uint32_t> overdraw;  ///< per pixel; filled if `pixels` is
     bool is_cut = false;                  ///< canceled before the last triangle
 };
 
@@ -47,12 +47,12 @@ struct HiddenDrawing {
 /// 32,768 polygons, so that a drawing that is quick to make is complete.
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
-/// A picture that is red where two pictures differ and a veil elsewhere.
+/// A picture to lay over another: red where two pictures differ, and a dark veil elsewhere.
 struct DifferenceDrawing {
     glm::ivec2 size_px{0};
     std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top
     std::int64_t compared = 0, different = 0;
-    glm::dvec2 share{1.0};  ///< of the view that the picture fills
+    glm::dvec2 share{1.0};  ///< the share of the view that the picture fills
 };
 /// `differs`: nonzero for each pixel that differs, rows from the top.
 DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px);

@@ -5,10 +5,10 @@
 
 namespace viewing {
 
-/// Finds, among all tests of the software depth buffer, each polygon's last fragment and the fragments of the followed
-/// pixel.
+/// Finds each polygon's last fragment, and the fragments of the followed pixel, among all tests of the software depth
+/// buffer.
 void find_fragment_steps(HiddenResult& result, const RasterResult& all);
-/// Finds the steps that draw a polygon over the followed pixel, by painting the whole order.
+/// Finds the steps that draw a polygon over the followed pixel. `all`: the result of painting the whole order.
 void find_polygon_steps(HiddenResult& result, const RasterResult& all);
 
 /// Counts steps, and finds how far into the order the requested step reaches; the order must be known.

@@ -22,7 +22,7 @@ private:
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// Returns whether requests differ only in step and followed pixel, and therefore share order, tree and counters.
+/// Returns whether two requests differ only in step and followed pixel, and therefore share order, tree and counters.
 bool have_one_order(HiddenRequest a, const HiddenRequest& b) {
     a.visibility.step = b.visibility.step;
     a.visibility.pixel = b.visibility.pixel;
@@ -73,7 +73,7 @@ void take_picture(HiddenResult& result, RasterResult raster) {
     result.written_per_pixel = std::move(raster.written_per_pixel);
 }
 
-/// Paints up to the step. For pixel steps, `stop_after` counts tested pixels.
+/// Paints the polygons that the step has reached, but stops after `stop_after` tested pixels; −1: no limit.
 void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const std::span<const int> drawn(result.order.data(), static_cast<std::size_t>(result.drawn));
@@ -86,7 +86,7 @@ void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress
                                    progress));
 }
 
-/// Returns the pixel whose ray is shown: the step's, else the followed one.
+/// Returns the pixel whose ray is shown: the step's or, without a step, the followed one.
 std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
     const HiddenRequest& request = result.request;
     const int columns = request.size_px.x;

@@ -27,7 +27,7 @@ struct HiddenRequest {
     bool operator==(const HiddenRequest&) const = default;
 };
 
-/// Returns the clip-space matrix with which the central part of the view, HiddenRequest::share, fills the picture.
+/// Returns the clip-space matrix that enlarges the central part of the view, HiddenRequest::share, to fill the picture.
 glm::dmat4 part_from_view(const glm::dvec2& share);
 
 /// Returns the pixel of the picture at a position in the view, both counted from the top left; none outside the
@@ -39,11 +39,11 @@ std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 vi
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px);
 HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px);
 
-/// The operations of a method. Those that its steps show are counted up to the requested step. −1: not counted by this
-/// method.
+/// Counts of a method's operations. Operations that its steps show are counted up to the requested step. −1: this
+/// method does not count them.
 struct HiddenCounters {
     std::int64_t polygons = 0;  ///< given to the method
-    std::int64_t culled = 0;    ///< left out beforehand because of the way they face
+    std::int64_t culled = 0;    ///< left out beforehand by culling
     std::int64_t comparisons = -1, swaps = -1, splits = -1;
     std::int64_t fragments = -1;   ///< polygons after cutting
     std::int64_t tree_depth = -1;  ///< 1 for a tree with only a root
@@ -63,7 +63,7 @@ struct TracedRay {
     std::vector<RayCastHit> hits;
 };
 
-/// A fragment of the followed pixel, and the step that tests it.
+/// A fragment in the followed pixel, and the step that tests it.
 struct PixelTouch {
     int step = 0;
     RasterStep fragment;
@@ -90,7 +90,7 @@ struct HiddenResult {
     std::vector<PixelTouch> touches;         ///< of the followed pixel: for all steps, in order
 
     int step = -1, step_count = 0;  ///< −1: all
-    std::vector<int> group_ends;    ///< the last step of each group, see step_groups.h; empty: no groups
+    std::vector<int> group_ends;    ///< the last step of each group (step_groups.h); empty: no groups
     CullCounts facing;              ///< of all polygons of the scene, culled or not
     HiddenCounters counters;
     IdImage image;                                 ///< IDs of the polygons drawn at this step
@@ -105,8 +105,8 @@ struct HiddenResult {
 /// Returns the sentence for a canceled method that has no sentence of its own.
 std::string sentence_of_canceled();
 
-/// Returns whether rays meet curved shapes exactly; their triangles are used while culling distinguishes front and
-/// back.
+/// Returns whether rays intersect the exact curved shapes. While culling is on, which distinguishes front and back
+/// faces, rays intersect the shapes' triangles instead.
 bool uses_exact_curves(const HiddenRequest& request);
 
 /// Returns whether software computes the picture's pixels, instead of GL drawing polygons in order.

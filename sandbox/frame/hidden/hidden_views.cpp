@@ -5,13 +5,13 @@
 namespace viewing {
 namespace {
 
-/// Returns whether the result's own image is the one shown. GL draws the other methods' polygons, and rounds their
+/// Returns whether the result's own image is the one shown. For other methods, GL draws the polygons and rounds their
 /// corners.
 bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
 }
 
-/// Returns whether no method can use the mirror's view, because R or the mirrored side was replaced: GL draws that
+/// Returns whether no method can use the mirror's view, because R or the mirrored side was replaced. GL then draws that
 /// image in scene order.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
@@ -20,8 +20,8 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
            has_other_camera;
 }
 
-/// Returns the painter's algorithm's worst error in a small picture, which takes little time compared with the view's
-/// picture.
+/// Returns the worst error of the painter's algorithm. Looks for it in a small picture, which takes little time
+/// compared with the view's picture.
 std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
     constexpr int widest_px = 160;
     constexpr std::size_t most_polygons = 20'000;

@@ -13,7 +13,7 @@ namespace viewing {
 
 struct HiddenQuestion {
     HiddenRequest camera;
-    std::optional<HiddenRequest> mirrored{};  ///< if the method draws the mirror image, too
+    std::optional<HiddenRequest> mirrored{};  ///< set if the method draws the mirror image, too
     std::optional<HiddenRequest> other{};     ///< for the difference view
     bool draws_camera = true;                 ///< false: GL draws the scene by itself, but the order is needed
     bool operator==(const HiddenQuestion&) const = default;
@@ -43,7 +43,7 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
 /// otherwise polygons.
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other);
 
-/// Plans a frame that draws the IDs of a request's polygons for reading back, needed if GL draws these polygons.
+/// Plans a frame that draws the IDs of a result's polygons, to be read back. It is needed if GL draws these polygons.
 FramePlan plan_polygon_ids(Params params, const Derived& derived, const HiddenResult& result);
 
 }  // namespace viewing

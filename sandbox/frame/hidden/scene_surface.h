@@ -1,5 +1,5 @@
 // A scene as the input of hidden-surface methods: polygons and exact curved shapes in world space, with the data needed
-// to shade a point on them. Made once per scene. Read hidden_surfaces.h next.
+// to shade a point on them. It is made once per scene. Read hidden_surfaces.h next.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace viewing {
 
 struct SceneSurface {
     Scene scene;                                ///< shares the meshes
-    std::vector<Polygon> polygons;              ///< every triangle; `source` counts triangles over all objects, from 0
+    std::vector<Polygon> polygons;              ///< triangles with an area; `source` numbers all triangles, from 0
     int dropped = 0;                            ///< triangles without area
     std::vector<int> first_source;              ///< per object: the source of its first triangle
     std::vector<CurvedShape> curved;            ///< objects with an exact shape; their sources follow the triangles'
@@ -30,8 +30,9 @@ struct SceneSurface {
 /// Makes a scene's surface. If canceled, it has only the first polygons.
 SceneSurface surface_of(const Scene& scene, const WorkProgress* progress = nullptr);
 
-/// Returns the normal that GL interpolates at the point, not unit: from the corners of the triangle `source`, or of the
-/// curved shape. Extrapolates outside the triangle; a triangle without area has the normal of its first corner.
+/// Returns the normal at a point, not normalized: the normal that GL interpolates from the corners of the triangle
+/// `source`, or that of the curved shape. Extrapolates outside the triangle; a triangle without area has the normal of
+/// its first corner.
 glm::dvec3 normal_at(const SceneSurface& surface, int source, const glm::dvec3& point_world);
 
 }  // namespace viewing

@@ -36,8 +36,8 @@ glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
 }
 
 /// Classifies a ray; the derivation's light, plane, point and point_height must be set already. `approach` is how fast
-/// the line from p toward the light leaves the plane: n·(l − p), or n·l for a parallel light; zero if it is parallel to
-/// the plane.
+/// the line from p toward the light moves away from the plane: n·(l − p), or n·l for a parallel light. It is zero if
+/// the line is parallel to the plane.
 ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_light, double plane_dot_light,
                  double approach) {
     if (lies_in_plane(derivation.unit_plane, derivation.light)) return ShadowRay::light_in_plane;
@@ -52,7 +52,7 @@ ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_l
 }
 
 MirrorPlane mirror_plane_of(const glm::dvec4& unit_plane) {
-    const glm::dvec4 magnitudes = glm::abs(unit_plane);  // P and −P are the same mirror
+    const glm::dvec4 magnitudes = glm::abs(unit_plane);  // Π and −Π are the same mirror
     if (magnitudes == glm::dvec4(1.0, 0.0, 0.0, 0.0)) return MirrorPlane::yz;
     if (magnitudes == glm::dvec4(0.0, 1.0, 0.0, 0.0)) return MirrorPlane::xz;
     if (magnitudes == glm::dvec4(0.0, 0.0, 1.0, 0.0)) return MirrorPlane::xy;

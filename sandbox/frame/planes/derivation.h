@@ -39,10 +39,10 @@ struct ShadowDerivation {
     double n_dot_l = 0.0, n_dot_p = 0.0;
     double light_height = 0.0;  ///< n·l + d; for a parallel light, n·l
     double point_height = 0.0;  ///< n·p + d
-    double w = 0.0;             ///< w of S p = (Π·L) p − (P·p) L
+    double w = 0.0;             ///< w of S p = (Π·L) p − (Π·p) L
 
     /// Point light: s = l + t (p − l), t = (n·l + d)/(n·l − n·p).
-    /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 if there is no s.
+    /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). t is 0 if there is no s.
     double t = 0.0;
     std::optional<glm::dvec3> shadow_world;  ///< s; none for ShadowRay::parallel, light_in_plane and at_light
     glm::dvec3 light_foot_world{0.0};        ///< foot of l on the plane; meaningless for a parallel light
@@ -63,10 +63,10 @@ struct ShadowForms {
 };
 ShadowForms shadow_forms(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
-/// The coordinate planes for which the lecture gives R.
+/// The kinds of plane for which the lecture gives R: the coordinate planes, and any other plane.
 enum class MirrorPlane { yz, xz, xy, general };
 
-/// All values of q′ = q − 2 k n. Source: lecture, Planar Reflection.
+/// All values of the derivation of q′ = q − 2 k n. Source: lecture, Planar Reflection.
 struct MirrorDerivation {
     glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< a, b, c, d
     glm::dvec3 point_world{0.0};                ///< q

@@ -21,16 +21,16 @@ struct CodeLine {
 /// All lines in the order of their indices.
 using CodeLines = std::array<CodeLine, 16>;
 
-/// Returns the lines of ShadowMatrix for a plane and a light, filled by columns. Its values equal the displayed S only
-/// if the normal is a unit vector.
+/// Returns the lines of ShadowMatrix, which fills its array by columns, for a plane and a light. Their values equal the
+/// displayed S only if the normal is a unit vector.
 CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// Returns R for a plane, correct only for a unit normal; with `plus_2ab`, its second row has the slide's +2ab.
 glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab);
 
-/// Returns the lines of ReflectionMatrix for a plane, correct only for a unit normal. `printed_by_rows`: filled by rows
-/// as on the slide, so that GL gets the transpose; otherwise by columns, which is correct. `plus_2ab`: with that
-/// mistake.
+/// Returns the lines of ReflectionMatrix for a plane, correct only for a unit normal. `printed_by_rows`: the array is
+/// filled by rows as on the slide, so that GL gets the transpose; otherwise it is filled by columns, which is correct.
+/// `plus_2ab`: with that mistake.
 CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab = false);
 
 }  // namespace viewing

@@ -40,8 +40,8 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     return sees_any ? mirrors : std::vector<Mirror>{};
 }
 
-/// Returns S with the eye as its light. It projects points to the plane as the eye sees them, with w > 0 in front of
-/// the eye.
+/// Returns S with the eye as its light. It projects points to the plane as the eye sees them, with w > 0 on the plane's
+/// side of the eye.
 glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
     return shadow_sign(mirror.plane.unit_plane, derived.eye_world) *
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
@@ -111,8 +111,8 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
     }
 }
 
-/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. A
-/// mirror that is drawn after another plane begins with a cleared depth buffer inside its mask.
+/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. If
+/// the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
@@ -217,15 +217,15 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                 "reflection.printed_by_rows");
 }
 
-/// The limit for following view rays: no state requests as many bounces.
+/// The most reflections to follow along a view ray; no state requests that many bounces.
 constexpr int most_followed = 17;
 
 bool are_endless(const Mirror& one, const Mirror& other) {
     return glm::dot(glm::dvec3(one.towards_eye()), glm::dvec3(other.towards_eye())) < -1.0 + 1e-12;
 }
 
-/// Returns how often mirrors reflect a view ray that meets `first` at a point. A mirror reflects only on the eye's
-/// side.
+/// Returns how often mirrors reflect a view ray that meets `first` at the point `at`. A mirror reflects only on the
+/// eye's side.
 int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm::dvec3 at, glm::dvec3 direction) {
     const Mirror* met = &first;
     int count = 0;
@@ -248,7 +248,7 @@ int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm:
     return count;
 }
 
-/// Returns the most reflections of any view ray in a grid of rays through each mirror's patch.
+/// Returns the largest number of reflections among a grid of view rays through each mirror's patch.
 int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_world) {
     constexpr int grid = 24;
     int most = 0;

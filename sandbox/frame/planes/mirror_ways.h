@@ -1,4 +1,4 @@
-// The same mirror image made in several ways, and the differences in pictures and depths: see measure/mirror_measure.h.
+// The same mirror image made in several ways, and how its pictures and depths differ: see measure/mirror_measure.h.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ const char* name_of(MirrorWay way);
 
 /// One way compared with the first.
 struct MirrorWayReport {
-    std::int64_t different = 0;                  ///< pixels unlike the first picture's same pixel and its neighbors
-    int worst = 0;                               ///< largest difference of these pixels, in levels
+    std::int64_t different = 0;                  ///< pixels unlike the first picture's pixel there and its neighbors
+    int worst = 0;                               ///< largest difference of these pixels, in color levels
     double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
     std::int64_t distinct_depths = 0;            ///< number of different codes
     std::int64_t image_pixels = 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_images = 64, most_drawings = 256;
 
-/// Returns the total number of images if each of `mirrors` mirrors shows all the others.
+/// Returns the total number of images if each of `mirrors` mirrors shows all the others, `depth` levels deep.
 int image_count(int mirrors, int depth) {
     int all = 0, at_depth = mirrors;
     for (int level = 0; level < depth && all <= most_images; ++level) {
@@ -96,8 +96,8 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     return inside;
 }
 
-/// Resets color and depth inside the mask to the values at the start of the frame, because something has been drawn
-/// there.
+/// Returns a pass that resets color and depth inside the mask to the values at the start of the frame, because
+/// something has been drawn there.
 Pass fresh_picture(const Level& level, std::size_t plane) {
     Pass pass =
         level.pass(tr("Fresh picture"),

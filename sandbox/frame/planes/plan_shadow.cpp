@@ -1,5 +1,6 @@
-// Planar shadows: S flattens the casters onto a patch. They are painted over it or, as missing light, marked before the
-// patch is drawn. Each light has a stencil bit. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
+// Planar shadows: S flattens the casters onto a patch. A shadow is painted over the patch or, as missing light, marked
+// before the patch is drawn. Each light has a stencil bit. Source: lecture, Planar Shadow and Projection Shadow;
+// Kilgard 1999.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +49,7 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
     }
 }
 
-/// Flattens the casters onto the plane with S, then draws them as the level sees them.
+/// Returns a pass that flattens the casters onto the plane with S and draws them as the level sees them.
 Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::string name, std::string reason) {
     const CastShadow& cast = level.plane(plane).shadows[light];
     Pass pass = level.pass(std::move(name), std::move(reason), Subject::objects);

@@ -102,7 +102,7 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     return true;
 }
 
-/// Reports the offset that keeps a blended shadow from fighting with its plane.
+/// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
     const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;

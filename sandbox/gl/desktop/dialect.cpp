@@ -60,7 +60,7 @@ bool has_debug_output() {
     return (!is_es() && epoxy_gl_version() >= 43) || epoxy_has_gl_extension("GL_KHR_debug");
 }
 
-// Only llvmpipe benefits: hardware drivers optimize whole programs better, because they see both stages.
+// Only llvmpipe benefits: hardware drivers optimize a whole program better, because they then see both stages.
 bool has_shared_stages() {
     return !is_es() && (epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_separate_shader_objects")) &&
            driver_name().find("llvmpipe") != std::string::npos;

@@ -85,7 +85,7 @@ EGLContext core_context(EGLDisplay display) {
     return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
 }
 
-/// Returns the error of the last EGL call: "EGL_BAD_MATCH".
+/// Returns the error of the last EGL call, such as "EGL_BAD_MATCH".
 std::string egl_error() {
     constexpr const char* names[] = {"no error",          "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
                                      "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",

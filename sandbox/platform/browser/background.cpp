@@ -52,7 +52,7 @@ namespace {
 std::deque<std::function<void()>> waiting;
 bool is_running = false;  ///< some work has begun, and may be suspended
 
-/// Runs all waiting work, on the stack for work.
+/// Runs all waiting work; if it can be suspended, on a stack of its own.
 void run_waiting() {
     is_at_work = true;
     slice_began_ms = emscripten_get_now();
@@ -96,7 +96,7 @@ BackgroundCall::BackgroundCall(std::function<void()> work) : state_(std::make_sh
     if (!std::exchange(is_running, true)) page_begin_work(reinterpret_cast<void*>(run_waiting), end_of_stack());
 }
 
-/// Tasks live as long as the page. If a task is destroyed earlier, its work has been waited for or has not begun.
+/// Most tasks live as long as the page. If one is destroyed earlier, its work has already ended or has not begun.
 BackgroundCall::~BackgroundCall() {
     if (!state_->has_begun) state_->is_done = true;
 }
@@ -105,8 +105,8 @@ bool BackgroundCall::is_done() const {
     return state_->is_done;
 }
 
-/// The page cannot wait, so work that has begun continues afterward. Work that has not begun runs here, if the call
-/// waits without a limit.
+/// The page cannot block, so this does not wait for work that has begun. Work that has not begun runs right here if
+/// there is no time limit.
 void BackgroundCall::wait(double seconds) const {
     if (seconds < 0.0 && !state_->has_begun) state_->run();
 }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct LastWords {
     std::string target;  ///< "" for standard output
-    std::string beside;  ///< the name under which a plain file is first written; "" for others
+    std::string beside;  ///< the name under which a plain file is first written; "" for other files
     std::vector<std::pair<int, std::string>> text_by_status;
 };
 

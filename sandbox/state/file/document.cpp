@@ -67,7 +67,7 @@ std::string syntax_complaint(std::string_view text, std::size_t offset, std::str
     return "unexpected " + word;
 }
 
-/// Builds the tree from the parser's events and refuses everything that the contract forbids.
+/// Builds the tree from the parser's events and refuses everything that the format forbids.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     Builder(std::string_view text, const std::string& prefix, std::size_t most_values)

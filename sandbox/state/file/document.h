@@ -1,5 +1,5 @@
-// Parses and prints JSON text as a tree, with the limits and messages of the contract. Include this only where a tree
-// is needed: the JSON library's header compiles slowly. Read reader.h next.
+// Parses JSON text into a tree and prints a tree as text, with the format's limits and with messages for the user.
+// Include this only where a tree is needed, because the JSON library's header compiles slowly. Read reader.h next.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ struct Refusal : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The text is not JSON at all.
+/// Thrown if a text is not JSON at all.
 struct SyntaxRefusal : Refusal {
     using Refusal::Refusal;
 };
@@ -44,7 +44,7 @@ auto guarded(Read read) -> Result<decltype(read())> {
 /// A place in a document: the prefix of every message, and the path so far.
 struct Where {
     std::string prefix;  ///< "state.json: " or "--set "
-    std::string path;    ///< "projection.near", keys cut at 20 characters; empty at the root
+    std::string path;    ///< "projection.near", with each key cut at 20 characters; empty at the root
 
     Where key(std::string_view name) const;
     Where at(std::size_t index) const;
@@ -56,8 +56,9 @@ struct DocumentLimits {
     std::size_t bytes = max_document_bytes, values = max_document_values;
 };
 
-/// Parses a JSON text; `prefix` starts every message. Throws Refusal if the text is not JSON (with line and column), is
-/// not UTF-8, repeats a key in one object, is too long or too deep, or has too many values. Skips a byte order mark.
+/// Parses a JSON text; `prefix` starts every message. Throws a Refusal if the text is not JSON (naming the line and
+/// column), is not UTF-8, repeats a key in one object, is too long or too deep, or has too many values. Skips a byte
+/// order mark.
 Json parse_document(std::string_view text, const std::string& prefix, const DocumentLimits& limits = {});
 
 /// Prints with two spaces of indentation per level, arrays of plain values on one line, doubles in their shortest exact

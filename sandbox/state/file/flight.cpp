@@ -16,7 +16,7 @@ const Json& member(const Json& object, const char* key, const Where& where) {
     return object[key];
 }
 
-/// Applies the frame's settings right away, so that an error names its place in the file.
+/// Reads a frame and applies its settings right away, so that an error can name its place in the file.
 FlightFrame read_frame(const Json& frame, const Where& where, double before_s, Params& params) {
     require_keys(frame, where, {"t", "set"});
     FlightFrame read;

@@ -1,4 +1,4 @@
-// A flight: a recording of the window, as its initial state and the later changes with their times.
+// A flight: a recording of the window, stored as its initial state and the later changes, each with its time.
 // session/flight_recorder.h records it, and session/replay.h plays it.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The public interface of the readers and writers: state files, scene files and the `params` command. reader.cpp reads
-// fields, scene_reader.cpp objects, document.cpp text; settings.cpp handles `--set`.
+// fields, scene_reader.cpp reads objects, document.cpp parses text, and settings.cpp handles `--set`.
 #include "state/file/json.h"
 
 #include <algorithm>

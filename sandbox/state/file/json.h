@@ -28,8 +28,8 @@ struct StateDocument {
 };
 Result<StateDocument> parse_state_document(std::string_view json, std::string_view source);
 
-/// Writes every field in the order of the list, indented by two spaces per level. The text reads back as exactly the
-/// same Params. Titles that are not empty come first.
+/// Writes every field in the order of the list, indented by two spaces per level. Reading the text back gives exactly
+/// the same Params. Titles that are not empty come first.
 std::string write_state(const Params& params, const Titles& titles = {});
 
 /// Applies PATH=VALUE settings in order. PATH is a field (projection.near), a group (camera={"yaw":3} changes only the

@@ -67,7 +67,7 @@ Result<std::string> unpacked(const std::vector<std::uint8_t>& bytes) {
 
 /// The parts of a link after its #.
 struct Parts {
-    std::string_view state;  ///< with its version; empty if there is none
+    std::string_view state;  ///< with its version; empty if the link has no state
     std::map<std::string_view, std::string_view> values;
     bool has(std::string_view key) const { return values.contains(key); }
 };

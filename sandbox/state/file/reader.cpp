@@ -117,7 +117,7 @@ void read_element(std::string_view group, Params& params, std::size_t element, c
     }
 }
 
-/// Reads S or R entered by hand; refuses a matrix that was given before.
+/// Reads an S or R that was entered by hand; refuses it if the same matrix was given before.
 void read_override_matrix(std::optional<glm::dmat4>& matrix, const Json& value, const Field& field,
                           const Where& where) {
     if (value.is_null()) {

@@ -1,5 +1,5 @@
 // Converts between JSON trees and single values, fields, groups and scenes, for this folder, lesson/ and report/. All
-// readers throw Refusal with the whole message. Used by json.cpp and settings.cpp.
+// readers throw a Refusal that contains the whole message.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,7 +18,7 @@ namespace viewing {
 
 // ---- single values (values.cpp) -----------------------------------------------------------------------------------
 
-/// `must_be` completes "must be" in the message.
+/// Refuses a value; `must_be` completes "must be" in the message.
 [[noreturn]] void refuse_value(const Json& value, const Where& where, const std::string& must_be);
 
 double read_number(const Json& value, const Where& where, const Range& range);
@@ -28,7 +28,7 @@ Color read_color(const Json& value, const Where& where);
 int read_choice(const Json& value, const Where& where, std::span<const char* const> names);
 glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range);
 
-/// Reads a name: not empty, at most 1024 bytes, UTF-8, no control characters.
+/// Reads a name, which must not be empty, must be UTF-8 of at most 1024 bytes, and must not contain control characters.
 std::string read_name(const Json& value, const Where& where);
 
 /// Refuses a JSON value that is not an object, or not an array of at most `max_count` elements.
@@ -59,11 +59,11 @@ Json params_as_document(Params params);
 /// Refuses an unknown path or key, and names the nearest known one.
 [[noreturn]] void refuse_unknown(const Where& where);
 
-/// Checks the rules that involve several fields, and those that may be broken between two settings: near < far, a
-/// nonzero normal, a nonzero light, and planes and lights that exist.
+/// Checks the rules that involve several fields, and those that one setting may break and a later one restore: near <
+/// far, a nonzero normal, a nonzero light, and planes and lights that exist.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Checks the titles of a file, which are all optional, and removes them from the tree.
+/// Checks the titles of a file, which are all optional, removes them from the tree, and returns them.
 Titles take_titles(Json& document, const Where& where);
 
 // ---- settings (settings.cpp) -------------------------------------------------------------------------------------

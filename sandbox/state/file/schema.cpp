@@ -167,7 +167,7 @@ Json scene_object() {
     return object;
 }
 
-/// A scene either lists its objects or is made by a formula.
+/// Returns the properties of a scene, which either lists its objects or is made by a formula.
 Json scene_properties() {
     return {{"objects", at_most(max_objects, scene_object())}, {"made_by", one_of(formulas)}};
 }
@@ -178,7 +178,7 @@ Json scene_of(Json properties) {
     return scene;
 }
 
-/// Lists the titles before the other properties.
+/// Returns the properties with the titles in front.
 Json with_titles(const Json& properties) {
     Json all = Json::object();
     for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};

@@ -126,7 +126,7 @@ std::vector<std::string> settings_to(Params before, Params after) {
         const Json value = field_as_json(field, after);
         if (value != field_as_json(field, before))
             settings.push_back(std::string(field.path) + "=" +
-                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names may be any bytes
+                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names may hold any bytes
     }
     return settings;
 }

@@ -5,7 +5,7 @@
 
 namespace viewing {
 
-/// An entry is "" if it is missing.
+/// The titles of a file; a missing one is "".
 struct Titles {
     std::string schema;     ///< "$schema": where editors find the schema
     std::string title;      ///< a few words

@@ -15,7 +15,7 @@ Json json_of(const std::string& text) {
     return Json::parse(text, nullptr, false, false).is_discarded() ? Json() : Json::parse(text);
 }
 
-/// Interpolates between two values of the same kind; null if there is nothing in between.
+/// Interpolates between two numbers or two lists of numbers; returns null for any other values.
 Json between(const Json& from, const Json& to, double share) {
     if (from.is_number() && to.is_number()) {
         const auto a = from.get<double>(), b = to.get<double>();

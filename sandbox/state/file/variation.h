@@ -13,8 +13,8 @@ enum class Ease {
     smooth  ///< starts and ends at rest: 3t² − 2t³ over the whole way
 };
 
-/// "light.position[0]=-3:3:61": a path, two or more values, and the number of pictures. Values are JSON or strings,
-/// spaced evenly. Numbers and lists of numbers are interpolated; all other values stay constant until the next one.
+/// "light.position[0]=-3:3:61": a path, two or more values, and the number of pictures. The values are JSON or strings,
+/// and are spaced evenly. Numbers and lists of numbers are interpolated; any other value stays constant until the next.
 struct Variation {
     std::string path;
     std::vector<std::string> values;  ///< in the form that --set takes

@@ -12,7 +12,7 @@ namespace {
 
 const glm::dvec3 viewpoint{0.0, 1.5, 4.0};
 constexpr double half_side = 0.068;                    // half a quad's side, as a fraction of its eye distance
-const glm::dvec3 front_shift_model{0.45, 0.0, -0.35};  // in half sides, so that the back quad stays visible beside it
+const glm::dvec3 front_shift_model{0.45, 0.0, -0.35};  // in half sides; keeps the back quad visible beside it
 constexpr double turned_deg = 6.0;                     // rotation away from the viewpoint, about the vertical
 constexpr Color back_color{0x5a, 0x9e, 0xf0}, front_color{0xe0, 0x81, 0x2f};
 
@@ -51,7 +51,7 @@ SceneDescription coplanar_scene(const CoplanarParams& params) {
         const std::string at = " at " + format_number(std::round(distance * 1e3) / 1e3);
         scene.objects.push_back(quad("back quad" + at, back_color, back, rotation, scale));
         scene.objects.push_back(quad("front quad" + at, front_color, front, rotation, scale));
-        scene.objects.back().decal = true;  // the decal method keeps the pair from fighting
+        scene.objects.back().decal = true;  // lets the decal method keep the pair from fighting
     }
     return scene;
 }

@@ -1,4 +1,4 @@
-// Internal to state/: a grid for finding those corners of a polygon that may be inside an ear. Read polygon.h first.
+// Internal to state/: a grid for finding the corners of a polygon that may be inside an ear. Read polygon.h first.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// A grid with about as many cells as corners, so that each cell holds few.
+/// A grid with about as many cells as corners, so that each cell contains only a few of them.
 class HollowGrid {
 public:
     using Index = std::uint32_t;
@@ -19,8 +19,9 @@ public:
 
     std::size_t size() const { return corners_.size(); }  ///< number of corners at the last fill()
 
-    /// Whether `is_found` holds for any corner that may be inside a triangle or on its border. Tests all corners in the
-    /// cells that the triangle touches, and permanently drops those that are no longer hollow.
+    /// Returns whether `is_found` holds for any corner that may be inside a triangle or on its border. Tests the
+    /// corners in the cells that the triangle touches until it finds one, and permanently drops those that are no
+    /// longer hollow.
     template <typename IsHollow, typename IsFound>
     bool any_in(const Triangle& triangle, const IsHollow& is_hollow, const IsFound& is_found);
 
@@ -39,7 +40,7 @@ private:
     glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
     static std::uint32_t clamped(double cell, std::uint32_t count);
     std::size_t cell_of(const glm::dvec2& place) const;
-    /// Returns which of the `count` cells along one axis a triangle touches within a slab of the other axis, `across`.
+    /// Returns which of the `count` cells along one axis a triangle touches inside a slab of the other axis (`across`).
     static Cells cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count);
     Cells rows_of(const Triangle& in_cells) const;
     Cells columns_of(const Triangle& in_cells, std::uint32_t row) const;

@@ -11,7 +11,7 @@ namespace viewing {
 
 namespace {
 
-constexpr double rounding_deg = 0.01;  // so that an angle equal to the crease angle counts as smooth
+constexpr double rounding_deg = 0.01;  // makes an angle equal to the crease angle count as smooth
 
 struct Face {
     std::uint32_t begin, end;  ///< the range of its corners
@@ -54,7 +54,7 @@ private:
         return place;
     }
 
-    /// An edge that leaves the position: its far end, and the entry of about_ whose face it belongs to.
+    /// An edge that starts at the position: its other end, and the entry of about_ whose face it belongs to.
     struct Edge {
         int end;
         std::uint32_t place;
@@ -105,7 +105,8 @@ bool NormalMaker::is_smooth(const Face& a, const Face& b) const {
     return lengths > 0.0 && glm::dot(a.area_normal, b.area_normal) >= least_cosine_ * lengths;
 }
 
-/// Sorts the edges so that faces that share one are adjacent, in file order; then compares each face with the next.
+/// Joins the corners of faces that share a smooth edge. Sorts the edges so that the faces at each edge are adjacent, in
+/// file order, and then compares each face with the next.
 void NormalMaker::join_across_edges() {
     edges_.clear();
     for (std::uint32_t place = 0; place < about_.size(); ++place) {
@@ -141,7 +142,8 @@ void NormalMaker::make_about_one() {
     }
 }
 
-/// If the faces cancel out, as on both sides of a sheet, uses the normal of one of them.
+/// Adds the normal of joined corners. If the faces' normals cancel out, as on the two sides of a sheet, uses the normal
+/// of one face.
 void NormalMaker::add_normal(std::size_t root) {
     const glm::dvec3& own = face_at(about_[root]).area_normal;
     const bool cancels_out = glm::length(sums_[root]) < 1e-9 * glm::length(own);

@@ -5,11 +5,11 @@
 
 namespace viewing {
 
-/// Gives each corner without a normal the area-weighted sum of the face normals around its position, over the faces
-/// that smooth edges connect to the corner's own face. An edge is smooth if both faces are in the same smoothing group
-/// ("s 1"); it is sharp after "s off" or between two groups. In a file without any "s" line, an edge is smooth if the
-/// angle between the faces is at most `crease_deg` (0 … 180). Corners that have a normal keep it. A face without area
-/// contributes nothing; if no face has an area, the normal is (0, 1, 0).
+/// Gives each corner without a normal the direction of an area-weighted sum of face normals. The sum includes those
+/// faces around the corner's position that smooth edges connect to the corner's own face. An edge is smooth if both
+/// faces are in the same smoothing group ("s 1"); it is sharp after "s off" or between two groups. In a file without
+/// any "s" line, an edge is smooth if the angle between the faces is at most `crease_deg` (0 … 180). Corners that have
+/// a normal keep it. A face without area contributes nothing; if none of the faces has an area, the normal is +y.
 void make_missing_normals(ObjContent& content, double crease_deg);
 
 }  // namespace viewing

@@ -22,7 +22,7 @@ public:
         return found == meshes_.end() ? nullptr : found->second.lock();
     }
 
-    /// If two threads made the same mesh, both share the first one.
+    /// Adds a mesh and returns it. If two threads made the same mesh, both share the one that was added first.
     SharedMesh add(const std::string& key, ObjMesh mesh, bool keep) {
         const std::scoped_lock lock(mutex_);
         std::erase_if(meshes_, [](const auto& entry) { return entry.second.expired(); });

@@ -92,7 +92,7 @@ Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
     return std::monostate{};
 }
 
-/// Whether any triangle has an area; `unit` is half the mesh's longest side.
+/// Returns whether any triangle has an area; `unit` is half the mesh's longest side.
 bool has_area(const Mesh& mesh, double unit) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
@@ -115,7 +115,7 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     Result<ObjContent> content = read_obj_lines(stream, size_bytes, &of_lines);
     if (!content) return refusal(content.error());
 
-    // Coordinates stay in double precision up to here: they may be far from the origin and close together.
+    // Coordinates stay in double precision up to here, because they may be far from the origin and close together.
     const Bounds bounds = bounds_of_corners(*content);
     const glm::dvec3 center = bounds.center(), size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z});

@@ -19,7 +19,7 @@ constexpr std::size_t longest_line = 1U << 20U;
 constexpr double largest_coordinate = 1e12;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Converts an index of the file to one that counts from 0; −1 if it points before the first element. A positive index
+/// Converts an index in the file to one that counts from 0; −1 if it points before the first element. A positive index
 /// may name an element later in the file.
 int from_zero(int index, std::size_t count) {
     const auto size = static_cast<int>(count);
@@ -32,8 +32,9 @@ public:
         : source_(source), size_bytes_(size_bytes), progress_(progress) {}
 
     Result<ObjContent> read() {
-        // Reserves about as much memory as the lines need: reserved but untouched memory costs nothing, repeated growth
-        // does. Reserves no more than a file of 128 MiB would fill, since the content of a larger file is unknown.
+        // Reserve about as much memory as the lines need: memory that is reserved but untouched costs nothing, whereas
+        // growing repeatedly is expensive. Reserve no more than a file of 128 MiB would fill, since a larger file may
+        // turn out to contain something else.
         const auto likely_bytes = static_cast<std::size_t>(std::min<std::uint64_t>(size_bytes_, 128U << 20U));
         content_.corners.reserve(likely_bytes / 16);
         content_.positions.reserve(likely_bytes / 128);
@@ -86,7 +87,7 @@ private:
     std::string unfinished_;            ///< the beginning of a line that ends in the next block
     std::string statement_;             ///< the beginning of a statement that continues on the next line
     bool is_plain_ = false;             ///< the current block has neither a comment nor a zero byte
-    bool ends_with_cr_ = false;         ///< the last block ended in CR: an LF that begins the next block belongs to it
+    bool ends_with_cr_ = false;         ///< the last block ended with CR; an LF that begins the next one belongs to it
     int smoothing_ = ObjFaces::no_statement;
     ObjContent content_;
     Met strange_, replaced_;  ///< lines not understood, and corners with an unusable normal
@@ -116,7 +117,7 @@ void ObjLines::take_block() {
 }
 
 void ObjLines::take_lines(std::string_view block, bool is_last) {
-    // Most blocks have no CR, comment or zero byte: one search of the whole block is faster than a search of each line.
+    // Most blocks have no CR, comment or zero byte, so one search of the whole block is faster than one per line.
     const bool has_cr = block.find('\r') != std::string_view::npos;
     is_plain_ = block.find('#') == std::string_view::npos && block.find('\0') == std::string_view::npos;
     const auto end_of_line = [has_cr](std::string_view text) {
@@ -158,7 +159,7 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        if (statement_of(next_word(rest)) != Statement::names) {  // a name may contain \#, of which only \ is left
+        if (statement_of(next_word(rest)) != Statement::names) {  // a name may contain \#, of which only the \ is left
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
             return;
@@ -213,7 +214,7 @@ void ObjLines::take_position(std::string_view rest) {
     content_.position_lines.add(statement_line_);
 }
 
-/// A normal that cannot be read becomes one without a direction.
+/// Reads a normal; one that cannot be read becomes 0, which has no direction.
 void ObjLines::take_normal(std::string_view rest) {
     glm::dvec3 normal(0.0);
     for (int axis = 0; axis < 3; ++axis) normal[axis] = number_of(next_word(rest)).value_or(no_number);
@@ -239,7 +240,7 @@ void ObjLines::take_face(std::string_view rest) {
     if (content_.triangle_count > max_obj_triangles) refuse("more than 50 million triangles");
 }
 
-/// Reads "s 3", "s off" and "s 0"; "s on" also starts a group.
+/// Reads "s 3", "s off" and "s 0"; "s on" counts as "s 1".
 void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
     std::string_view word = next_word(rest);
     if (word == "off" || word == "on") {
@@ -257,8 +258,8 @@ std::string face_names(std::uint64_t face, const char* what, int index) {
     return "face " + std::to_string(face + 1) + " refers to " + what + ' ' + std::to_string(index);
 }
 
-/// Refuses a position index that points before the first position, and drops a normal index that points before the
-/// first normal. check_corners() tests all other indices, whose targets may be on later lines.
+/// Adds a corner. Refuses a position index that points before the first position, and drops a normal index that points
+/// before the first normal. check_corners() tests all other indices, whose targets may be on later lines.
 void ObjLines::add_corner(const NamedCorner& named) {
     const std::uint64_t face = content_.face_lines.count() - 1;
     const int position = from_zero(named.position, content_.positions.size());
@@ -270,7 +271,7 @@ void ObjLines::add_corner(const NamedCorner& named) {
     if (trouble_.empty() && position < 0) refuse(face_names(face, "vertex", named.position) + ", which does not exist");
 }
 
-/// Refuses a corner whose position does not exist; drops a normal that cannot be used.
+/// Refuses a corner whose position does not exist or is not usable; drops a normal that cannot be used.
 void ObjLines::check_corners() {
     std::size_t corner = 0;
     std::uint64_t face = 0;
@@ -299,7 +300,7 @@ void ObjLines::check_corners() {
     }
 }
 
-/// Whether a face may use this position; if not, reports why.
+/// Returns whether a face may use this position; if not, stores the reason in trouble_.
 bool ObjLines::is_usable(int position, std::uint64_t face) {
     const auto index = static_cast<std::size_t>(position);
     if (index >= content_.positions.size()) {
@@ -345,7 +346,7 @@ void ObjLines::note_what_is_left_out() {
     if (!left_out.empty()) content_.notes.push_back("only faces are drawn; left out: " + left_out);
 }
 
-/// Overrides an earlier error: a malformed line is reported rather than the indices that it names.
+/// Sets the error, even if there is an earlier one: a malformed line is reported rather than the indices that it names.
 void ObjLines::refuse(const std::string& what, std::string_view token) {
     trouble_ = at_line(statement_line_) + what + (token.empty() ? "" : ": " + excerpt(token));
 }

@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-/// One corner of a face, with indices from 0.
+/// One corner of a face, with indices that count from 0.
 struct ObjCorner {
     static constexpr int no_normal = -1;
     int position;
@@ -29,11 +29,11 @@ struct ObjFaces {
     int smoothing;
 };
 
-/// The parts of a file that can be shaded, and counts of the skipped ones.
+/// The parts of a file that can be shaded, and counts of the parts that are skipped.
 struct ObjContent {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;  ///< of length 1; 0 if the line gives no direction
-    std::vector<ObjCorner> corners;  ///< of all faces, with usable positions and nonzero normals
+    std::vector<ObjCorner> corners;  ///< of all faces; every position is usable, and no normal is 0
     std::vector<ObjFaces> faces;
     StatementLines position_lines, normal_lines, face_lines;
     std::uint64_t triangle_count = 0;
@@ -41,9 +41,9 @@ struct ObjContent {
     std::vector<std::string> notes;  ///< on skipped or replaced parts, one sentence each
 };
 
-/// Reads to the end, to the first invalid line, or until canceled; the time is proportional to the file's length. Lines
-/// end with LF, CR or both; a \ at the end continues the line. Data that no face uses may be invalid. Errors and notes
-/// name the line: "line 3: not a number: 1.2.3". `size_bytes` scales the progress and the reserved memory.
+/// Reads until the end, the first invalid line, or cancellation, in time proportional to the file's length. Lines end
+/// with LF, CR or both; a \ at the end continues the line. Data that no face uses may be invalid. Errors and notes name
+/// the line: "line 3: not a number: 1.2.3". `size_bytes` scales the progress and the reserved memory.
 Result<ObjContent> read_obj_lines(std::istream& stream, std::uint64_t size_bytes, WorkProgress* progress);
 
 }  // namespace viewing

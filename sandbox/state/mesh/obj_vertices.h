@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Gives each pair of position and normal one vertex of the mesh, in constant time. The first few vertices at a
-/// position are chained, which is fastest; a hash map holds all others, since a file may have any number of them.
+/// Finds or makes the one vertex for a pair of a position and a normal, in constant time. The first few vertices at a
+/// position form a linked list, which is fastest; a hash map holds the others, of which a file may have any number.
 class ObjVertices {
 public:
     /// All corners of `content` must have a normal. `content` and `mesh` must outlive this object.

@@ -76,7 +76,7 @@ std::string_view take_digits(std::string_view& word) {
 }
 
 std::optional<double> number_of(std::string_view word) {
-    constexpr double all_digits_held = 1e18;  // more digits change nothing
+    constexpr double all_digits_held = 1e18;  // beyond this, further digits change nothing
     const bool is_negative = take_sign(word);
     double digits_value = 0.0;
     int power_of_ten = 0;

@@ -19,11 +19,11 @@ std::string_view next_word(std::string_view& line);
 /// Removes and returns the digits at the front of a word.
 std::string_view take_digits(std::string_view& word);
 
-/// Parses a decimal number: sign, digits with a point anywhere, exponent. A number beyond a double's range becomes
-/// infinite.
+/// Parses a decimal number: an optional sign, digits with an optional point anywhere, and an optional exponent. A
+/// number beyond a double's range becomes infinite.
 std::optional<double> number_of(std::string_view word);
 
-/// Whether a word is a known spelling of a number that is not finite: nan, -nan(ind), inf, 1.#QNAN.
+/// Returns whether a word is a known spelling of a number that is not finite: nan, -nan(ind), inf, 1.#QNAN.
 bool is_no_finite_number(std::string_view word);
 
 /// The indices of a corner as in the file: counted from 1, or negative if counted from the end; 0 if omitted.
@@ -35,7 +35,8 @@ struct NamedCorner {
 /// vn have at most nine digits; vt is ignored.
 std::optional<NamedCorner> corner_of(std::string_view word);
 
-/// The kind of a line. names: text follows; numbers: numbers follow; both are skipped without a note.
+/// The kind of a line. In `names`, text follows the keyword, and in `numbers`, numbers follow it; both are skipped
+/// without a note.
 enum class Statement { position, face, normal, smoothing, line, point, surface, numbers, names };
 
 /// Classifies a line by its first word; none if the word is not a keyword of Wavefront's format.

@@ -57,8 +57,8 @@ bool PolygonCutter::lies_in_triangle_at(Index corner, Index hollow) {
     return true;
 }
 
-/// Whether the corner can be cut off: it turns left and no other corner is inside its triangle. Testing hollow corners
-/// is enough: if any corner is inside, a hollow one is.
+/// Returns whether the corner can be cut off: whether it turns left and no other corner is inside its triangle. Testing
+/// only hollow corners is enough, because if any corner is inside, a hollow one is too.
 bool PolygonCutter::is_ear(Index corner) {
     if (is_hollow_[corner] || turn_at(corner) <= 0.0) return false;
     if (blocker_[corner] != no_corner && lies_in_triangle_at(corner, blocker_[corner])) return false;
@@ -70,7 +70,7 @@ bool PolygonCutter::is_ear(Index corner) {
     return !is_blocked;
 }
 
-/// Called again once most cells are empty because few hollow corners are left.
+/// Fills the grid with the hollow corners; does so again once so few of them are left that most cells are empty.
 void PolygonCutter::fill_grid() {
     std::erase_if(hollows_, [this](Index corner) { return !is_hollow_[corner]; });
     if (!hollows_.empty()) grid_.fill(flat_, hollows_);
@@ -89,7 +89,7 @@ void PolygonCutter::look_again(Index corner) {
     is_queued_[corner] = 1;
 }
 
-/// Cuts off ears until there are no more or three corners are left; returns false if that takes too long.
+/// Cuts off ears until there are no more or only three corners are left; returns false if that takes too long.
 bool PolygonCutter::clip_ears(std::vector<Index>& triangles) {
     const auto count = static_cast<Index>(flat_.size());
     is_ear_.assign(count, 0);

@@ -15,7 +15,7 @@ glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
 
 class PolygonCutter {
 public:
-    /// Limit on tests of corners and cells, for all polygons together; 100 more are allowed per corner.
+    /// The limit on tests of corners and cells, for all polygons together; each corner adds 100 to it.
     static constexpr std::uint64_t most_tests = 100'000'000;
 
     enum class Outcome {
@@ -26,10 +26,10 @@ public:
 
     /// Appends count − 2 triangles as indices into `corners`, with the polygon's winding. A polygon that always turns
     /// the same way becomes a fan around its first corner, so a quad is cut from the first to the third corner. A
-    /// polygon that is not flat is treated as its projection along the mean normal. Ears are clipped from a concave
-    /// polygon: a grid finds the inward-turning corners to test each ear against, so that the time is usually
-    /// proportional to the number of corners, and at worst to its square. Source: Meisters 1975, ear clipping; Eberly
-    /// 2002, its lists.
+    /// polygon that is not flat is treated as its projection along the mean normal. A concave polygon is cut by
+    /// clipping ears. A grid finds the inward-turning corners that each ear must be tested against, so that the time is
+    /// usually proportional to the number of corners, and at worst to its square. Source: Meisters 1975 for ear
+    /// clipping; Eberly 2002 for the lists that it uses.
     [[nodiscard]] Outcome cut(std::span<const glm::dvec3> corners, std::vector<std::uint32_t>& triangles);
 
     std::uint64_t tests() const { return tests_; }  ///< the number of tests so far
@@ -55,7 +55,7 @@ private:
     std::vector<Index> blocker_;  ///< the hollow corner last found in each corner's triangle
     std::vector<Index> ears_;     ///< ears found so far, in order
     HollowGrid grid_;
-    std::size_t hollow_count_ = 0;  ///< entries of hollows_ that are still hollow
+    std::size_t hollow_count_ = 0;  ///< how many entries of hollows_ are still hollow
     std::uint64_t tests_ = 0, allowed_tests_ = most_tests;
 };
 

@@ -1,5 +1,5 @@
-// Internal to state/: the lines at which all statements of one kind begin. Most statements follow each other line by
-// line; such a run is stored once.
+// Internal to state/: the lines at which all statements of one kind begin. Most statements of a kind are on consecutive
+// lines, so each run of such lines is stored as a single entry.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ public:
         ++count_;
     }
 
-    /// Returns the line of a statement, counted from 0.
+    /// Returns the line of a statement; `statement` counts from 0.
     std::uint64_t line_of(std::uint64_t statement) const {
         const auto after = std::upper_bound(runs_.begin(), runs_.end(), statement,
                                             [](std::uint64_t number, const Run& run) { return number < run.first; });

@@ -1,6 +1,6 @@
-// The language of the window: its own texts come from assets/text/CODE.po, those of lessons from their files. A new
-// language needs an enumerator of Language, its name in fields.cpp, its own name below and a .po file; if its script is
-// not Latin, also a font in ui/window/fonts.cpp.
+// The language of the window. The window's own texts come from assets/text/CODE.po, and those of lessons from the
+// lesson files. A new language needs an enumerator of Language, its code in fields.cpp, its own name and a higher
+// language_count below, and a .po file; if its script is not Latin, it also needs a font in ui/window/fonts.cpp.
 #pragma once
 
 #include <string_view>
@@ -25,7 +25,7 @@ Status speak(Language language);
 Language spoken_language();
 
 /// Returns the environment's language for messages, from the first of LC_ALL, LC_MESSAGES and LANG that is set; English
-/// if the program does not have it.
+/// if the program does not have that language.
 Language system_language();
 
 }  // namespace viewing

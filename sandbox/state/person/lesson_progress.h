@@ -13,7 +13,7 @@ struct LessonProgress {
     bool operator==(const LessonProgress&) const = default;
 };
 
-/// A student who does exercises; the course and the student number determine the numbers in them.
+/// A student who does exercises; the course and the student number determine the numbers in the exercises.
 struct Student {
     std::string course, number, name;
     bool operator==(const Student&) const = default;

@@ -1,6 +1,6 @@
-// Settings that the window remembers for a user between runs: theme, scale, language, size and place, progress in
-// lessons and recent files; never the state. Only the window reads and writes them: a headless command uses only the
-// files that it is given.
+// Settings that the window remembers for a user between runs: the theme, the scale, the language, the window's size and
+// place, the progress in lessons, the recent files and the student, but never the state. Only the window reads and
+// writes them; a headless command uses only the files that it is given.
 #pragma once
 
 #include <filesystem>
@@ -32,27 +32,28 @@ struct Remembered {
     bool operator==(const Remembered&) const = default;
 };
 
-/// Returns $XDG_CONFIG_HOME/viewing-sandbox/window.json, or the same file below ~/.config; empty if neither variable
-/// names a folder.
+/// Returns $XDG_CONFIG_HOME/viewing-sandbox/window.json, or the same file below $HOME/.config; empty if neither
+/// variable contains an absolute path.
 std::filesystem::path remembered_file();
 
-/// Returns an empty value if the file does not exist. The error is one sentence that names the file.
+/// Reads the settings; returns an empty value if there is no file. The error is one sentence that names the file.
 Result<Remembered> read_remembered(const std::filesystem::path& file);
 
-/// Creates the folder if it is missing. Use merge_remembered() for a file that other windows write too.
+/// Writes the settings, and creates the folder if it is missing. Use merge_remembered() for a file that other windows
+/// write too.
 Status write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 
-/// Merges the content of a file that other windows write too. `kept` is the file's content, `known` what this window
-/// last read or wrote, `now` its current values. Theme, scale, language, place, student and a lesson's step come from
-/// this window if it changed them since then, otherwise from the file. The completed steps are the union of both lists;
-/// files that this window has opened since then come first. Merging again changes nothing.
+/// Merges the content of a file that other windows write too. `kept` is the file's content, `known` is what this window
+/// last read or wrote, and `now` is what it has now. Theme, scale, language, place, student and a lesson's step come
+/// from this window if it changed them since then, otherwise from the file. The completed steps are the union of both
+/// lists; files that this window has opened since then come first. Merging again changes nothing.
 Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
 
 /// Merges into the file under a lock, and returns its new content. Renames a file that cannot be read (set_aside);
 /// writes nothing if `file` is empty. The error is one sentence.
 Result<Remembered> merge_remembered(const std::filesystem::path& file, const Remembered& known, const Remembered& now);
 
-/// Whether one of the screens shows enough of a window's upper edge to grab it.
+/// Returns whether one of the screens shows enough of a window's upper edge to grab it.
 bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens);
 
 }  // namespace viewing

@@ -14,12 +14,12 @@ namespace {
 
 constexpr float cell_gap = 2.0F;
 
-/// Width in pixels of a button with one symbol, the same for all symbols.
+/// The width in pixels of a button with one symbol, which is the same for all symbols.
 float button_width() {
     return std::round(1.15F * ImGui::GetFrameHeight());
 }
 
-/// Width in pixels of a button with two symbols.
+/// The width in pixels of a button with two symbols.
 float touch_width() {
     return std::round(1.6F * ImGui::GetFrameHeight());
 }
@@ -35,7 +35,8 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
     return clicked;
 }
 
-/// Returns "…" for an unknown call: for one frame after a scene change, the calls still belong to the old scene.
+/// Returns the call's title, or "…" if the call is unknown, since the calls still belong to the old scene for one frame
+/// after a scene change.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
     return is_known ? name_of(call, plan, scene) : "…";

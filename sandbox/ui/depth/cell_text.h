@@ -16,8 +16,8 @@ struct CellTexts {
 
 /// Returns the numbers in the first form that fits: the codes themselves, if they are integers of at most 16 bits; the
 /// window depth, with enough decimals to distinguish the codes; or the difference between each code and the smallest
-/// written one. If the block's range is too wide for all of these, rounds the window depth to fit. Different codes may
-/// then look the same, and the note says "rounded". `room`: the number of characters that fit in a cell, at least 4.
+/// written one. If none of these fits, rounds the window depth. Different codes may then look the same, and the note
+/// says "rounded". `room`: the number of characters that fit in a cell, at least 4.
 /// `cleared`: the window depth of unwritten cells.
 CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room);
 

@@ -25,8 +25,8 @@ void mapping_switches(Params& params) {
     control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
 }
 
-/// Shows the offset units as a number of depth codes on this driver, since GL does not define the size of a unit. Draws
-/// nothing if the units have no effect or have not been measured.
+/// Shows how many depth codes the offset units amount to on this driver, since GL does not define the size of a unit.
+/// Draws nothing if the units have no effect or have not been measured.
 void offset_note(const Params& params, const Scene& scene, const StoredDepth& stored) {
     if (widgets::IsListing() && !widgets::IsHighlighted("note:offset_unit")) return;
     const DepthParams& depth = params.depth;

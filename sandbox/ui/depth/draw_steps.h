@@ -1,4 +1,4 @@
-// The steps of one bar that goes through a frame's draw calls triangle by triangle: at step n, the frame's first n
+// The steps of a single bar that goes through a frame's draw calls triangle by triangle. At step n, the frame's first n
 // triangles are drawn. Pure functions. See cell_view.cpp for usage.
 #pragma once
 

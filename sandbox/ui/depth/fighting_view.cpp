@@ -100,7 +100,7 @@ bool is_covered(FightingColumn column) {
     return widgets::IsCovered(columns[column].target);
 }
 
-/// Whether any count is covered. Each of the other counts would give it away.
+/// Whether any count is covered. If one is, the others must be covered too, since each of them would give it away.
 bool is_count_covered() {
     return is_covered(counted) || is_covered(pixels) || is_covered(trembling_mean);
 }

@@ -89,8 +89,8 @@ std::string compare_decision(const Fragment& fragment, const std::string& name, 
                                 "fragment"_a = name, "compare"_a = asked);
 }
 
-/// Corrects the fragment to match its cell, which was read back before and after the fragment was drawn; nullopt if the
-/// fragment cannot have caused the change.
+/// Returns the fragment, corrected to match its cell, which was read back before and after the fragment was drawn.
+/// Returns nullopt if the fragment cannot have caused the change.
 std::optional<Fragment> as_read_back(Fragment sent, const BufferCell& before, const BufferCell& after) {
     const bool changes = before != after, changes_depth = before.stored != after.stored;
     if (changes_depth && !(sent.depth.test && sent.depth.write)) return std::nullopt;

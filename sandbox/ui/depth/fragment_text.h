@@ -1,4 +1,4 @@
-// GL's tests of a fragment, in words and with the compared numbers. Pure functions. See pixel_view.cpp and
+// GL's tests of a fragment, in words and with the numbers being compared. Pure functions. See pixel_view.cpp and
 // cell_view.cpp for usage.
 #pragma once
 
@@ -16,9 +16,9 @@ std::string code_text(std::uint32_t stored, const DepthPrecision& precision);
 /// The bits of a float: "0x3f737602".
 std::string bits_text(std::uint32_t stored);
 
-/// Returns the depth function's comparison, whether true or false: "12 < 15". Floats get enough decimals to differ, at
-/// least 3; if 12 do not suffice, returns their bits. For GL_NEVER and GL_ALWAYS, which compare nothing, returns their
-/// names.
+/// Returns the depth function's comparison, whether it is true or false: "12 < 15". Floats get enough decimals to
+/// differ, at least 3; if 12 do not suffice, returns their bits. For GL_NEVER and GL_ALWAYS, which compare nothing,
+/// returns the function's name.
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision);
 
@@ -28,7 +28,7 @@ struct TestText {
     std::string result;     ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
     bool is_close = false;  ///< a tie, or decided by rounding
 
-    /// "812 < 812  tie: fails".
+    /// Returns both columns as one text: "812 < 812  tie: fails".
     std::string whole() const { return compare.empty() ? result : compare + "  " + result; }
 };
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision);
@@ -39,8 +39,8 @@ std::string fragment_name(const Fragment& fragment);
 /// Says what a fragment does to its pixel: "box, triangle 3: 9 < 15, so color and depth are replaced."
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
 
-/// Does the same for a cell that was read back before and after a step. If the readback contradicts the fragment, the
-/// readback counts. If the fragment cannot have caused the change, describes only the change.
+/// Says what a step does to a cell, which was read back before and after the step. If the readback contradicts the
+/// fragment, the readback takes precedence. If the fragment cannot have caused the change, describes only the change.
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision);
 

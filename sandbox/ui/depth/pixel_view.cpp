@@ -153,8 +153,8 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
-/// Draws the surfaces along the pixel's ray. The draw calls are known only while the cell view is visible; a click on a
-/// fragment then goes to the step that draws it.
+/// Draws the surfaces along the pixel's ray. While the cell view is visible, the draw calls are known, and a click on a
+/// fragment goes to the step that draws it.
 void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     if (data.fragments.empty()) return widgets::Note("This pixel's ray hits no surface.");
     const std::string on_click = data.calls.empty()
@@ -169,7 +169,7 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
-/// Hides the code width if a lesson covers it. The panel also shows the code width, and lessons use one name for both.
+/// Hides the code width if a lesson covers it. The panel shows the code width too, and lessons use one name for both.
 void cover(PixelNumber& number) {
     const bool is_step = number.name == "width Δz" || number.name == "eye Δz";
     if (!is_step || !widgets::IsCovered("note:depth_step")) return;

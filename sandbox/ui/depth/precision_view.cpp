@@ -89,7 +89,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     const bool is_small = height < px(240.0F);
     const ChartCurves curves(precision_curves(params, derived), is_small);
     const std::vector<widgets::ChartCurve> terms = curves.terms();
-    // The names of the marks are in the upper half of the plot, side by side or stacked.
+    // The names of the marks must fit into the upper half of the plot, side by side or stacked.
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
@@ -110,7 +110,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
         clamp_to_ranges(params);
 }
 
-/// A sentence of advice and its button, which is on the same line if both fit, otherwise below.
+/// A sentence of advice and its button, which is on the same line if both fit and below the sentence otherwise.
 class AdviceLine {
 public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
@@ -148,7 +148,7 @@ private:
     }
 
     const NearAdvice& advice_;
-    float room_;                                        ///< for the sentence and the button
+    float room_;                                        ///< width available to the sentence and the button
     float button_width_ = 0.0F, button_height_ = 0.0F;  ///< width taken from the sentence, or height added below
 };
 

@@ -172,7 +172,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     return {from, {from.x + width, std::min(from.y + height, bottom)}};
 }
 
-/// Sentences that say which method is fastest for which scenes, and why curves ended early.
+/// Returns sentences that say which method is fastest for which scenes, and why some curves end early.
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));

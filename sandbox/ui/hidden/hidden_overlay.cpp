@@ -79,7 +79,7 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     return fits ? std::optional(box) : std::nullopt;
 }
 
-/// Draws on each polygon its number in the drawing order. If numbers overlap, only that of the polygon drawn last
+/// Labels each polygon with its number in the drawing order. If numbers overlap, only that of the polygon drawn last
 /// remains.
 void numbers(Overlay& overlay, const HiddenResult& result) {
     constexpr int most = 3000;

@@ -1,4 +1,4 @@
-// The overlays of the hidden-surface methods over the camera's and the observer's picture.
+// The overlays that the hidden-surface methods draw over the camera's and the observer's pictures.
 #pragma once
 
 #include "session/session.h"
@@ -10,12 +10,12 @@ namespace viewing {
 /// Draws over the camera's picture: polygon numbers, the linked polygon, and the pair, pixel, or ray of the step.
 void draw_hidden_overlay(const PolygonLink& link, const Session& session, const HiddenStatus& hidden, Overlay& overlay);
 
-/// Converts a screen position in the camera's picture to a pixel of the method's picture; nullopt outside that picture,
-/// or if there is none.
+/// Converts a screen position in the camera's picture to a pixel of the method's picture. Returns nullopt if the
+/// position is outside that picture or if there is no such picture.
 std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 place);
 
 /// Follows this pixel from now on, or stops following it if it is followed already. If each step traces a single ray,
-/// goes to the step of this pixel's ray instead.
+/// goes instead to the step that traces this pixel's ray.
 void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel);
 
 /// Returns the index in `fragments` of the polygon visible at a screen position in the camera's picture; −1 if there is

@@ -19,7 +19,7 @@ struct HiddenPanelState {
 /// Draws the method's options, steps, and counters. They are the last part of the panel's section on hidden surfaces.
 void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenStatus& hidden);
 
-/// Call once a frame before drawing. Stops playback if anything else has changed the step.
+/// Call once a frame before drawing. Stops playback if anything other than the panel has changed the step.
 void stop_at_other_step(HiddenPanelState& state, const Session& session);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ struct HiddenState {
     OrderViewState order;
     GrowthViewState growth;
 
-    /// Whether anything here needs frames without input.
+    /// Whether anything here needs new frames even without user input.
     bool is_busy() const {
         return panel.player.playing || panel.failure.search.is_running() || growth.measuring.is_running();
     }
@@ -31,7 +31,7 @@ inline void begin_hidden_frame(HiddenState& state, Session& session, const Hidde
     keep_selection(state.links, hidden);
 }
 
-/// Call once a frame at its end. Applies the selection and hovering.
+/// Call at the end of each frame. Applies the selection and hovering. Stops playback if no step bar was drawn.
 inline void end_hidden_frame(HiddenState& state) {
     widgets::StopUnlessShown(state.panel.player);
     take_links(state.links);

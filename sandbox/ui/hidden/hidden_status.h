@@ -12,8 +12,8 @@ namespace viewing {
 
 /// The results of the hidden-surface methods for the camera view, and the progress of newer ones.
 struct HiddenStatus {
-    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest one, perhaps for an earlier camera; null: none
-    std::optional<float> fraction;               ///< 0 … 1 while a method computes a newer one
+    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest one, perhaps for an earlier camera; null if none
+    std::optional<float> fraction;               ///< 0 … 1 while a method computes a newer answer
     bool shows_time = false;                     ///< false in pictures that must be reproducible
 };
 
@@ -23,10 +23,10 @@ const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidd
 /// Reports a polygon that the painter's algorithm drew over a nearer one; nullopt if the picture is correct.
 std::optional<Problem> painter_problem(const HiddenAnswer& answer);
 
-/// The progress of running work: "40%"; "100%" only if it is done.
+/// Returns the progress of running work, such as "40%"; returns "100%" only once the work is done.
 std::string progress_text(float fraction);
 
-/// Shows "Running the method: 40%." instead of a view whose method has not finished.
+/// Shows "Running the method: 40%." in a view that has nothing else to show until its method has finished.
 void tell_waiting(const HiddenStatus& hidden);
 
 }  // namespace viewing

@@ -14,7 +14,7 @@ struct OrderRow {
     int fragment = -1;       ///< index into the result's fragments; −1 if the place is not in the order
     std::string name;        ///< "box, polygon 12"
     std::string brief_name;  ///< "box 12"
-    std::string detail;      ///< the method's criterion: a distance, a node and its side, A or B
+    std::string detail;      ///< the method's criterion: a distance, a node and the eye's side, or A or B
     ImU32 color = 0;         ///< the object's color
     bool is_reached = true;  ///< whether the step has reached this place
     bool is_current = false;
@@ -31,7 +31,7 @@ public:
 
     int count() const { return static_cast<int>(result_.order.size()); }
     OrderRow row(int place) const;            ///< `place` is counted from 0
-    int current() const { return current_; }  ///< the step's place; −1: none
+    int current() const { return current_; }  ///< the step's place; −1 if it has none
     /// The column title of `detail`, untranslated; empty if the method has none.
     const char* detail_title() const;
 

@@ -60,7 +60,8 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
         }
 }
 
-/// The outcome of the depth test at the followed pixel.
+/// Returns the fragment's depth at the followed pixel and whether it was written or hidden; says "written" only for the
+/// software depth buffer.
 std::string detail_of(const HiddenResult& result, const RasterStep& fragment) {
     const std::string depth = number_text(fragment.depth, 4);
     if (result.request.visibility.method != VisibilityMethod::software_depth_buffer && fragment.written) return depth;
@@ -144,7 +145,7 @@ void draw_ladder(const Ladder& ladder) {
     ImGui::PopFont();
 }
 
-/// Draws the number of pairs that each test decided, over all steps.
+/// Draws the number of pairs that each test decided, summed over all steps.
 void draw_decided(const NewellCounters& counters) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Indices of a polygon in the result's `fragments` and of a node in its tree; −1: none. The view under the pointer
-/// sets the hovered ones, for one frame.
+/// Indices of a polygon in the result's `fragments` and of a node in its tree; −1 means none. The view under the
+/// pointer sets the hovered ones, which last for one frame.
 struct PolygonLink {
     int hovered_fragment = -1, selected_fragment = -1;
     int hovered_node = -1, selected_node = -1;

@@ -10,12 +10,12 @@
 namespace viewing {
 
 /// Returns "polygon 12 of box", counted from 1 within the object. For an exact curved shape, returns only the object's
-/// name. Empty if the surface has no such source; `surface` may be null.
+/// name. Returns "" if the surface has no such source; `surface` may be null.
 std::string polygon_name(const SceneSurface* surface, int source);
 
-/// The same with the object first, for columns: "box, polygon 12".
+/// Returns the same name with the object first, for columns: "box, polygon 12".
 std::string listed_name(const SceneSurface* surface, int source);
-/// The same for narrow columns: "box 12".
+/// Returns the same name for narrow columns: "box 12".
 std::string brief_name(const SceneSurface* surface, int source);
 
 /// The object's color, opaque; 0 if there is none.

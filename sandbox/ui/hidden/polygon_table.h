@@ -1,4 +1,5 @@
-// A table of polygons: number, name, and the method's criterion. Rows and pictures are linked in both directions.
+// A table of polygons: number, name, and the method's criterion. A row and its polygon in the pictures highlight each
+// other.
 #pragma once
 
 #include "ui/hidden/order_rows.h"

@@ -16,13 +16,13 @@ ImFont* digits_font() {
     return font ? font : ImGui::GetFont();
 }
 
-/// ".532", without the leading 0: window depths are between 0 and 1.
+/// Returns ".532", without the leading 0, since window depths are between 0 and 1.
 std::string depth_digits(double depth, int decimals) {
     const std::string text = number_text(depth, decimals);
     return text.starts_with("0.") ? text.substr(1) : text;
 }
 
-/// Returns how many decimals of a depth fit in a square with this side; 0 if too few fit to be useful.
+/// Returns how many decimals of a depth fit in a square of this side length; 0 if too few fit to be useful.
 int decimals_in(float side) {
     for (int decimals = 4; decimals >= 2; --decimals) {
         const ImVec2 size =

@@ -1,5 +1,5 @@
-// The pixels of a method's picture over the camera view: their positions on screen, and the depth in each pixel if the
-// pixels are large. See hidden_overlay.cpp for usage.
+// The pixels of a method's picture, drawn over the camera view: their positions on screen, and the depth in each pixel
+// if the pixels are large. See hidden_overlay.cpp for usage.
 #pragma once
 
 #include <optional>
@@ -28,13 +28,13 @@ private:
     const HiddenResult& result_;
 };
 
-/// Draws the lines between pixels; nothing if the raster has the view's own resolution.
+/// Draws the lines between pixels; draws nothing if the raster has the view's own resolution.
 void draw_raster_lines(const Overlay& overlay, const HiddenResult& result);
 
 /// Draws the depth in each pixel of a raster, with as many digits as fit. Skips areas that labels must avoid.
 void draw_raster_depths(const Overlay& overlay, const HiddenResult& result);
 
-/// Outlines the step's pixel and draws a sentence beside it; labels avoid the sentence.
+/// Outlines the step's pixel and draws a sentence beside it, which labels then avoid.
 void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
 
 /// Outlines the followed pixel.

@@ -108,7 +108,7 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     if (level_slider(words.within, within, 0, place.size)) step = place.first + within;
 }
 
-/// Draws buttons that go to the steps that touch the followed pixel, and says how many of these steps are reached.
+/// Draws buttons that go to the steps that touch the followed pixel, and says how many of these have been reached.
 void touch_row(int& step, const HiddenResult& result, const std::optional<glm::ivec2>& pixel) {
     touch_buttons(step, result, "←", "→");
     const int reached = step < 0 ? result.step_count : step;

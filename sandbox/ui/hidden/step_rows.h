@@ -11,12 +11,12 @@ namespace viewing {
 void draw_raster_row(Params& params);
 
 /// Draws one row for the steps that touch the followed pixel, one for the step's group, and one for the step within its
-/// group. The first two have buttons to the previous and next one. Omits the last two if the method's steps have only
-/// one level.
+/// group. The first two rows have buttons that go to the previous and the next one. Omits the last two rows if the
+/// method's steps have only one level.
 void draw_step_rows(Params& params, const HiddenResult& result);
 
-/// Draws the same buttons, those for single steps, and the step's progress in one line. This line is for a view beside
-/// the picture, where it stays visible however far the panel is scrolled.
+/// Draws, in one line, the same buttons, the buttons for single steps, and the step's progress. This line is for a view
+/// beside the picture, where it stays visible however far the panel is scrolled.
 void draw_step_line(Params& params, const HiddenResult& result);
 
 }  // namespace viewing

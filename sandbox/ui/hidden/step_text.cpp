@@ -25,7 +25,7 @@ std::string pixel_text(glm::ivec2 pixel) {
     return say("pixel ({x}, {y})", "x"_a = pixel.x, "y"_a = pixel.y);
 }
 
-/// Whether a cut was made along the plane of this fragment, in either orientation.
+/// Whether a cut's plane is the plane of this fragment, in either orientation.
 bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& plane) {
     if (source_of(result, fragment) < 0) return false;
     const glm::dvec4& own = (*result.fragments)[static_cast<std::size_t>(fragment)].plane;
@@ -57,7 +57,7 @@ std::string action_sentence(const HiddenResult& result, const NewellStep& step) 
     return "";
 }
 
-/// Returns how many decimals are enough to distinguish two depths: 4 to 9.
+/// Returns how many decimals, from 4 to 9, are enough to distinguish two depths.
 int decimals_for(double a, double b) {
     const double apart = std::abs(a - b);
     if (!std::isfinite(apart) || apart <= 0.0) return 4;

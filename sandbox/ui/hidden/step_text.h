@@ -26,12 +26,13 @@ const char* newell_test_text(NewellTest test);
 /// Returns nullopt if the step is not one of Newell's: at step 0, and when the view summarizes all steps.
 std::optional<Ladder> newell_ladder(const HiddenResult& result);
 
-/// "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written". Empty if the step compares no pixel.
+/// Describes the step's depth comparison: "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written".
+/// Empty if the step compares no pixel.
 std::string compare_sentence(const HiddenResult& result);
 
-/// The progress of a step, in two levels: "triangle 3 of 9, fragment 12 of 40". A negative step means the last one.
+/// The progress of a step, on two levels: "triangle 3 of 9, fragment 12 of 40". A negative step means the last one.
 std::string progress_sentence(const HiddenResult& result, int step);
-/// The same in numbers, for narrow views: "3/9 · 12/40".
+/// The same progress as numbers only, for narrow views: "3/9 · 12/40".
 std::string progress_numbers(const HiddenResult& result, int step);
 
 /// A hit of the traced ray.
@@ -41,7 +42,7 @@ struct RayHitRow {
     double distance = 0.0;  ///< world units from the near plane
 };
 std::vector<RayHitRow> ray_rows(const HiddenResult& result);
-/// "The ray through pixel (3, 4) hits 3 surfaces: the first one is visible." Never empty.
+/// Says what the ray hits: "The ray through pixel (3, 4) hits 3 surfaces: the first one is visible." Never empty.
 std::string ray_sentence(const HiddenResult& result);
 
 }  // namespace viewing

@@ -44,7 +44,8 @@ private:
     std::vector<signed char> eye_sides_;
 };
 
-/// "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits", followed by the step's progress.
+/// Describes the tree: "30 nodes, depth 7, 34 fragments, 4 splits; splitter: fewest splits". If a step is shown, adds
+/// its progress.
 std::string tree_sentence(const HiddenResult& result);
 
 /// Describes a node's plane and, once the traversal has reached it, how the eye's side of the plane decides the order.

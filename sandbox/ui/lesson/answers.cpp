@@ -31,7 +31,7 @@ Paragraph choice_text(const LessonText& say, float width, const widgets::Context
                      choices_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
 }
 
-/// Height of each row of choices: that of its tallest choice.
+/// Returns the height of each row of choices, which is the height of its tallest choice.
 std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context, bool presents) {
     const auto columns = static_cast<std::size_t>(columns_of_choices(width, context.scale));
     std::vector<float> rows((ask.choices.size() + columns - 1) / columns, 0.0F);

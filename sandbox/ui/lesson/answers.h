@@ -1,4 +1,4 @@
-// Input of the answers to a lesson's questions: choices, numbers, vectors, matrices, tiles.
+// The inputs for the answers to a lesson's questions: choices, numbers, vectors, matrices, tiles.
 #pragma once
 
 #include "lesson/run.h"
@@ -6,14 +6,14 @@
 
 namespace viewing {
 
-/// Returns the height in pixels that draw_answers() takes up; also works outside a frame. `presents`: for an audience,
-/// with larger choices.
+/// Returns the height in pixels that draw_answers() takes up; also works outside a frame. `presents`: whether the
+/// answers are for an audience, with larger choices.
 float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents);
 
 struct AnswerStyle {
     bool is_open = true;       ///< still accepts an answer
     bool shows_right = false;  ///< marks the right answer
-    bool presents = false;     ///< for an audience: larger, with bars of raised hands instead of clicks
+    bool presents = false;     ///< for an audience: larger, with bars that count raised hands instead of clicks
 };
 
 /// Draws the input and edits the run's answer. Returns true when a click on a choice has given the answer. Typed or

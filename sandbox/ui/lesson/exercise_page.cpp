@@ -54,7 +54,7 @@ std::string what_practice_is(const ExerciseDesk& desk) {
     return std::string(tr(why)) + " " + tr("Answers are kept on this computer and are not handed in.");
 }
 
-/// Says how many exercises were practiced, and how many of them can be imported.
+/// Says how many exercises the student has practiced, and how many of these can be imported.
 std::string told_of_practice(const ExerciseDesk::Practiced& practiced) {
     const std::string all = say_count(practiced.all, "You practiced one exercise.", "You practiced {count} exercises.");
     if (practiced.with_own_numbers == 0) return all + " " + tr("The answers are kept under Practice.");

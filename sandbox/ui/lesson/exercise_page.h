@@ -32,8 +32,7 @@ public:
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;
     static void draw_student(ExerciseDesk& desk, Guide& guide);
-    /// Says whether this is practice and what that means; lets the student switch between practice and the student's
-    /// own sheet.
+    /// Says whether this is practice and what that means; lets the student switch between practice and their own sheet.
     static void draw_whose(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;

@@ -29,7 +29,7 @@ public:
 
     /// Whether the audience's picture is frozen.
     bool is_frozen() const { return is_on_ && is_frozen_; }
-    /// Whether the overview is open, which shows the steps as pictures and lets the user jump to one.
+    /// Whether the overview is open. It shows the steps as pictures and lets the user jump to one.
     bool shows_overview() const { return shows_overview_; }
     void show_overview(const Guide& guide);
     void close_overview() { shows_overview_ = false; }
@@ -38,7 +38,7 @@ public:
     /// Returns "3:20" while there is a timer, otherwise "".
     std::string clock() const;
     bool has_running_clock() const { return is_on_ && clock_runs_; }
-    double presented_s() const { return presented_s_; }  ///< since presenting began
+    double presented_s() const { return presented_s_; }  ///< seconds since presenting began
     /// Whether ink or a blank screen keeps the mouse from reaching the views.
     bool takes_mouse() const { return is_on_ && (inks_ || blank_ != Blank::none); }
 
@@ -59,7 +59,7 @@ private:
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
     int choice_ = 0;     ///< the step chosen in the overview
-    std::string typed_;  ///< digits of a step number
+    std::string typed_;  ///< the digits typed so far of a step number
     double clock_s_ = 0.0, presented_s_ = 0.0;
     std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step
     std::optional<bool> wants_full_screen_;

@@ -15,8 +15,8 @@
 
 namespace viewing {
 
-/// A picture to render in addition to the window: its key, and a function that loads its state. The state of a lesson
-/// step is the one before the answer.
+/// A picture to render in addition to the window: its key, and a function that loads its state. For a lesson step, this
+/// is the state before the answer.
 struct CardPicture {
     std::string key;
     std::function<Result<LoadedState>()> load;

@@ -68,7 +68,7 @@ float button_width(const char* label, const widgets::Context& context) {
     return text_width(context.fonts.text, std::string(tr_part(shown))) + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Whether each button starts a new line because it does not fit on the current one.
+/// Returns, for each button, whether it starts a new line because it does not fit on the current one.
 std::vector<bool> line_breaks(const std::vector<const char*>& labels, float width, const widgets::Context& context) {
     std::vector<bool> breaks;
     const float space = button_gap * context.scale;
@@ -104,7 +104,7 @@ std::string place_of(const LessonRun& run) {
 
 constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 
-/// The title, wrapped to leave space for the progress, dot, and clock to its right.
+/// Returns the title, wrapped to leave space for the progress, the dot, and the clock to its right.
 Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
     ImFont* const font = context.fonts.note;
     const float beside =
@@ -159,7 +159,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     return height + feedback_height(step, width, context, presents);
 }
 
-/// Draws a paragraph and the gap below it.
+/// Draws a paragraph; draws nothing if the text is empty.
 void draw_paragraph(const LessonText& text, ImFont* font, float width, const char* label, ImU32 color) {
     if (text.empty()) return;
     paragraph(text.shown(), font, width).draw(label, color);
@@ -222,7 +222,8 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
     paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
 }
 
-/// Feedback for an answer that matches no known mistake: says where the error is, never how large it is.
+/// Returns feedback on an answer that matches no known mistake. It may say where the largest error is, but never how
+/// large it is.
 std::string not_yet(const Ask& ask, const Verdict& verdict) {
     if (verdict.place == 0) return tr("Not yet. Try again, or ask for a hint.");
     if (ask.kind == AskKind::matrix)

@@ -11,10 +11,10 @@
 namespace viewing {
 
 struct StripLook {
-    bool presents = false;     ///< to an audience: larger than its surroundings, without buttons
-    bool departs = false;      ///< the state differs from the step's; a dot shows it
-    std::string clock;         ///< the timer's text; empty: no timer
-    std::string trouble;       ///< why an answer could not be judged; empty: no problem
+    bool presents = false;     ///< for an audience: larger than its surroundings, without buttons
+    bool departs = false;      ///< the state differs from the step's, which a dot indicates
+    std::string clock;         ///< the timer's text; empty if there is no timer
+    std::string trouble;       ///< why an answer could not be judged; empty if it could
     bool is_checking = false;  ///< a measurement is still running
 };
 

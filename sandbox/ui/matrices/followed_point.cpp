@@ -30,7 +30,8 @@ void followed_line(const char* target, const char* name, float column, const std
     widgets::MarkTarget(target);
 }
 
-/// "= (   1.000,   2.000,   3.000 )", with the columns of all lines aligned. `w`: an optional fourth component.
+/// Returns "= (   1.000,   2.000,   3.000 )", padded so that the columns of all lines align. `w`: an optional fourth
+/// component.
 std::string vector_text(const glm::dvec3& value, std::size_t columns, const double* w = nullptr) {
     const auto padded = [columns](double number) {
         const std::string text = number_text(number, 3);
@@ -41,7 +42,7 @@ std::string vector_text(const glm::dvec3& value, std::size_t columns, const doub
     return w ? text + "," + padded(*w) + " )" : text + " )";
 }
 
-/// Width of a text in the number font.
+/// Returns the width of a text in the number font.
 float number_width(const char* text) {
     const ImFont& font = *widgets::CurrentContext().fonts.number;
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
@@ -84,8 +85,8 @@ void draw_followed_point(Session& session, const Derived& derived) {
         const std::string widest = vector_text(glm::dvec3(shadow), digits, &shadow.w);
         return column + number_width(widest.c_str()) <= ImGui::GetContentRegionAvail().x;
     };
-    // If the widest line does not fit beside a long translation of "foot", only the value on that line starts farther
-    // right.
+    // If a long translation of "foot" leaves too little space for the widest line, only the value on the foot's line
+    // starts farther right.
     const float wide = std::max(column_of("S p"), column_of(foot));
     const float column = fits(wide, 6) ? wide : column_of("S p");
     const auto vector = [digits = fits(column, 7) ? 7U : 6U](const glm::dvec3& value, const double* w = nullptr) {

@@ -1,4 +1,4 @@
-// The followed point p with its shadow and mirror image in numbers: part of the matrix column.
+// The numbers of the followed point p, its shadow, and its mirror image, which are part of the matrix column.
 #pragma once
 
 #include "frame/derive.h"

@@ -33,8 +33,8 @@ struct Column {
     }
 };
 
-/// How far the matrix moves points on the plane: "points on the plane stay ± 0", "points on the plane move by up to
-/// 0.25".
+/// Says how far the matrix moves points on the plane: "points on the plane stay ± 0" or "points on the plane move by up
+/// to 0.25".
 std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     double moved = 0.0;
     for (const glm::dvec3& corner : patch.corners()) {
@@ -46,7 +46,7 @@ std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     return identity_text(tr("points on the plane stay"), moved);
 }
 
-/// Draws the choice of "plane 1", "plane 2", …; `number` is counted from 1.
+/// Draws a list from which to choose "plane 1", "plane 2", …; `number` is counted from 1.
 void choose_one(const char* name, int& number, std::size_t count) {
     if (count == 1) return;
     std::vector<std::string> texts;
@@ -140,7 +140,7 @@ void show_mirror(const Column& column) {
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand);
 }
 
-/// Draws C with buttons for the alternatives; returns whether one was pressed.
+/// Draws C and the given buttons; returns whether one was pressed.
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
     return show_matrix({marked("Camera"), "C", "world_from_view",
@@ -162,7 +162,7 @@ bool show_view(const Column& column, std::span<const char* const> buttons) {
         slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse, buttons);
 }
 
-/// Draws either V or C: the two readings of camera movement.
+/// Draws either V or C, which are two ways to look at the camera's movement.
 void show_view_or_camera(const Column& column, bool& shows_camera) {
     static constexpr const char* to_view[] = {marked("Show V")};
     static constexpr const char* to_camera[] = {marked("Show C")};

@@ -53,7 +53,7 @@ bool matrix_heading(const char* title, const char* letter, const std::string& no
 
 namespace {
 
-/// Covered values cannot be copied.
+/// The reason why a covered matrix cannot be copied.
 constexpr const char* covered_text = marked("Hidden until answered.");
 
 void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool is_covered) {

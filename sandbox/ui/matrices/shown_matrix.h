@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// Shows how well an identity holds numerically: "S² = (Π·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (Π·L)S".
+/// Says how well an identity holds numerically: "S² = (Π·L)S ± 0", "… ± 10⁻¹⁴", or "S² ≠ (Π·L)S".
 std::string identity_text(const char* identity, double residual);
 
 /// Returns the left edge of a small button at the right end of a row.
@@ -23,19 +23,19 @@ bool matrix_heading(const char* title, const char* letter, const std::string& no
 struct ShownMatrix {
     const char* title;
     const char* letter;
-    const char* name;  ///< as in C++, GLSL and JSON
+    const char* name;  ///< its name in C++, GLSL and JSON
     const char* explains;
     widgets::Role role;
     glm::dmat4 now, before;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
-    glm::dmat4 derived{1.0};                  ///< the value unless one is entered by hand
-    std::string heading = "";                 ///< replaces the letter
+    glm::dmat4 derived{1.0};                  ///< the computed value, which applies unless one is entered by hand
+    std::string heading = "";                 ///< replaces the letter unless it is empty
     std::string property = "";                ///< the property expected of a matrix entered by hand, with its error
-    std::span<const char* const> facts = {};  ///< facts in the note, by their names in lessons
+    std::span<const char* const> facts = {};  ///< the lessons' names for the facts in the note
 };
 
-/// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the note.
+/// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the text of the note.
 const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 

@@ -31,14 +31,14 @@ widgets::NumberStyle number_style(const Field& field, const ControlStyle& style,
     return number;
 }
 
-/// Draws the field's value; the visitor's overloads cover the field types that have a control here.
+/// Draws a field's control. The visitor has one overload for each type of field that can have a control here.
 struct DrawControl {
     const Field& field;
     const ControlStyle& style;
     const char* label;
 
     float width() const { return style.width * widgets::CurrentContext().scale; }
-    /// The style's width, or more if the chosen name needs it and there is space.
+    /// Returns the style's width, or more if the chosen name needs it and there is space.
     float choice_width(std::span<const char* const> names, int index) const {
         if (style.width <= 0.0F || index < 0 || index >= static_cast<int>(names.size())) return width();
         const float needed = widgets::ChoiceWidth(names.subspan(static_cast<std::size_t>(index), 1));

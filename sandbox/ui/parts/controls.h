@@ -25,14 +25,14 @@ struct ControlStyle {
     const Scene* scene = nullptr;                ///< needed for a field that only some scenes use
 };
 
-/// Draws the control; returns whether the value changed. If the field has no effect, the control is grayed out and says
-/// why.
+/// Draws the control; returns whether the value changed. If the field has no effect, the control is grayed out and its
+/// tooltip says why.
 bool control(Params& params, std::string_view path, const ControlStyle& style = {});
 
 /// The name by which lessons cover and highlight a field's control: "control:camera.yaw".
 std::string target_of(std::string_view path);
 
-/// Draws a plate `width` pixels wide instead of the field's control if it is covered; returns whether it is.
+/// If the field's control is covered, draws a plate `width` pixels wide in its place. Returns whether it is covered.
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
 /// Draws the last item's tooltip, which explains a field. Its title is `label` without any "##…" or, if `label` is

@@ -19,18 +19,18 @@ public:
     struct Margins {
         float left, right, top, bottom;
     };
-    /// Chooses the scale at which these points fit; others may fall outside.
+    /// Chooses the scale at which these points fit; other points may fall outside.
     void fit(std::span<const glm::dvec3> points_world, const Margins& margins_px);
 
     ImVec2 place(const glm::dvec3& point_world) const;
 
-    /// Draws the plane as a line through the whole rectangle, its back side shaded, with its normal at one end.
-    /// `along_up` says whether the normal points along `up`.
+    /// Draws the plane as a line through the whole rectangle, shades the side opposite to `up`, and draws the normal at
+    /// one end. `along_up` says whether the normal points along `up`.
     void draw_plane(ImDrawList* draw, bool along_up) const;
 
-    /// The area on screen around the plane's line, which labels avoid.
+    /// Returns the area on screen around the plane's line; labels avoid it.
     Rect plane_strip() const;
-    /// The area that the normal and its letter may cover, on either side of the plane.
+    /// Returns the area that the normal and its letter may cover, on either side of the plane.
     Rect normal_area() const;
 
     const Rect& rect() const { return rect_; }

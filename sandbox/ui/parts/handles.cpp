@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-constexpr double parallel_light_distance = 5.0;  ///< from the patch's center to a parallel light's lamp
+constexpr double parallel_light_distance = 5.0;  ///< from the patch's center to a parallel or distant light's lamp
 
 /// Whether the light is too far away to be visible; only its direction is then shown.
 bool is_far_away(const glm::dvec4& light) {
@@ -18,7 +18,7 @@ bool is_far_away(const glm::dvec4& light) {
     return length > 0.0 && length >= 1e3 * light.w;
 }
 
-/// Distance on screen from `place`; very large for a point behind the eye.
+/// Returns the point's distance from `place` on screen; very large if the point is behind the eye.
 float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place) {
     const std::optional<ImVec2> there = overlay.project(point);
     return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
@@ -30,7 +30,7 @@ const char* light_name(std::size_t light) {
     return names[light];
 }
 
-/// The label of the light that has the handle: "ℓ₂ (parallel)".
+/// Returns the label of the light that has the handle, for example "ℓ₂ (parallel)".
 std::string light_label(const Derived& derived) {
     const glm::dvec4& light = derived.chosen_light();
     const char* const name = light_name(derived.chosen.light);
@@ -48,7 +48,8 @@ void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived
     overlay.label(place, name, color);
 }
 
-/// The position of the handle that was grabbed.
+/// Returns the position of the handle being grabbed. The near and far planes have several grips; returns the one
+/// nearest to `place`.
 glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& overlay, ImVec2 place) {
     const auto nearest = [&](const std::array<glm::dvec3, 5>& points) {
         return *std::min_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
@@ -130,7 +131,7 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
         found[4] = 0.5 * (found[0] + found[2]);
         return found;
     };
-    constexpr double share = 0.14;  // of the observer's distance, so that the length looks similar in any picture
+    constexpr double share = 0.14;  // of the observer's distance, so that the arrow looks equally long in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
     places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
     return places;
@@ -170,7 +171,8 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 
 namespace {
 
-/// The eye distance to which the pointer pulls a point of the near or far plane along the frustum.
+/// Returns the eye distance to which the pointer drags a point of the near or far plane. The point moves along its ray
+/// from the eye or, if the projection is orthographic, along the view direction.
 std::optional<double> pulled_distance(const Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
     const glm::dvec3 eye = params.camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
@@ -234,7 +236,7 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             break;
         }
         case Handle::plane_offset: {
-            // Measure from where the pointer grabbed the handle, so that nothing jumps.
+            // Measure from where the pointer grabbed the handle, so that the plane does not jump.
             const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
             const auto along = closest_point_parameter_on_line(ray, grip.center_world, normal);
             const auto at_grab =

@@ -1,5 +1,6 @@
-// The handles that the mouse can drag in a view: the chosen light, the chosen plane along its normal, and the tip of
-// its normal. Views from outside also have the camera, its direction, and its near and far planes.
+// The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, and
+// the tip of that normal. Views from outside also have handles for the camera, its direction, and its near and far
+// planes.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ namespace viewing {
 
 enum class Handle { none, light, plane_offset, plane_tilt, camera, direction, near_plane, far_plane };
 
-/// Returns the field that a handle changes; "" for the camera's own handles, since flying also changes their fields.
+/// Returns the field that a handle changes; "" for none, and for the camera and its direction, since flying can change
+/// their fields anyway.
 const char* field_of(Handle handle);
 
 /// The position of each handle in the world.
@@ -38,10 +40,10 @@ glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);
 /// A handle that is being dragged.
 struct Grip {
     Handle handle = Handle::none;
-    glm::dvec3 grabbed_world{0.0};  ///< the handle's position when grabbed
-    glm::dvec3 offset_world{0.0};   ///< from the pointer's ray to the handle, so that nothing jumps
-    glm::dvec3 center_world{0.0};   ///< the patch's center at that time
-    glm::dvec4 equation{0.0};       ///< the plane at that time
+    glm::dvec3 grabbed_world{0.0};  ///< its position when it was grabbed
+    glm::dvec3 offset_world{0.0};   ///< from the pointer's ray to the handle, so that the handle does not jump
+    glm::dvec3 center_world{0.0};   ///< the patch's center when it was grabbed
+    glm::dvec4 equation{0.0};       ///< the plane when it was grabbed
 };
 
 /// Returns the nearest handle within reach of a screen position, or none.
@@ -50,14 +52,14 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
 /// Grabs a handle.
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
-/// Moves the handle with the pointer: the light and the camera parallel to the picture (`along_y`: only vertically),
-/// the plane along its normal, the normal's tip around the patch's center, the camera's direction around its eye, and
-/// the near and far planes along that direction. Preserves the length and sign of the plane's normal, near < far, and
-/// the camera's roll.
+/// Moves the handle with the pointer: the light and the camera parallel to the picture (with `along_y`, only along the
+/// world's y axis), the plane along its normal, the normal's tip around the patch's center, the camera's direction
+/// around its eye, and the near and far planes along that direction. Preserves the length and sign of the plane's
+/// normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
 /// Draws the handles with their labels, and the lamps of the other lights, which have no handle. A lamp outside the
-/// picture becomes an arrow at its edge.
+/// picture becomes an arrow at the picture's edge.
 void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

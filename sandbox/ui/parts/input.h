@@ -84,8 +84,8 @@ struct FrameInput {
     std::array<bool, static_cast<std::size_t>(Key::count)> down{};
     std::vector<KeyPress> pressed;
     std::vector<std::filesystem::path> dropped_files;
-    bool loses_focus = false;  ///< the window loses focus
-    double dt_s = 1.0 / 60.0;  ///< since the last frame, even if the window slept
+    bool loses_focus = false;  ///< the window has just lost focus
+    double dt_s = 1.0 / 60.0;  ///< time since the last frame, even if the window was idle
 
     bool is_down(Key key) const { return down[static_cast<std::size_t>(key)]; }
 };

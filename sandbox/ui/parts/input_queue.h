@@ -1,8 +1,8 @@
 // A queue of window-system events, held until a frame can process them. Dear ImGui 1.86 sees only the keys, buttons,
 // and pointer position at the start of a frame: on a busy machine, a click would become a drag from elsewhere, and a
-// key press that has already ended would be lost. So each frame gets one change, in order, as with Dear ImGui's own
-// queue since 1.87 (ConfigInputTrickleEventQueue). Independent of the window system. Read run_loop in
-// app/desktop/window.cpp next.
+// key press that has already ended would be lost. Therefore, each frame gets only events that do not hide one another,
+// in order, as with Dear ImGui's own queue since 1.87 (ConfigInputTrickleEventQueue). The queue does not depend on the
+// window system. Read run_loop in app/desktop/window.cpp next.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace viewing {
 
-/// The current position of the pointer; nullopt outside the window.
+/// The pointer's new position; nullopt if the pointer is outside the window.
 struct PointerMoved {
     std::optional<glm::vec2> place;
 };
@@ -34,7 +34,7 @@ enum class KeyKind {
     prints,    ///< produces a character
     modifier,  ///< changes the meaning of other keys
     edits,     ///< backspace, arrows, …
-    leaves     ///< enter, tab, escape, F1, …: the next input may go elsewhere
+    leaves     ///< enter, tab, escape, F1, …: the next input may go to another item
 };
 struct KeyChanged {
     std::size_t code = 0;  ///< index into ImGui's io.KeysDown
@@ -68,13 +68,13 @@ struct InputFrame {
 
 class InputQueue {
 public:
-    /// The time of an event. A busy window learns of the event later and knows only the two bounds.
+    /// The time of an event. A busy window learns of an event only later, so it knows only two bounds.
     struct Time {
         double earliest_s = 0.0, latest_s = 0.0;
     };
     void push(InputEvent event, Time time);
 
-    /// If false, draw more frames immediately.
+    /// If this returns false, draw the next frame immediately.
     bool is_empty() const { return events_.empty(); }
 
     /// Returns the input of the next frame: as many events as one frame can take. While more are queued, the frame's

@@ -33,9 +33,10 @@ constexpr Links mirror_entry(int cell) {
 
 using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
-/// Symbols and links of each entry, row by row.
+/// Returns the symbol and the links of each entry, row by row.
 MatrixCells shadow_cells();
-/// `printed_by_rows`: for the transpose, which GL gets from the slide's code. `plus_2ab`: with the mistake +2ab.
+/// `printed_by_rows`: the transpose, which GL receives from the slide's code. `plus_2ab`: with the slides' mistake
+/// +2ab.
 MatrixCells mirror_cells(bool printed_by_rows = false, bool plus_2ab = false);
 /// `swapped_order`: with the mistake C = R T.
 MatrixCells view_cells(bool swapped_order);

@@ -190,7 +190,7 @@ bool Overlay::is_free(const Rect& part) const {
 bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color) {
     const std::optional<ImVec2> place = project(point);
     if (place && rect_.contains(*place)) return false;
-    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // not divided by w: it may be behind the eye
+    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // not divided by w, which may be negative
     const ImVec2 half(0.5F * rect_.width(), 0.5F * rect_.height());
     const float inset = 14.0F * scale_;
     if (half.x <= inset || half.y <= inset) return true;
@@ -198,7 +198,7 @@ bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 col
     if (const float length = std::hypot(way.x, way.y); length > 0.0F)
         way = {way.x / length, way.y / length};
     else
-        way = {0.0F, 1.0F};  // directly behind
+        way = {0.0F, 1.0F};  // the point is directly behind the eye
     const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
                                    (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
     ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);

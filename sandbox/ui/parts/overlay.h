@@ -1,4 +1,5 @@
-// Draws points and lines of the world over its picture, clipped at the eye and anti-aliased by ImGui.
+// Draws points and lines in world space over a picture of the world. Lines are clipped at the eye; ImGui anti-aliases
+// them.
 #pragma once
 
 #include <array>
@@ -34,7 +35,8 @@ public:
     void arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 2.0F);
     /// Adds a label. The destructor places all labels beside their points, without overlap.
     void label(const glm::dvec3& point, const char* text, ImU32 color);
-    /// If a point is outside the picture, draws a labeled arrow toward it at the picture's edge. Returns whether it is.
+    /// If a point is outside the picture, draws a labeled arrow toward it at the picture's edge. Returns whether it is
+    /// outside.
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
     /// Names the area around this line for lessons (widgets/targets.h).
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to);
@@ -57,7 +59,7 @@ private:
         ImVec2 from, to;
     };
     std::optional<Segment> segment(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Does the same for a line that will be drawn, and keeps labels off it.
+    /// Like segment(), for a line that will be drawn: also keeps labels off it.
     std::optional<Segment> drawn(const glm::dvec3& from, const glm::dvec3& to);
     ImVec2 place_of(const glm::dvec4& clip) const;
 

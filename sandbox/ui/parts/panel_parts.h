@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// The problems in the given groups of fields, one per line, for the warning sign on their section.
+/// Returns the problems in the given groups of fields, one per line, for the warning sign on their section's header.
 inline std::string troubles(const std::vector<Problem>& problems, std::initializer_list<std::string_view> groups) {
     std::string sentences;
     if (widgets::IsCovered("sentences")) return sentences;
@@ -24,8 +24,8 @@ inline std::string troubles(const std::vector<Problem>& problems, std::initializ
 
 constexpr float second_column = 142.0F;  ///< design pixels
 
-/// Places the cursor for a second control `width` pixels wide: at a fixed column of the same row, or in the next row if
-/// the first control reaches into that column or the second one does not fit.
+/// Places the cursor for a second control `width` pixels wide: at `design_x` in the same row, or in the next row if the
+/// first control reaches into that column or the second one does not fit.
 inline void beside(float design_x, float width) {
     if (widgets::IsListing()) return;  // each control has its own row
     const float left = ImGui::GetWindowPos().x + px(design_x);
@@ -33,13 +33,14 @@ inline void beside(float design_x, float width) {
     if (ImGui::GetItemRectMax().x < left && left + width <= right) ImGui::SameLine(px(design_x));
 }
 
-/// Places the cursor for an item `width` pixels wide: after the last one if it fits, otherwise below it.
+/// Places the cursor for an item `width` pixels wide: after the last item if it fits there, otherwise below it.
 inline void behind(float width) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
-/// Draws a fold for rarely used controls; opens it if one of these names is sought. Returns whether it is open.
+/// Draws a header that folds rarely used controls; opens it if one of `targets` is sought (widgets::IsSought). Returns
+/// whether it is open.
 inline bool details(const char* label, std::span<const char* const> targets = {}) {
     if (widgets::IsListing()) return true;
     if (widgets::IsSought(targets)) ImGui::SetNextItemOpen(true);
@@ -61,8 +62,8 @@ inline bool named_note(const char* target, const std::string& text) {
     return !is_covered;
 }
 
-/// Draws a section of the panel that lessons know by `name`. Opens it if one of `targets` is sought in it; draws a
-/// plate instead if it is covered. `draw` draws the section with its header.
+/// Calls `draw`, which draws a section of the panel with its header. Lessons know the section by `name`. Opens the
+/// section if it or one of `targets` is sought; if it is covered, draws a plate instead.
 template <typename Draw>
 void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {
     if (widgets::IsListing()) return draw();

@@ -1,5 +1,5 @@
-// A lesson's temporary changes to the window, apart from the state: covered parts, highlighted parts, a marked place.
-// Empty without a lesson. lesson/targets.h defines the names.
+// A lesson's temporary changes to the window that are not part of the state: covered parts, highlighted parts, and a
+// marked place. Empty without a lesson. lesson/targets.h defines the names.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@ struct Stage {
     };
 
     bool has_lesson = false;
-    bool asks = false;  ///< the question is not answered yet: also hide red sentences, advice, and formulas in tooltips
+    bool asks = false;  ///< the question is still open: also hide red sentences, advice, and formulas in tooltips
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;
 };

@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Padding of a table's cells, design pixels.
+/// The padding of a table's cells, in design pixels.
 constexpr float cell_padding_x = 5.0F, cell_padding_y = 1.0F;
 
 /// The widths of a table's columns without padding, in pixels; 0 for omitted columns.
@@ -23,13 +23,14 @@ struct ColumnWidths : std::array<float, count> {
     }
 };
 
-/// The width of a text in pixels.
+/// Returns the width of a text in pixels.
 float width_of(const std::string& text, ImFont* font);
 
 /// Draws text right-aligned in its cell, or left-aligned if it does not fit.
 void text_at_right(const std::string& text);
 
-/// Draws text. If it is too wide, shows `brief` or, without one, the shortened text; a tooltip then shows it all.
+/// Draws a text. If it is too wide, draws `brief` instead or, if that is empty, a shortened form; a tooltip then shows
+/// the whole text.
 void shortened_text(const std::string& text, float width, const std::string& brief = "");
 
 }  // namespace viewing

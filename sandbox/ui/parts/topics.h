@@ -17,8 +17,8 @@ Topic topic_of(const Params& params, Slot slot);
 /// Chooses another topic for a slot. If the other slot already shows it, the two swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
-/// Returns the slot to show if only one fits: the right one if only its topic was chosen, or if the hidden-surface
-/// method has a topic of its own and neither was chosen; otherwise the left one.
+/// Returns the slot to show if only one fits: the right one if only the right topic was chosen, or if neither was
+/// chosen and the hidden-surface method has a topic of its own; otherwise the left one.
 Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.

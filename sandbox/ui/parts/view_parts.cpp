@@ -9,7 +9,7 @@
 namespace viewing {
 void draw_picture(const Rect& rect, ImTextureID picture) {
     if (picture)
-        ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's rows go upward
+        ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's bottom row is first
 }
 
 void picture_item(const char* name, const Rect& rect, ImTextureID picture) {

@@ -25,7 +25,7 @@ bool words(const char* id, int& index, std::span<const char* const> names, std::
 /// Whether these words fit in a row between the cursor and `right`.
 bool have_room(std::span<const char* const> names, float right);
 
-/// Draws a quiet note on the header, unless it would extend past `right`.
+/// Draws a quiet note in the header, unless it would extend past `right`.
 void header_note(const char* text, float right);
 
 /// Draws a plate that keeps text legible over any picture, larger than the rectangle by the margin on each side.
@@ -46,7 +46,7 @@ Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, cons
 /// Whether the mirror image of the followed point is covered.
 bool is_image_covered();
 
-/// Draws p with its ray from the light, its shadow s, its foot on the plane, and its mirror image.
+/// Draws the followed point p with its ray from the light, its shadow s, its foot on the plane, and its mirror image.
 void draw_followed(Overlay& overlay, const Derived& derived);
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// A view drawn only by the user interface: its window, and its message if it has nothing to show.
+// The window of a view that only the user interface draws, and the message of a view that has nothing to show.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ private:
     int counted_before_;  ///< number of scrolling windows before this one
 };
 
-/// The height of a widgets::Note in the available width, in pixels.
+/// Returns the height, in pixels, that a widgets::Note has in the available width.
 float note_height(const char* text);
 
 /// Draws a quiet sentence and records it for tests; does nothing if it is empty.

@@ -43,7 +43,7 @@ ShadowPlaces shadow_places(const ShadowDerivation& found, double farthest_world)
     return places;
 }
 
-/// The points to fit into the figure. The ray is at least as long as it would be for l_w = 1.
+/// Returns the points to fit into the figure. The ray is at least as long as for l_w = 1, up to `farthest_world`.
 std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const ShadowPlaces& places,
                                        double farthest_world) {
     const glm::dvec3& p = found.point_world;

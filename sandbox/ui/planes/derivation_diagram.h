@@ -7,10 +7,10 @@
 
 namespace viewing {
 
-/// Draws the cross-section through light and point, perpendicular to the plane: l, p and s, the similar triangles
-/// between them, and the heights and the lengths along the ray. The figure always shows the light above the plane.
-/// While s is near, the visible region does not depend on l_w: as l_w falls, the light leaves the figure at the top,
-/// and the ray enters from above. Shows nothing farther from p than `farthest_world`.
+/// Draws the cross-section through the light and the point, perpendicular to the plane. It shows l, p and s, the
+/// similar triangles between them, the heights, and the lengths along the ray. The figure always shows the light above
+/// the plane. While s is near, the visible region does not depend on l_w: as l_w falls, the light leaves the figure at
+/// the top, and the ray enters from above. The figure follows the ray no farther than `farthest_world` from p.
 void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& derivation, double farthest_world);
 
 /// Draws q, its foot and q′, with k on both sides. A vertical plane is drawn upright.

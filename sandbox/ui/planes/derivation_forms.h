@@ -5,8 +5,8 @@
 
 namespace viewing {
 
-/// Shows each form with its slide's symbols under the numbers, side by side if they fit, and the largest difference
-/// between them.
+/// Shows the forms, side by side if they fit, each with its slide's symbols under the numbers. Also shows the largest
+/// difference between the forms.
 void show_three_forms(const ShadowForms& forms);
 
 }  // namespace viewing

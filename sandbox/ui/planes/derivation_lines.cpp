@@ -36,12 +36,12 @@ std::string equals(double value) {
     return "= " + derivation_number(value);
 }
 
-/// "= a/(b − c)" with numbers.
+/// Returns "= a/(b − c)" with numbers in place of the letters.
 std::string quotient(double over, double from, double minus) {
     return equals(over) + "/(" + derivation_number(from) + " − " + in_brackets(minus) + ")";
 }
 
-/// "= a/b" with numbers.
+/// Returns "= a/b" with numbers in place of the letters.
 std::string divided(double over, double by) {
     return equals(over) + "/" + in_brackets(by);
 }
@@ -70,7 +70,7 @@ void introduce_w(Lines& lines) {
                "into w, and the division comes last. The slide writes 1 instead, the value of w after the division."));
 }
 
-/// The rows of the slide "Planar Shadow", for y = 0.
+/// Adds the rows of the slide "Planar Shadow", for y = 0.
 void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec3 &l = found.light_world, &p = found.point_world, &s = *found.shadow_world;
     const glm::dvec4 sum = projected(found);
@@ -88,7 +88,7 @@ void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     add_step(lines, {"w", "= −p_y + l_y", "= " + signed_sum(std::array{-p.y, l.y}), equals(sum.w)});
 }
 
-/// The rows of the slide "Projection Shadow", for any plane.
+/// Adds the rows of the slide "Projection Shadow", for any plane.
 void general_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec4 sum = projected(found);
     heading(lines, marked("Coordinate by coordinate"));

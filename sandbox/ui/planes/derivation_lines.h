@@ -13,13 +13,13 @@ struct DerivationLine {
     enum class Kind { equation, heading, note };
 
     Kind kind = Kind::equation;
-    std::vector<std::string> parts;  ///< for an equation, see equation(); otherwise one text, marked() or translated
+    std::vector<std::string> parts;  ///< the parts for equation(); otherwise one text, marked() or translated
     std::string target = {};         ///< the line's name in lessons
     bool is_step = false;  ///< an intermediate step: omitted if only the results fit, unless the user goes step by step
 };
 
-/// Derives s from l, p and the plane: from the light's ray to the rows of S and the division by w. `is_blinn`: the
-/// plane is y = 0 with its normal up, so the rows match the slide.
+/// Derives s from l, p and the plane, starting with the light's ray and ending with the rows of S and the division by
+/// w. `is_blinn`: whether the plane is y = 0 with its normal up, so that the rows match the slide.
 std::vector<DerivationLine> shadow_lines(const ShadowDerivation& found, bool is_blinn);
 
 /// Derives q′ from q and the plane, then expands it row by row as the lecture does.

@@ -23,7 +23,7 @@ void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, con
     overlay.label((from + to) * 0.5, text.c_str(), color);
 }
 
-/// Labels a height above the plane, which lessons call "label:heights".
+/// Labels a height above the plane. Lessons call these labels "label:heights".
 void height(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
             ImU32 color) {
     overlay.mark_target("label:heights", from, to);
@@ -34,7 +34,7 @@ void triangle(Overlay& overlay, const glm::dvec3& a, const glm::dvec3& b, const 
     overlay.fill({a, b, c, c}, with_alpha(color, 36));
 }
 
-/// Draws the figure of the shadow without the light itself, whose handle and label are already there.
+/// Draws the shadow's figure without the light itself, which already has a handle and a label.
 void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDerivation& found) {
     const widgets::Palette& colors = palette();
     const glm::dvec3 &p = found.point_world, &foot = found.point_foot_world;

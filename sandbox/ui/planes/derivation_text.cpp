@@ -12,7 +12,8 @@ namespace {
 
 constexpr int decimals = 3;
 
-/// Position and length of the next primed symbol; the end of the text and 0 if there is none.
+/// The position and length of a text's first primed symbol. If there is none, the position is the end of the text, and
+/// the length is 0.
 struct Found {
     std::size_t begin, length;
 };

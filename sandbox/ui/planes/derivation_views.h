@@ -9,16 +9,16 @@
 
 namespace viewing {
 
-/// Draws s = l + t (p − l) step by step for the followed point, a slider for l_w from parallel to point light, and the
-/// three forms of S. Stops at the step in view.derivation_step.
+/// Derives s = l + t (p − l) step by step for the followed point. Also draws a slider that takes l_w from a parallel
+/// light to a point light, and the three forms of S. Stops at the step in view.derivation_step.
 void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player);
 
-/// Draws q′ = q − 2 k n, its expansion, and R.
+/// Derives q′ = q − 2 k n, expands it, and draws R.
 void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player);
 
-/// Draws the current derivation's figure into the world: the ray, the point, its shadow and the feet, with the similar
-/// triangles between them, or the mirror image with k. If neither derivation is shown, draws only the followed point
-/// (draw_followed).
+/// Draws the current derivation's figure into the world. For the shadow, it consists of the ray, the point, its shadow
+/// and the feet, with the similar triangles between them; for the mirror image, of the point and its image, with k
+/// between each of them and the plane. If neither derivation is shown, draws only the followed point (draw_followed).
 void draw_derivation_overlay(Overlay& overlay, const Params& params, const Derived& derived);
 
 }  // namespace viewing

@@ -1,5 +1,5 @@
-// The functions build up from the inside out: colored words of code, code broken into rows, a line with its number, a
-// whole function.
+// The functions in this file build on one another: they draw words of code in color, break code into rows, draw a line
+// with its number, and draw a whole function.
 #include "ui/planes/lecture_code.h"
 
 #include <algorithm>
@@ -122,7 +122,7 @@ void draw_line(const Function& function, const CodeLine& line, const Writing& wr
     widgets::Tooltip(name.c_str(), place_of(function, line).c_str(), cell.symbol, "", function.roles);
 }
 
-/// Returns the largest style in which no line wraps, or the smallest if there is none.
+/// Returns the largest style in which no line wraps, or the smallest style if lines wrap in all of them.
 Writing writing_for(const Function& function, float width) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     Writing writings[] = {{fonts.number, 0, true, "// = "},

@@ -10,13 +10,13 @@
 
 namespace viewing {
 
-/// Pictures and counts; null until they exist.
+/// The pictures and the counts, which are null until they exist.
 struct MirrorWaysShown {
     std::array<ImTextureID, mirror_way_count> pictures{};
     std::shared_ptr<const MirrorWays> ways;
 };
 
-/// Draws the four pictures. A click on a picture sets the state to its way.
+/// Draws the four pictures. A click on a picture makes the state use that picture's way.
 void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown);
 
 }  // namespace viewing

@@ -75,7 +75,7 @@ bool can_stop(const Session& session) {
     return is_drawn_by_gl_alone(session.params.visibility.method);
 }
 
-/// Four rows of numbers, laid out like a matrix.
+/// Returns four rows of numbers, laid out like a matrix.
 std::string rows_text(const glm::dmat4& matrix) {
     std::string text;
     for (int row = 0; row < 4; ++row) {
@@ -88,7 +88,7 @@ std::string rows_text(const glm::dmat4& matrix) {
     return text;
 }
 
-/// Draws a list of calls. `uploaded`: the matrix product that the list uploads, for a tooltip.
+/// Draws a list of calls. `uploaded`: the matrix product that these calls upload, which a tooltip shows.
 void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
@@ -133,7 +133,8 @@ void entry(Session& session, const FramePlan& plan, int number) {
     ImGui::PopID();
 }
 
-/// Draws the list of passes, which fills the rest of the window. `follows`: scrolls to the pass where the frame stops.
+/// Draws the list of passes, which fills the rest of the window. `follows`: whether to scroll to the pass where the
+/// frame stops.
 void list(Session& session, const FramePlan& plan, bool follows) {
     if (widgets::IsCovered("code:passes")) {
         widgets::Plate("list", ImGui::GetContentRegionAvail());

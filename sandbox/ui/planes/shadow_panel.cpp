@@ -13,8 +13,8 @@
 namespace viewing {
 namespace {
 
-/// Returns a light at a position that no other light has; if possible, the position of the first light with x, z or
-/// both negated.
+/// Returns a light at a new position. If possible, this is the first light's position with x, z or both negated;
+/// otherwise it is some distance from the first light along x.
 LightParams another_light(const Params& params) {
     const glm::dvec4& first = params.lights.front().position;
     const glm::dvec4 places[] = {{-first.x, first.y, first.z, first.w},

@@ -30,7 +30,7 @@ std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, I
     return found;
 }
 
-/// Returns the vertex nearest on screen to a screen position, among those of the frontmost triangle there.
+/// Of the frontmost triangle at a screen position, returns the vertex that is nearest to this position on screen.
 std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
     const std::optional<ObjectHit> under = object_at(overlay, scene, place);
     if (!under) return std::nullopt;
@@ -50,8 +50,8 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// Returns the eye distance at a screen position: the distance of an object there, otherwise that of the chosen plane,
-/// otherwise that of the target.
+/// Returns the eye distance at a screen position: that of the object there, otherwise that of the chosen plane,
+/// otherwise that of the target. Returns at most ten times the target's distance.
 double distance_at(const Overlay& overlay, const Scene& scene, const Derived& derived, ImVec2 place) {
     const Ray ray = overlay.ray_at(place);
     std::optional<double> t;
@@ -62,15 +62,15 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
     return distance > 0.0 ? std::min(distance, farthest) : derived.facts.target_distance;
 }
 
-/// World units per pixel at an eye distance.
+/// Returns how many world units one pixel spans at an eye distance.
 double world_per_px(const Lens& lens, double distance, float height_px) {
     const double height =
         lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * lens.fovy_deg));
     return height / static_cast<double>(height_px);
 }
 
-/// Turning the wheel moves the camera, zooms in orbit mode, or scales an orthographic picture; with Ctrl, it changes
-/// the speed.
+/// Handles a turn of the wheel: it moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
+/// it changes the speed.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
     constexpr double seconds_a_line = 0.15;  // of flight per line of the wheel
     Params& params = session.params;

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* shows[] = {marked("color"),    marked("depth"),      marked("stencil"),  marked("facing"),
                                  marked("overdraw"), marked("difference"), marked("fighting"), marked("w of S")};
 
-/// Draws the choice of what the picture shows, and choices that depend on it.
+/// Draws the list of what the picture can show, and the options that depend on the choice.
 void view_choices(Params& params, const Rect& rect) {
     static constexpr const char* show_explanations[] = {
         marked("The picture itself, in its usual colors."),
@@ -36,7 +36,7 @@ void view_choices(Params& params, const Rect& rect) {
                "behind the plane.")};
     int index = static_cast<int>(params.view.shows);
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float second = px(130.0F);  // width of the next choice
+    const float second = px(130.0F);  // width of the next list
     if (widgets::Offers("control:view.shows")) {
         if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
             params.view.shows = static_cast<Shows>(index);
@@ -46,7 +46,7 @@ void view_choices(Params& params, const Rect& rect) {
         ImGui::SameLine(0.0F, px(16.0F));
         depth_choices(params, rect.max.x);
     } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F) &&
-               widgets::Offers("control:view.samples")) {  // otherwise only the Look menu has it
+               widgets::Offers("control:view.samples")) {  // otherwise only the Look menu has this choice
         static constexpr const char* samples[] = {marked("MSAA off"), marked("MSAA 4×")};
         static constexpr const char* explanations[] = {marked("One sample per pixel: jagged edges."),
                                                        marked("Four samples per pixel: smooth edges.")};
@@ -60,7 +60,8 @@ void show_legend(Overlay& overlay, std::span<const LegendEntry> entries) {
     overlay.keep_labels_off(draw_legend(overlay.draw(), overlay.rect(), entries));
 }
 
-/// The low four bits hold the patch's value, plus one per mirror; each of the high four bits marks one missing light.
+/// Draws the stencil's legend. The low four bits hold the patch's value, plus 1 for each mirror; each of the high four
+/// bits marks one missing light.
 void stencil_legend(Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
@@ -124,8 +125,8 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     }
 }
 
-/// Draws a problem's sentence over the picture, with a button that fixes it. Call before the picture takes the mouse.
-/// Returns the top edge of the next sentence.
+/// Draws a problem's sentence over the picture, with a button that fixes the problem. Call before the picture takes the
+/// mouse. Returns the top edge of the next sentence.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
@@ -153,7 +154,8 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     return next;
 }
 
-/// Shows the most serious problems first, as many as fit into the picture's upper half. Returns the covered area.
+/// Draws the problems' sentences, the most serious ones first, until they reach the picture's middle. Returns the
+/// covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     const float first = rect.min.y + px(15.0F);
     if (widgets::IsCovered("sentences")) return {};
@@ -186,7 +188,7 @@ void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel) {
 }
 
 std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px) {
-    // The field of view is vertical: a picture with another aspect ratio shows more or less at its sides.
+    // The vertical field of view is fixed, so a picture with another aspect ratio shows more or less at its sides.
     const glm::dvec2 size(camera_px),
         from_middle(pointer.x - 0.5F * (rect.min.x + rect.max.x), pointer.y - 0.5F * (rect.min.y + rect.max.y));
     const glm::ivec2 pixel(
@@ -260,7 +262,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
 
-    // The legend is on top, but its area is known first, so that the overlay's labels avoid it.
+    // Draw the legend before the overlay, so that the overlay's labels avoid its area, but in the upper layer.
     ImDrawListSplitter layers;
     layers.Split(overlay.draw(), 2);
     layers.SetCurrentChannel(overlay.draw(), 1);

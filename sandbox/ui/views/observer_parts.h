@@ -30,10 +30,10 @@ void draw_patches(Overlay& overlay, const Derived& derived);
 /// Draws a camera's view volume with its eye: a frustum, or a box if orthographic.
 void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view);
 
-/// Draws the frustum a second time at the position where V puts the eye, if that differs from the camera's position.
+/// If V does not match the camera's position and direction, draws the frustum a second time, where V puts it.
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
-/// Draws eye′ = R eye, and the frustum that sees the same image in the mirror.
+/// Draws eye′ = R eye and the mirrored frustum. From there, the objects look as they do in the mirror.
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
 /// Labels the space behind the mirror, where the image appears to be.

@@ -22,7 +22,7 @@
 
 namespace viewing {
 
-/// A preset's thumbnail; null until it is rendered.
+/// A preset's thumbnail; the texture is null until it is rendered.
 struct PresetPicture {
     std::string name;  ///< the preset's name
     ImTextureID texture = nullptr;
@@ -49,12 +49,12 @@ struct LowerChoice {
 /// State of the views; persists between frames.
 struct ViewState {
     bool handles = true;
-    /// While a lesson's question is open, the fields and groups that handles may change unless Ctrl is held. nullopt:
-    /// all of them.
+    /// The fields and groups that handles may change while a lesson's question is open; nullopt: all of them. Holding
+    /// Ctrl lifts the restriction.
     std::optional<std::vector<std::string>> movable;
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
-    float dragged_px = 0.0F;                  ///< pixels since the press; tells a click from a drag
+    float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
     glm::ivec2 camera_px{0};                  ///< last known size of the camera's picture
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
     std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture, from its top left
@@ -66,10 +66,10 @@ struct ViewState {
     widgets::StepPlayer call_player;        ///< steps through draw calls
     widgets::StepPlayer pass_player;        ///< steps through passes
     widgets::StepPlayer derivation_player;  ///< steps through a derivation's lines
-    glm::ivec2 cells{0};                    ///< number of columns and rows that fit into the cell view
+    glm::ivec2 cells{0};                    ///< the number of columns and rows that fit into the cell view
     LightRays light_rays;                   ///< of the observer's view
-    std::optional<Stage::Target> target;    ///< a marked place
-    PinnedPixel pinned;                     ///< in the camera's picture, from the state
+    std::optional<Stage::Target> target;    ///< the place that a lesson marks
+    PinnedPixel pinned;                     ///< the pixel that the state pins, in the camera's picture
 };
 
 /// Returns whether a hidden-surface method, the draw calls or the passes are playing.
@@ -91,7 +91,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-/// Pins a pixel of the camera's picture and replaces any other pin; a click on the pinned pixel removes the pin.
+/// Pins a pixel of the camera's picture and replaces any other pin. If this pixel is already pinned, removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
 /// Returns the pixel of the camera's picture that corresponds to the pointer's position in another picture from the

@@ -36,7 +36,7 @@ const NamedFile* choose_scene(const char* shown, const std::vector<NamedFile>& s
     return chosen;
 }
 
-/// Width in pixels of a button at the bar's right end, including the gap to the next one.
+/// Returns the width in pixels of a button at the bar's right end, including the gap to the next button.
 float button_room(const char* label) {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::CalcTextSize(tr(label)).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
@@ -57,7 +57,8 @@ float step_buttons_room() {
     return 2.0F * (ImGui::CalcTextSize("◂").x + 2.0F * px(step_padding) + px(2.0F));
 }
 
-/// Draws a button with a popup below it that stays inside the window and closes on Escape.
+/// Draws a menu's button and begins the popup below it, which stays inside the window and closes on Escape. Returns
+/// whether the popup is open.
 bool begin_menu(const char* button, const char* popup, const char* explanation, float least_width = 0.0F) {
     if (widgets::Button(button)) ImGui::OpenPopup(popup);
     widgets::Tooltip(button, explanation);
@@ -81,7 +82,7 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
     return ImGui::Begin(name, nullptr, fixed_window | extra);
 }
 
-/// Returns whether the state may be copied. Refuses, with a message, while something is covered.
+/// Returns whether the state may be copied. While a control is covered, refuses and shows a message.
 static bool may_tell_state(Session& session) {
     if (!widgets::IsPartCovered("control")) return true;
     session.message = {tr("the state was not copied: it reveals parts that are hidden until answered"), false};
@@ -198,8 +199,8 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
 
 namespace {
 
-/// The column that the bar's button shows next, if only one column fits. In a short window, one step of the cycle shows
-/// only the views.
+/// Returns the name of the column that the bar's button shows next when only one column fits. In a short window, the
+/// button's cycle includes a step that shows only the views.
 const char* next_column(const Arrangement& arrangement, const Layout& layout) {
     if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
     if (layout.is_short && arrangement.prefers_matrices) return marked("Views");

@@ -10,7 +10,7 @@ namespace viewing {
 namespace {
 
 constexpr float arrow_room = 20.0F;  ///< design pixels left of the text, for the fold arrow
-constexpr float part_gap = 10.0F;    ///< between the parts of a line
+constexpr float part_gap = 10.0F;    ///< design pixels between the parts of a line
 
 float width_in(const ImFont& font, const char* text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;

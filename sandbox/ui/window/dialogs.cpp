@@ -105,7 +105,7 @@ void FileDialog::take_listing() {
 
 namespace {
 
-/// Reads the lesson, if the file exists, and writes it back with one more step. Runs in the background.
+/// Adds the session's state to a lesson file as its last step, or creates the file. Runs in the background.
 void append_step(Session& session, const std::filesystem::path& file) {
     const std::string preset = session.preset() ? session.preset()->name : "";
     const auto work = [file, params = session.params, preset]() -> Status {

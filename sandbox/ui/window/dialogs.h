@@ -1,4 +1,4 @@
-// Dialogs over the window: to choose a file, and to allow reading one.
+// Dialogs over the window: one to choose a file, and one that asks for permission to read a file.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ bool begin_dialog(const char* name, ImVec2 size);
 /// Draws the dialog's heading.
 void dialog_title(const char* text);
 
-/// Chooses a file to open or a name to save under. Reads and writes nothing before Enter or the button.
+/// Chooses a file to open or a name to save under. Reads or writes no file until the user confirms the choice.
 class FileDialog {
 public:
     enum class Purpose { open, save, save_step, open_answers, save_answers };
@@ -59,7 +59,7 @@ private:
     Use use_;
     bool opens() const { return purpose_ == Purpose::open || purpose_ == Purpose::open_answers; }
     std::string error_;
-    bool waits_ = false;                ///< for the outcome of opening or saving
+    bool waits_ = false;                ///< waits for the outcome of opening or saving
     std::filesystem::path to_replace_;  ///< an existing file; the user was warned, so the next Save replaces it
 };
 

@@ -60,7 +60,8 @@ void draw_keys() {
     }
 }
 
-/// Draws a table's rows, starting at `first`, with one column per cell. Returns the index of the first block after it.
+/// Draws a table's rows, starting at `first`, with one column per cell. Returns the index of the first block after the
+/// table.
 std::size_t draw_table(const std::vector<ManualBlock>& blocks, std::size_t first) {
     std::size_t end = first;
     while (end < blocks.size() && blocks[end].part == ManualPart::row) ++end;

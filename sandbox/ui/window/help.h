@@ -17,7 +17,7 @@ public:
 
 private:
     bool is_open_ = false;
-    std::size_t page_ = 0;                          ///< 0: the keys; otherwise a topic of the manual, counted from 1
+    std::size_t page_ = 0;                          ///< 0: the keys; otherwise a topic of the manual, from 1
     std::vector<std::vector<ManualBlock>> topics_;  ///< read when the dialog first opens
 };
 

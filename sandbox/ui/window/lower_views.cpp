@@ -1,4 +1,4 @@
-// The two views below the camera's. Each shows a topic; its header is the list of topics.
+// The two views below the camera's. Each shows a topic, and its header is a list of all topics.
 #include <algorithm>
 #include <cfloat>
 
@@ -90,8 +90,8 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
     sentence_over_picture(ImGui::GetWindowDrawList(), rect, palette().light, whole, brief);
 }
 
-/// Reports the camera's pixel under the pointer when the pointer is over another picture from the same camera, which
-/// must be the last item. A click pins the pixel if a view shows pinned pixels.
+/// The last item must be another picture from the same camera. If the pointer is over it, reports the corresponding
+/// pixel of the camera's picture. A click pins that pixel if a view shows pinned pixels.
 void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     if (!ImGui::IsItemHovered()) return;
     state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);

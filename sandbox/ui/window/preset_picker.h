@@ -1,4 +1,5 @@
-// The list of presets in lecture order, with search as you type, and beside it a thumbnail and the preset's sentence.
+// The list of presets in lecture order, with search as you type. Beside the list are the marked preset's thumbnail and
+// sentence.
 #pragma once
 
 #include <span>
@@ -19,8 +20,8 @@ public:
     /// Whether the list is open and its search is empty, so that undo and redo cannot be meant for the search text.
     bool has_empty_search() const { return is_open_ && search_.empty(); }
 
-    /// Draws the closed list, which shows `shown`, and below it the open list. `current`: the open preset; may be null.
-    /// Returns the chosen preset, or null.
+    /// Draws the closed list, which shows `shown`, and the open list below it while it is open. `current`: the open
+    /// preset; may be null. Returns the chosen preset, or null.
     const NamedFile* draw(std::span<const NamedFile> presets, const NamedFile* current, const std::string& shown,
                           float width, const PresetPicture& picture);
 

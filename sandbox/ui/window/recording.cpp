@@ -28,7 +28,7 @@ struct DrawnGlyph {
     char32_t character = 0;
     float scale = 1.0F;  ///< relative to the font's own size
     glm::vec2 origin{0.0F};
-    float advance = 0.0F, blank = 0.0F;  ///< distance to the next character, and width of a space; pixels
+    float advance = 0.0F, blank = 0.0F;  ///< distance to the next character, and width of a space; in pixels
 };
 
 /// Finds characters by their place in the font atlas.
@@ -147,7 +147,7 @@ public:
     ImU32 color(ImDrawIdx index) const { return vertices_[index].col; }
     const std::map<ImDrawIdx, glm::vec2>& places() const { return places_; }
 
-    /// The color of the first visible corner.
+    /// Returns the color of the first visible corner.
     ImU32 color() const {
         for (const ImDrawIdx index : triangles_)
             if (!is_clear(color(index))) return color(index);
@@ -181,7 +181,8 @@ public:
     }
 
 private:
-    /// Moves the outer vertices of the fringe to its middle: it fades out over one pixel, so the outline runs there.
+    /// Moves the fringe's outer vertices to its middle. The fringe fades out over one pixel, so the shape's outline
+    /// runs along its middle.
     void move_fringe(std::span<const ImDrawIdx> triangles) {
         if (places_.size() == 4) return;  // a gradient rectangle has no fringe
         std::map<ImDrawIdx, ImDrawIdx> partners;
@@ -230,10 +231,10 @@ private:
         }
     }
 
-    /// Returns the end of the piece. Triangles belong together as long as each shares vertices with earlier ones. The
-    /// vertices from one ImDrawList call have consecutive indices, so a new piece begins at a triangle whose indices
-    /// are all above, or all below, the earlier ones: Dear ImGui draws a table column by column (ImDrawListSplitter),
-    /// but creates its vertices row by row.
+    /// Returns the end of the piece that starts at `begin`. Triangles belong together as long as each shares vertices
+    /// with earlier ones. The vertices from one ImDrawList call have consecutive indices, so a new piece begins at a
+    /// triangle whose indices are all above the earlier ones, or all below them. They can be below, because Dear ImGui
+    /// draws a table column by column (ImDrawListSplitter) but creates its vertices row by row.
     static std::size_t end_of_piece(std::span<const ImDrawIdx> indices, std::size_t begin) {
         ImDrawIdx least = indices[begin], most = indices[begin];
         std::size_t end = begin;

@@ -15,9 +15,9 @@ using ReadTexture = std::function<std::shared_ptr<const Image>(ImTextureID)>;
 
 Ink ink_of(ImU32 color);
 
-/// Converts the current ImGui context's draw data; its fonts must be those of load_fonts(). Glyphs become lines of
-/// text; connected triangles become their outline, without the half-pixel fringe of anti-aliasing; textured ones become
-/// images. ImGuiStyle::AntiAliasedLinesUseTex must be off, otherwise lines would become images.
+/// Converts the draw data of the current ImGui context, whose fonts must be those of load_fonts(). Glyphs become lines
+/// of text. Connected triangles become their outline, without the fringe of anti-aliasing; if they are textured, they
+/// become an image. ImGuiStyle::AntiAliasedLinesUseTex must be off; otherwise, lines would become images.
 Drawing recorded(const ImDrawData& data, const ReadTexture& read);
 
 }  // namespace viewing

@@ -22,7 +22,8 @@ public:
     /// Returns whether there are characters that the last ranges() did not include.
     bool has_new() const { return characters_.size() != in_ranges_; }
     /// Returns the wanted characters for which the font file has an outline, as ranges for ImGui's font atlas; valid
-    /// until the next call. Skips empty glyphs, which would be invisible. Null if there are no characters or no file.
+    /// until the next call. Skips empty glyphs, which would be invisible. Null if there are no such characters or no
+    /// file.
     const ImWchar* ranges(std::span<const std::byte> font_file);
 
 private:

@@ -1,4 +1,4 @@
-// Returns the palette of the state's theme, since widgets know nothing about the state.
+// Returns the widgets' palette for the state's theme. The widgets themselves know nothing about the state.
 #pragma once
 
 #include "state/params.h"

@@ -28,7 +28,7 @@ namespace viewing {
 struct StatusLine {
     std::string renderer;           ///< "OpenGL 3.3 · llvmpipe"
     std::string frame_time;         ///< "–" in pictures that must be reproducible
-    std::vector<std::string> told;  ///< on the pixel under the pointer, or on coarse drawing; most important first
+    std::vector<std::string> told;  ///< about the pixel under the pointer or about coarse drawing; most important first
 };
 
 /// Requests that only the surrounding program can fulfill.
@@ -58,13 +58,13 @@ public:
     StartPage start_page;
     ExerciseDesk exercises;  ///< the current student's exercises
     ExercisePage exercise_page;
-    FlightRecorder recorder;          ///< the program's draw loop adds each frame
+    FlightRecorder recorder;          ///< the program's draw loop gives it each frame
     Replay replay;                    ///< the replay of a flight or a hand-in, while it plays
     bool is_checking = false;         ///< an answer is being judged in the background
     LessonsProgress progress;         ///< the user's progress in every lesson
     std::vector<std::string> recent;  ///< opened files, latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "": no problem
-    Syllables korean;                 ///< characters shown so far, for the next frame's fonts
+    Syllables korean;                 ///< Korean characters shown so far, for the next frame's fonts
     widgets::Context widgets;
 
     /// Returns the window's layout for this session, with the widgets' current fonts.
@@ -90,8 +90,8 @@ public:
 
 private:
     void set_stage();
-    /// Commits typed text before a key or a dropped file moves the focus away, by holding that input back for one
-    /// frame. Also commits the text when the window loses focus.
+    /// Commits typed text before a key or a dropped file moves the focus away: returns the input without them, and
+    /// holds them back for one frame. Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
     /// When presenting, returns the switches to offer: `kinds`, the controls that the state's layout lists, and the
     /// step's highlighted parts. Otherwise returns nullopt, for all switches.
@@ -103,7 +103,8 @@ private:
     void follow_exercises(Session& session);
     void draw_exercises(Session& session, const Pictures& pictures);
     void choose_answers(FileDialog::Purpose purpose, Session& session);
-    /// Pastes numbers as the answer to the current question. Returns false if their count does not match.
+    /// Pastes numbers as the answer to the current question. Returns false if there is no open question about a matrix,
+    /// or if the count does not match.
     bool paste_answer(Session& session);
     void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
@@ -118,7 +119,7 @@ private:
     /// Starts a recording, or ends it and writes its file in the background.
     void toggle_recording(Session& session);
     void end_recording(Session& session);
-    /// Ends a recording that is full, and plays an opened flight.
+    /// Ends a recording that is full, starts an opened flight, and advances the replay.
     void follow_flights(Session& session, double dt_s);
     std::string recording_sign() const;
     void draw_recording_sign(const Layout& layout) const;

@@ -179,7 +179,7 @@ void Hands::drag(Deed& deed, glm::vec2 from, glm::ivec2 size_px) {
     const int steps = 2 + static_cast<int>(pick(6));
     for (int i = 1; i <= steps; ++i)
         deed.touches.emplace_back(PointerMoved{from + way * (static_cast<float>(i) / static_cast<float>(steps))});
-    // Sometimes the hands give up halfway.
+    // Sometimes the hands give up in the middle of a drag.
     if (chance(10)) tap(deed, "Escape");
     if (chance(20)) tap(deed, "z", true);
     deed.touches.emplace_back(ButtonChanged{button, false});

@@ -1,5 +1,5 @@
-// The monkey's hands. From a seed, they choose actions that a user could perform with mouse, keys, text, wheel, window
-// size, dropped files and the clipboard, mostly on an item. monkey.cpp performs the actions without a window and
+// The monkey's hands. From a seed, they choose actions that a user could perform, mostly on an item: with mouse, wheel,
+// keys, text, window size, dropped files and the clipboard. monkey.cpp performs the actions without a window and
 // observes their effect in the same program; monkey_window performs them on a real window. Read monkey.cpp next.
 #pragma once
 
@@ -73,8 +73,8 @@ private:
     std::vector<std::filesystem::path> things_;
 };
 
-/// Creates the files that are dropped and pasted: intact and broken states, scenes, meshes and figures, and files of no
-/// known kind.
+/// Creates the files that the hands drop and paste: intact and broken states, scenes, meshes and figures, and files of
+/// no known kind.
 void make_things(const std::filesystem::path& folder);
 
 /// Returns the lines that monkey_window reads: xdotool commands for the window `id`, or "resize W H", "clipboard FILE",

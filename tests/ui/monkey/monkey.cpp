@@ -1,12 +1,12 @@
 // A monkey for the whole interface, without a window: it drives the studio and its input queue as the main loop does.
 // After each action, it checks that GL has reported no error and that the state reads back equal. After each episode of
 // a hundred actions, it checks that the camera's picture equals the snapshot of its state, that undo leads to the
-// start, and that redo leads to the end. Episodes begin in presets, lessons, exercises or on the start page. Every
-// second episode runs background work as on screen; the others wait for it and are exactly reproducible.
+// start, and that redo leads to the end. Episodes begin in presets, lessons, exercises or on the start page. In every
+// second episode, background work runs as on screen. The other episodes wait for it, so they are exactly reproducible.
 //   monkey [--seed S] [--events N | --minutes N] [--episode K]    writes into the working folder
 //   monkey --script WIDTH HEIGHT WINDOW SEED COUNT STATE           actions for monkey_window
 //   monkey --confined COMMAND…                                     writes only into the working folder
-// Exit status 1 if an error was found; monkey.log ends with the actions that led to it.
+// The exit status is 1 if the monkey found an error; monkey.log then ends with the actions that led to it.
 #include <imgui.h>
 
 #include <unistd.h>
@@ -71,7 +71,7 @@ public:
 
     const std::vector<RecordedItem>& items() const { return studio.workbench.widgets.recorded; }
 
-    /// Performs an action. With `bursts`, all its events arrive before the first frame, as on a busy machine.
+    /// Performs an action. If `bursts`, all events of the action arrive before its first frame, as on a busy machine.
     void take(const Deed& deed, bool bursts) {
         for (const Touch& touch : deed.touches) {
             std::visit([this](const auto& one) { feel(one); }, touch);
@@ -93,7 +93,7 @@ public:
         drain();
     }
 
-    /// Leaves lessons, dialogs, playback and motion, and runs until no frame is due.
+    /// Exits lessons and dialogs, stops playback and motion, and runs until no frame is due.
     void come_to_rest() {
         feel(InputEvent(PointerMoved{}));
         feel(InputEvent(FocusChanged{false}));
@@ -163,7 +163,7 @@ private:
         ++events;
         std::ifstream file(filled.file, std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), {}};
-        clipboard_ = text.c_str();  // a clipboard ends at its first zero
+        clipboard_ = text.c_str();  // the text ends at its first zero byte
     }
     void feel(const Paused& paused) {
         drain();
@@ -217,7 +217,7 @@ public:
         const Result<LoadedState> state = load_state(preset);
         require(static_cast<bool>(state), state ? "" : state.error());
         Window window(renderer_, *state, waits, log_);
-        static constexpr glm::ivec2 sizes[] = {{640, 480}, {800, 600}};  // the driver takes most of the time
+        static constexpr glm::ivec2 sizes[] = {{640, 480}, {800, 600}};  // small, since drawing takes most of the time
         window.size_px = sizes[hands.pick(std::size(sizes))];
         window.frame();
         const Params start = window.studio.session.params;
@@ -286,7 +286,7 @@ private:
         const LoadedState state{*params, {}};
         const Result<Scene> scene = load_scene(params->scene, {}, params->coplanar);
         if (!scene) {
-            // If the file is gone or not a mesh, the previous scene stays on screen.
+            // If the scene's file is gone or is not a mesh, the previous scene stays on screen.
             require(session.message.is_error, "the scene cannot be read, and no message says so: " + scene.error());
             return;
         }
@@ -322,7 +322,7 @@ private:
             require(first == start, "undo does not lead to the start:" + difference(first, start));
             require_it_reads_back(session);
         }
-        for (int step = 0; step < steps; ++step) {  // no further: the last action may have been an undo
+        for (int step = 0; step < steps; ++step) {  // no further: if the last action was an undo, redos remain
             window.tap("z", true, true);
             session.finish_loading();
         }

@@ -1,5 +1,5 @@
-// Asks a window to close, as a window manager does when its close button is clicked: `close-window ID`. (xdotool can
-// only destroy a window, and no program survives that.)
+// Asks a window to close, as a window manager does when the user clicks the close button: `close-window ID`. (xdotool
+// can only destroy a window, and no program survives that.)
 #include <X11/Xlib.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Drops files onto a window, as a file manager does (XDND): `drop-files WINDOW FILE…`. Exit status 1 if the window does
-// not accept them.
+// Drops files onto a window, as a file manager does (XDND): `drop-files WINDOW FILE…`. The exit status is 1 if
+// the window does not accept them.
 #include <poll.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -43,7 +43,7 @@ private:
         XFlush(display_);
     }
 
-    /// Waits for the window's answer; hands the files over on request.
+    /// Waits for the window's answer and sends the files if the window requests them.
     bool hears(const char* what) {
         for (int waits = 0; waits < 60;) {
             if (XPending(display_) == 0) {

@@ -1,4 +1,5 @@
-// Animation starts from the unanimated state, the jitter stays within its amplitude, and the light on its circle.
+// Animation starts from the unanimated state, the jitter stays within its amplitude, and the light stays on its
+// circle.
 #include "frame/animation.h"
 
 #include "unit/frame/frame_test.h"

@@ -197,7 +197,7 @@ TEST(DeriveMovingWorld, CameraFixedPointsStay) {
             EXPECT_LT(glm::length(there - here), 1e-9);
         }
         EXPECT_LT(glm::length(glm::dvec3(view.view_from_world * view.eye_world)), 1e-9);
-        // The world moves: the origin is elsewhere.
+        // The world has moved, so its origin is elsewhere.
         const glm::dvec3 origin = divided(view.view_from_world[3]), before = divided(first.view_from_world[3]);
         EXPECT_GT(glm::length(origin - before), 1e-3);
     }

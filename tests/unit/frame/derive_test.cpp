@@ -38,7 +38,7 @@ Derived derived_of(const Params& params, const Scene& scene = box_scene()) {
     return derive(params, scene, Viewport{});
 }
 
-/// Makes a scene whose only triangle starts at `point`, and follows that vertex.
+/// Makes a scene whose only triangle has its first vertex at `point`; following() follows that vertex.
 Scene scene_at(const glm::dvec3& point) {
     return scene_of({object("marker", triangle_mesh({point, point + glm::dvec3(1, 0, 0), point + glm::dvec3(0, 1, 0)}),
                             glm::dvec3(0.0))});

@@ -73,7 +73,7 @@ TEST(FightingPairs, KnowWhichSquareIsOnTop) {
     EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
-/// With C uploaded as V, the picture and its fighting are those of a camera at the opposite place.
+/// With C uploaded as V, the picture and its fighting are those of a camera at the negated position.
 TEST(PairPredictions, UseTheUploadedMatrix) {
     const Scene scene = scene_of({turned(square(0.0), {0.0, 90.0, 0.0}), turned(square(0.006), {0.0, 90.0, 0.0})});
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
@@ -209,7 +209,7 @@ TEST(FightingPrediction, CountsTiesAsWrongIfTheWrongSurfaceWins) {
 }
 
 /// Returns the share of wrong pixels of a poster on a wall, seen from 20 units above unless the settings change the
-/// camera, at 8 bits by default. Returns −1 without a prediction, and −2 if the predicted interval is wider than 0.2.
+/// camera, at 8 bits by default. Returns −1 if there is no prediction, and −2 if its interval is wider than 0.2.
 double share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
     std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",
                                  "projection.far=100"};

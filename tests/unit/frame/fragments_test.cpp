@@ -1,5 +1,6 @@
-// The fragments of a pixel without GL: depths computed by hand, the depth test against a distance-based simulation,
-// culling, ties, edges shared by two triangles, and the same triangles hit by a ray in world space.
+// Checks the fragments that are found for a pixel without GL: their depths against values computed by hand, the depth
+// test against a distance-based simulation, and the triangles against those that a ray hits in world space. Also tests
+// culling, ties, and edges shared by two triangles.
 #include "frame/depth/fragments.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ using testing::scene_of;
 
 constexpr glm::ivec2 fragment_px(64, 48), center_px(32, 24);
 
-/// Returns settings that look along −z from the origin and draw no patch, shadow or mirror image.
+/// Returns settings with which the camera looks along −z from the origin and sees no patch, shadow or mirror image.
 std::vector<std::string> at_origin(std::vector<std::string> more = {}) {
     std::vector<std::string> settings{"camera.position=[0,0,0]",       "camera.yaw=0",       "camera.pitch=0",
                                       "shadow.enabled=false",          "plane.extent=0.001", "reflection.enabled=false",
@@ -87,7 +88,8 @@ TEST(Fragments, ComeInDrawOrder) {
     EXPECT_FALSE(found[2].tie);
 }
 
-/// Returns whether the comparison passes if the new fragment is nearer by this much.
+/// Returns whether the comparison lets a new fragment pass. `nearer` is positive if the fragment is nearer than the
+/// stored depth, 0 if it is equally far, and negative if it is farther.
 bool lets_through(const std::string& func, int nearer) {
     static const std::map<std::string, std::string> passing{{"never", ""},    {"less", "+"},    {"equal", "0"},
                                                             {"lequal", "+0"}, {"greater", "-"}, {"notequal", "+-"},
@@ -115,7 +117,7 @@ TEST(Fragments, PassLikeADistanceBasedSimulation) {
                                   std::string("depth.clear=") + (clear ? "true" : "false")},
                                  scene_of(quads));
                 ASSERT_EQ(found.size(), distances.size());
-                double kept = 1e9;  // cleared: farther than all
+                double kept = 1e9;  // the buffer is cleared to a depth farther than all
                 for (int frame = clear ? 1 : 0; frame < 2; ++frame)
                     for (std::size_t i = 0; i < distances.size(); ++i) {
                         const int nearer = kept > distances[i] ? 1 : kept < distances[i] ? -1 : 0;

@@ -12,7 +12,7 @@ using testing::random_scene;
 using testing::request_of;
 using testing::with_method;
 
-/// A scene and a view with work for every method.
+/// A scene and a view that give every method work to do.
 class HiddenSteps : public ::testing::Test {
 protected:
     HiddenSteps() {
@@ -129,7 +129,7 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     const auto whole = at(VisibilityMethod::software_depth_buffer, -1);
     const auto& polygons = *whole->fragments;
     std::vector<IdImage> alone;  // the coverage of each polygon alone
-    std::vector<int> tested{0};  // before each polygon
+    std::vector<int> tested{0};  // the number of fragments tested before each polygon
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         alone.push_back(rasterize(std::span(&polygons[i], 1), request.viewpoint.clip_from_world(),
                                   {.width = hidden_px.x, .height = hidden_px.y})
@@ -161,8 +161,8 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     }
 }
 
-/// Returns false if rounding decides; otherwise `meets_it` says whether the ray hits the polygon, judged by its plane
-/// and the side of every edge.
+/// Returns false if rounding would decide. Otherwise, sets `meets_it` to whether the ray hits the polygon, judged by
+/// where it meets the polygon's plane and on which side of every edge.
 bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it) {
     const double slope = glm::dot(glm::dvec3(polygon.plane), ray.direction);
     if (std::abs(slope) < 1e-9) return false;

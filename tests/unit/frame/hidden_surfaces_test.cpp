@@ -112,8 +112,8 @@ TEST(HiddenOrders, MatchThePictureOfRayCasting) {
     }
 }
 
-/// Decides as in OpenGL 3.3, section 3.6.1, by the sign of the area on the screen. The triangle must be in front of the
-/// near plane.
+/// Returns whether GL culls the triangle, by the sign of its area on the screen (OpenGL 3.3, section 3.6.1). The
+/// triangle must be in front of the near plane.
 bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -154,7 +154,7 @@ TEST(HiddenCulling, MatchesTheScreenAndTheMirror) {
             for (const Polygon& polygon : solver.surface()->polygons)
                 for (const glm::dvec3& vertex : polygon.vertices)
                     all_before_near_plane &= asked.viewpoint.distance(vertex) > params.projection.near;
-            if (!all_before_near_plane) continue;  // half of the mirrored eyes are skipped
+            if (!all_before_near_plane) continue;  // skips about half of the mirrored views
             for (const Polygon& polygon : solver.surface()->polygons) {
                 EXPECT_EQ(!left.contains(polygon.source), is_culled_by_area(polygon, asked));
                 ++(left.contains(polygon.source) ? kept : culled);
@@ -205,7 +205,8 @@ TEST(HiddenSolver, ReportsCancellationAndForgetsIt) {
     }
 }
 
-/// After cancellation, the solver draws a small scene completely and a large one in part; the sentence says so.
+/// After cancellation, only the first 32,768 triangles of a large scene are drawn, and a sentence says that the picture
+/// is not finished.
 TEST(HiddenSolver, DrawsPartOfALargeSceneWhenCanceled) {
     Random random(seed + 5);
     Scene scene;

@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// The variables plane, lightpos and dot; dot is computed as in the function's own line.
+/// The variables plane, lightpos and dot of the lecture's function, which computes dot in the same way.
 struct Arguments {
     glm::dvec4 plane, light;
     double dot = plane[0] * light[0] + plane[1] * light[1] + plane[2] * light[2] + plane[3] * light[3];
@@ -124,7 +124,7 @@ TEST(LectureCode, GlReadsTheTransposeOfThePrintedCode) {
         EXPECT_EQ(printed, glm::transpose(right));
         const bool is_right = worst_difference(printed, right) < 1e-12;
         EXPECT_EQ(is_right, d == 0.0) << "d = " << d;
-        // The translation is in the bottom row: w is no longer 1.
+        // The translation is in the bottom row, so w is no longer 1.
         const glm::dvec4 point(random.vec3(6.0), 1.0);
         EXPECT_NEAR((printed * point).w, 1.0 - 2.0 * d * glm::dot(glm::dvec3(plane), glm::dvec3(point)), 1e-12);
     }

@@ -1,4 +1,4 @@
-// The text of a matrix: its row order, full precision, and values without digits.
+// The text of a matrix: the order of its entries, its full precision, and entries that are NaN or infinite.
 #include "frame/matrix_text.h"
 
 #include <gtest/gtest.h>

@@ -58,7 +58,7 @@ TEST(DegreesAsRadians, UseTheCotangentOfTheNumberItself) {
         << "orthographic views have no angle";
 }
 
-// At multiples of π, cot is infinite or 0.
+// If fovy is a multiple of π, cot(fovy / 2) is infinite or 0.
 TEST(DegreesAsRadians, KeepAUsableStateAtEveryAngle) {
     for (int half_turns = 1; half_turns * glm::pi<double>() < 179.0; ++half_turns) {
         Params params;

@@ -83,7 +83,7 @@ TEST(SeenThings, EncloseEveryVisiblePointOfTheirTriangles) {
             farthest = std::max(farthest, -point.z);
         }
         const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-        if (nearest > farthest) continue;  // the view has too little of the triangle for random points
+        if (nearest > farthest) continue;  // the view contains too little of the triangle for the random points to hit
         ASSERT_EQ(seen.size(), 1U);
         EXPECT_LE(seen[0].nearest, nearest + 1e-6);
         EXPECT_GE(seen[0].farthest, farthest - 1e-6);

@@ -26,8 +26,8 @@ glm::dvec3 world_vertex(const SceneObject& placed, std::size_t vertex) {
     return glm::dvec3(placed.world_from_model * glm::dvec4(placed.mesh->positions[vertex], 1.0));
 }
 
-/// Returns how far a point of the plane lies outside a convex outline, or 0 if it is inside, by the signed distance to
-/// each edge.
+/// Returns how far a point of the plane lies outside a convex outline, measured by the signed distance to each edge, or
+/// 0 if the point is inside.
 double outside(const std::vector<OutlineVertex>& outline, const glm::dvec3& point, const glm::dvec3& normal) {
     glm::dvec3 middle(0.0);
     for (const OutlineVertex& corner : outline) middle += corner.shadow_world / static_cast<double>(outline.size());

@@ -19,7 +19,8 @@ using testing::scene_of;
 
 constexpr glm::ivec2 sizes[] = {{64, 48}, {426, 520}, {800, 600}, {1187, 611}, {1920, 1080}};
 
-/// Looks from the origin along −z. One of the boxes there sticks out from behind another, and a third is at the right.
+/// Looks from the origin along −z. Of the three boxes below, one sticks out from behind another, and the third is on
+/// the right.
 Params looking() {
     return params_with({"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "shadow.enabled=false",
                         "reflection.enabled=false", "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});
@@ -29,7 +30,7 @@ Scene boxes() {
                      object("right", box_mesh(), {1.2, 0.3, -6})});
 }
 
-/// Returns where a ray enters a box that is only translated; infinity for a miss.
+/// Returns the parameter at which a ray enters a box that is only translated, or infinity if the ray misses the box.
 double entry(const Ray& ray, const SceneObject& box) {
     const glm::dvec3 middle(box.world_from_model[3]);
     const Bounds bounds = bounds_of(*box.mesh);

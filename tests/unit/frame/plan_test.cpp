@@ -138,7 +138,7 @@ TEST(PlanPasses, PatchFacingAwayFromTheLightIsUnlit) {
               Shading::lit);
 }
 
-/// Returns one field's name with the name of every pass, such as "Shadow.depth".
+/// Returns the field's name once for every pass, after the name of the pass, such as "Shadow.depth".
 std::set<std::string> in_every_pass(const FramePlan& frame, const std::string& field) {
     std::set<std::string> keys;
     for (const Pass& pass : frame.passes) keys.insert(pass.name + "." + field);
@@ -164,7 +164,7 @@ TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
         {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
         {{"depth.clear=false"}, {"frame.clear_depth"}},
         {{"depth.format=d16"},
-         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks have one value per pixel
+         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // the stencil's substitute has no samples
         {{"depth.format=d32f"}, {"frame.depth_format", "frame.stored_depth"}},
         {{"depth.write_while_clearing=false"}, {"frame.mask_on_while_clearing"}},
         {{"depth.logarithm_per_vertex=true"}, {"frame.logarithm_per_vertex"}},
@@ -545,7 +545,7 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
         const FramePlan frame = plan_of(params, run % 2 == 0);
         // With a small raster, the frame shows only the results of the method.
         ASSERT_FALSE(frame.passes.empty() && !has_raster(params.visibility));
-        // The methods that GL does not draw alone have no results yet; the heat map uses none of them.
+        // Methods that GL alone cannot draw have no results here and draw no objects; the heat map needs no results.
         const bool draws_objects =
             is_drawn_by_gl_alone(params.visibility.method) || params.view.shows == Shows::fighting;
         const bool has_objects = std::ranges::any_of(

@@ -56,7 +56,7 @@ struct Case {
     std::string group, words;
     Scene (*scene)();
     Settings told, not_told;
-    Scene (*scene_of_not_told)() = nullptr;  ///< null: the same scene
+    Scene (*scene_of_not_told)() = nullptr;  ///< null if it is the same scene
 };
 
 const std::vector<Case>& cases() {

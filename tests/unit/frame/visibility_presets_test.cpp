@@ -50,7 +50,7 @@ public:
 
     std::int64_t wrong(const IdImage& image) const { return difference(reference, image).different; }
 
-    /// Counts only pixels that show another object, which has another color.
+    /// Counts only the pixels that show the wrong object and therefore have the wrong color.
     std::int64_t objects_wrong(const IdImage& image) const {
         int last = 0;
         for (const Polygon& polygon : polygons) last = std::max(last, polygon.source);

@@ -11,7 +11,8 @@
 namespace viewing {
 namespace {
 
-/// Returns how far the box reaches in the picture; 1 is the edge.
+/// Returns how far the box reaches from the picture's center, where 1 is the picture's edge, or 1e9 if a corner is not
+/// in front of the eye.
 double reach_of(const Bounds& box, const glm::dvec3& eye, const Angles& angles, const Lens& lens, double aspect) {
     const glm::dmat4 clip_from_world = clip_from_view(lens, aspect) * view_from_world(world_from_view(eye, angles));
     double reach = 0.0;

@@ -26,7 +26,7 @@ TEST(Projection, NearAndFarMapToTheEndsOfTheClipRange) {
 }
 
 TEST(Projection, FieldOfViewAndHeightAreFullVertical) {
-    // 90°: at distance 7 the frustum is 14 high and, with aspect 2, 28 wide.
+    // With 90°, the frustum is 14 high at distance 7 and, with aspect 2, 28 wide.
     for (const glm::dmat4& clip : {clip_from_view({.fovy_deg = 90, .near = 1, .far = 10}, 2.0),
                                    clip_from_view_reversed({.fovy_deg = 90, .near = 1, .far = 10}, 2.0)}) {
         const glm::dvec4 corner = clip * glm::dvec4(14, 7, -7, 1);
@@ -96,7 +96,7 @@ TEST(WindowDepth, RoundTrip) {
 
 TEST(DepthStep, MatchesTheTable) {
     struct Row {
-        double near, far, z, bits16, bits24, float_standard, float_reversed;  // 0: this storage does not limit the step
+        double near, far, z, bits16, bits24, float_standard, float_reversed;  // 0 if storage does not limit the step
     };
     const Row rows[] = {
         {20, 100, 60, 2.197e-3, 8.583e-6, 8.583e-6, 2.146e-6}, {1, 100, 10, 1.511e-3, 5.901e-6, 5.901e-6, 7.376e-7},
@@ -133,7 +133,7 @@ TEST(DepthStep, FloatsAreLimitedByTheEyeDepth) {
 }
 
 TEST(DepthStep, IsTheWidthOfOneCode) {
-    // Brute force: move until the rounded code has changed by one hundred.
+    // Brute force: divide the distance between 50 codes nearer and 50 codes farther by one hundred.
     for (const bool orthographic : {false, true}) {
         const Lens lens{.orthographic = orthographic, .near = 0.5, .far = 40};
         for (const DepthMapping mapping : mappings) {

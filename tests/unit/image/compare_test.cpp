@@ -220,9 +220,9 @@ TEST(Compare, DifferentSizesAreReportedInASentence) {
         return p[0] == p[1] && p[1] == p[2];
     };
     EXPECT_TRUE(is_grey(14, 9));
-    EXPECT_FALSE(is_grey(15, 9));   // only A
-    EXPECT_FALSE(is_grey(14, 10));  // only B
-    EXPECT_FALSE(is_grey(19, 11));  // neither
+    EXPECT_FALSE(is_grey(15, 9));   // only A has this pixel
+    EXPECT_FALSE(is_grey(14, 10));  // only B has this pixel
+    EXPECT_FALSE(is_grey(19, 11));  // neither has this pixel
 }
 
 TEST(Compare, EmptyPicturesAreEqual) {

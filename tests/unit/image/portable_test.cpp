@@ -1,5 +1,5 @@
-// The portable profile on constructed edges with known movements. Its parts are checked against a slow and obvious
-// count on seeded random pictures.
+// Tests the portable profile on constructed edges with known movements, and its parts against a slow and obvious count
+// on seeded random pictures.
 #include "image/portable.h"
 
 #include <gtest/gtest.h>

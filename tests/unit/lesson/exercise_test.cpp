@@ -71,7 +71,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
     return at == std::string::npos ? text : text.replace(at, part.size(), other);
 }
 
-/// Returns the step of the variant that contains this text; the shuffle decides the order of the variants.
+/// Returns the step of the first variant that contains this text. The text is needed because variants are shuffled.
 Result<LessonStep> step_of(const std::string& json, const std::string& variant = "\"k\":") {
     const Result<Exercise> exercise = parse_exercise(json, "mine.json", "");
     if (!exercise) return Error{exercise.error()};
@@ -291,7 +291,7 @@ TEST(Exercise, ConstantHidesAnyOtherNameOrIsRefused) {
     for (const std::string name : {"V", "camera", "answer", "pi", "identity", "dot"}) {
         const std::string picked = with(number_exercise, "\"n\": [3]", "\"n\": [3], \"" + name + "\": [12345]");
         const std::string asked = with(with(picked, "Twice {k}.", "Twice {" + name + "}."), "{camera.yaw / 7}, ",
-                                       "");  // either may hide the other
+                                       "");  // fails if the constant hides camera
         const Result<LessonStep> step =
             step_of(with(with(asked, "=2 * camera.yaw", "=2 * k"), "camera.yaw == k", "true"));
         if (step)
@@ -400,7 +400,7 @@ TEST(Exercise, HostileExpressionsEndWithASentence) {
 
 TEST(Exercise, HugeStringsAndDeepNestingEndWithASentence) {
     EXPECT_TRUE(has(trouble_with("Twice", std::string(1'000'000, 'x')), "longer than 4000 bytes"));
-    // This text becomes long only in its variant.
+    // This text becomes long only when a variant fills in the constant.
     const std::string filled =
         with(number_exercise, "\"n\": [3]", "\"n\": [3], \"s\": [\"" + std::string(5000, 'y') + "\"]");
     EXPECT_TRUE(has(trouble_with(with(filled, "Twice {k}.", "{s}")), "longer than 4000 bytes"));

@@ -267,7 +267,7 @@ TEST(ExpressionLimits, EachMeasuredCallCosts) {
 
 // ---- words ----------------------------------------------------------------------------------------------------------
 
-/// Returns spaces and comments that may separate two tokens, with a word inside that is not a name.
+/// Returns spaces and comments that may separate two tokens. The word inside the comments is not a name.
 std::vector<std::string> comments_around(const std::string& word) {
     return {" --" + word + "\n",
             " --'" + word + "\n",

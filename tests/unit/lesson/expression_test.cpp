@@ -80,7 +80,7 @@ TEST(Expression, MathMatchesValuesComputedByHand) {
     EXPECT_TRUE(truth("close(mul(translation({1, 2, 3}), {0, 0, 0, 1}), {1, 2, 3, 1}, 0)"));
     EXPECT_TRUE(truth("close(transpose({{1, 2}, {3, 4}}), {{1, 3}, {2, 4}}, 0)"));
     EXPECT_TRUE(truth("same_map({1, -2, 4}, {-2, 4, -8}, 1e-12) and not same_map({1, 2}, {1, 2.1}, 1e-3)"));
-    // A floor mirrors y. A light 4 above it flattens along its rays.
+    // A floor mirrors y. A light 4 above the floor flattens points onto it along the rays.
     EXPECT_TRUE(truth("close(apply(reflection_matrix({0, 1, 0, 0}), {1, 2, 3}), {1, -2, 3}, 1e-12)"));
     EXPECT_TRUE(truth("close(apply(shadow_matrix({0, 1, 0, 0}, {0, 4, 0, 1}), {1, 2, 0}), {2, 0, 0}, 1e-12)"));
     EXPECT_EQ(number("min(3, 1, 2) + max(3, 1, 2)"), 4.0);

@@ -1,5 +1,5 @@
-// Hand-ins: a written file reads back, and a foreign file does no harm. Also the settings that lead from one state to
-// another, which store the answer to a goal.
+// Hand-ins: a written file reads back, and a foreign file does no harm. Also tests the settings that lead from one
+// state to another, which store the answer to a goal.
 #include "lesson/hand_in.h"
 
 #include <gtest/gtest.h>
@@ -166,8 +166,8 @@ Attempt attempt_of(const std::string& at, double number) {
     return attempt;
 }
 
-/// For any actions of two windows and any order of writes, every attempt is there once, ordered by time. The draft
-/// comes from the last window that changed a draft and wrote it.
+/// Whatever the two windows do, and in whatever order they write, each attempt appears exactly once, sorted by time.
+/// The draft is that of the window that last wrote a changed draft.
 TEST(MergedHandIn, KeepsTheWorkOfBothWindows) {
     constexpr unsigned seed = 11;
     SCOPED_TRACE(seed);
@@ -232,7 +232,7 @@ TEST(MergedHandIn, SameMistakeSeenByTwoWindowsIsOneAttempt) {
     EXPECT_EQ(merged(now, kept, kept).items.front().attempts, wanted);
 }
 
-/// When the writes of two tabs cross, the other tab's file overwrites this window's attempts.
+/// When the writes of two tabs cross, the other tab's file overwrites this tab's latest attempt.
 TEST(MergedHandIn, OverwrittenAttemptComesBack) {
     HandIn own, other;
     own.items = {{"E01", 0, {attempt_of("1", 1), attempt_of("2", 2)}, {}, {}, {}}};

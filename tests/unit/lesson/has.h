@@ -1,4 +1,4 @@
-// Searching error messages.
+// Searches error messages.
 #pragma once
 
 #include <string>

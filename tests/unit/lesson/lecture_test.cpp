@@ -1,6 +1,6 @@
-// The shipped lessons follow the plan of the lecture: sixteen lessons in its order, with 103 steps. Each step asks
-// before it shows, responds to common mistakes, and changes something when it shows. Checking their claims and answers
-// needs the renderer: `viewing-sandbox lesson --check` does that.
+// The shipped lessons follow the plan of the lecture: sixteen lessons in its order, with 103 steps. Each step asks a
+// question before it reveals the answer, responds to common mistakes, and changes something when it reveals the answer.
+// Checking the steps' claims and answers needs the renderer: `viewing-sandbox lesson --check` does that.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// Returns all lessons; a lesson that cannot be read is a failure and is left out.
+/// Returns all lessons. Reports a failure for each lesson that cannot be read, and leaves it out.
 const std::vector<Lesson>& lecture() {
     static const std::vector<Lesson> read = [] {
         std::vector<Lesson> result;

@@ -1,4 +1,5 @@
-// The names by which lessons cover and highlight things: each is known, and a misspelled one suggests the nearest.
+// The names by which lessons cover and highlight things: each is known, and the error for a misspelled name suggests
+// the nearest one.
 #include "lesson/targets.h"
 
 #include <gtest/gtest.h>

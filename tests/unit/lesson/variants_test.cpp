@@ -62,7 +62,7 @@ TEST(Variants, VariantOfAStudentNeverChanges) {
     EXPECT_EQ(variant_of("cg", "1", "x", 1'000'003), 404'973U);
 }
 
-/// Returns the variants of a class of 90 in twelve exercises.
+/// Returns the variants that a class of 90 students gets in twelve exercises.
 std::vector<Places> sheets_of(const std::string& course, std::size_t first_number) {
     std::vector<Places> sheets;
     for (std::size_t student = 0; student < 90; ++student) {

@@ -1,5 +1,5 @@
-// How a session begins: with its own scene if that loads quickly, otherwise with the opening scene until a large mesh
-// is there.
+// How a session begins: with its own scene if that loads quickly, otherwise with the opening scene until the large mesh
+// has loaded.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -208,7 +208,7 @@ TEST_F(ExerciseDeskTest, TypedAnswersAreSavedAutomatically) {
     type(*desk, number_id, {0.125});
     wait_until_written(*desk, anna, {0.125});
     EXPECT_EQ(told_, "");
-    const HandIn read = written(anna);  // the desk is still alive, as after a kill
+    const HandIn read = written(anna);  // the desk was not closed, as if it had been killed
     EXPECT_EQ(read.student, anna.number);
     EXPECT_EQ(read.course, anna.course);
     EXPECT_EQ(read.name, anna.name);
@@ -237,7 +237,7 @@ TEST_F(ExerciseDeskTest, SleepingWindowKnowsWhenTheNextWriteIsDue) {
     hear(desk->update(window_s));
     EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "the end of the write wakes the window";
 
-    type(*desk, number_id, {2.0});  // during the write, then no more input
+    type(*desk, number_id, {2.0});  // comes during the write; no more input follows
     window_s += 0.1;
     for (const double end_s = now_s() + patience_s; desk->update_due_in_s(window_s) < 0.0 && now_s() < end_s;) {
         sleep();
@@ -333,7 +333,7 @@ TEST_F(ExerciseDeskTest, ReachedGoalComesBackUnchanged) {
         desk->follow(run, with_light(run.step().start.params, 3.0), true, 3.0);
         run.take(right());
         desk->record(run, right(), with_light(run.step().start.params, 4.0));
-        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // revealed: changed for play only
+        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // revealed: this change is only play
         finish(*desk);
     }
     const auto desk = desk_of(anna);
@@ -699,7 +699,7 @@ TEST_F(ExerciseDeskTest, TwoWindowsKeepAllAttemptsAndTheLatestDraft) {
     check(*other, number_id, {{2.0}, {}}, wrong());
     type(*other, number_id, {3.0});
     finish(*other);
-    one->follow(old, old.step().start.params, true, now_s());  // the earlier input is still there
+    one->follow(old, old.step().start.params, true, now_s());  // this run still has the earlier input
     one->read_again();
     finish(*one);
     one->follow(old, old.step().start.params, true, now_s());

@@ -1,6 +1,6 @@
-// Two windows of one user write the same files and are killed meanwhile: every write that a window reported as done
-// must be there at the end. The windows are processes; each reports its writes through a pipe and is killed after a
-// seeded number of writes, so usually in the middle of one.
+// Two windows of one user write the same file and are killed while they do so. Every write that a window reported as
+// done must be in the file at the end. The windows are processes; each reports its writes through a pipe and is killed
+// after a seeded number of writes, so usually in the middle of one.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -152,7 +152,7 @@ void TwoWindows::expect_all_answers(int writes) const {
     for (const int number : told) EXPECT_EQ(count[number], 1) << "the answer " << number;
 }
 
-/// Does the same with finished steps.
+/// Expects to find every finished step that two windows reported in `writes` writes.
 void TwoWindows::expect_all_steps(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     constexpr int lessons = 5, steps = 150;

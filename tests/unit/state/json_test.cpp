@@ -261,7 +261,7 @@ TEST(State, RandomStatesRoundTripExactly) {
     }
 }
 
-// The reader must accept everything that clamp_to_ranges() passes, since the panel may write it.
+// The reader must accept every state that clamp_to_ranges() produces, since the panel may write it.
 TEST(State, AcceptsEveryClampedState) {
     std::mt19937 random(7);
     const double wild[] = {-1e300, -1e12, -1e6, -4000, -180, -1, -1e-12, 0, 1e-12, 1e-7, 1, 91, 3601, 1e6, 1e13, 1e300};

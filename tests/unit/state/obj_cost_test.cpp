@@ -1,5 +1,5 @@
-// Small OBJ files that are expensive to read. The number of steps is proportional to the file's length, or the file is
-// refused before it takes more.
+// Small OBJ files that could be expensive to read. Reading one must take a number of steps proportional to its length,
+// or the reader must refuse the file before it takes more.
 #include <gtest/gtest.h>
 
 #include <cmath>

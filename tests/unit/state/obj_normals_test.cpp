@@ -84,7 +84,7 @@ TEST(ObjNormals, BoxHasThoseOfItsSides) {
     }
 }
 
-/// Writes two squares that share an edge and meet at an angle: 0 is flat.
+/// Writes two squares that share an edge and meet at an angle, where 0 means that they are in one plane.
 std::string hinge(double angle_deg, const std::string& before = "", const std::string& between = "") {
     const double angle = glm::radians(angle_deg);
     std::ostringstream text;

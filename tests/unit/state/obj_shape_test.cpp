@@ -219,7 +219,7 @@ Polygon2 spiral(int turns, int corners_a_turn) {
     return outer;
 }
 
-/// Rotates the polygon in space, cuts it there, and checks the result in its own plane.
+/// Rotates the polygon in space, cuts it into triangles there, and checks the result in the polygon's own plane.
 void expect_filled(const Polygon2& polygon, std::mt19937& random, const std::string& what) {
     SCOPED_TRACE(what + " of " + std::to_string(polygon.size()) + " corners, seed " + std::to_string(seed));
     std::normal_distribution<double> normal;

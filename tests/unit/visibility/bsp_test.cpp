@@ -29,7 +29,7 @@ void expect_well_formed(const BspTree& tree, std::span<const Polygon> input) {
             ++held.at(static_cast<std::size_t>(node.first_fragment + k));
             const Polygon& fragment = tree.fragments[static_cast<std::size_t>(node.first_fragment + k)];
             EXPECT_EQ(side_of_plane(fragment, node.plane, 2 * tree.epsilon), PlaneSide::coplanar);
-            // The fragment lies on the side of every ancestor that the tree records.
+            // For every ancestor, the fragment lies on the side that the tree records.
             for (int child = static_cast<int>(i), up = node.parent; up >= 0; child = up, up = tree.nodes[up].parent) {
                 const bool is_front = tree.nodes[up].front == child;
                 EXPECT_NE(is_front, tree.nodes[up].back == child);

@@ -44,7 +44,7 @@ TEST(Culling, CountsTheFacesOfABox) {
     expect_counts(count_facing(box, viewpoint_on_z(true)), 2, 2, 8);
     // The eye is in the plane y = 1 of the top.
     expect_counts(count_facing(box, viewpoint_at({0, 1, 8}, {0, 1, 0})), 2, 8, 2);
-    // From outside, at most three faces are visible, whichever they are.
+    // From any point outside, one to three faces are visible.
     SCOPED_TRACE(seed);
     Random random(seed);
     for (int i = 0; i < 200; ++i) {

@@ -1,4 +1,4 @@
-// The search for a view where a sort key fails: it finds one if there is one and otherwise says so.
+// The search for a view where a sort key fails: it finds such a view if there is one, and otherwise reports none.
 #include "visibility/failure_search.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Pairs of hiding polygons, checked by rays through many points of the picture; orders and cycles of whole polygons.
+// Pairs of polygons of which one hides the other, checked by rays through many points of the picture. Also tests orders
+// and cycles of whole polygons.
 #include "visibility/hiding.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ struct Sight {
         for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
             const glm::dvec3& a = polygon.vertices[i];
             const glm::dvec3 edge = polygon.vertices[(i + 1) % polygon.vertices.size()] - a;
-            // Keep 1e−9 away from each edge, so that thin overlaps are still hit.
+            // Hits need to be only 1e−9 inside each edge, so that rays still hit thin overlaps.
             if (glm::dot(glm::cross(normal, edge), at - a) < 1e-9 * glm::length(edge)) return std::nullopt;
         }
         return t > 1e-6 ? std::optional(t) : std::nullopt;

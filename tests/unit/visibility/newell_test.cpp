@@ -20,7 +20,7 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const NewellOrder& 
     return difference(ray_cast_image(polygons, viewpoint), paint(result.fragments, result.order, viewpoint)).different;
 }
 
-/// Returns the steps of two polygons seen from +z and expects a correct picture.
+/// Returns the steps that sort two polygons seen from +z, and expects a correct picture.
 std::vector<NewellStep> ladder(std::vector<glm::dvec3> first, std::vector<glm::dvec3> second) {
     std::vector<Polygon> polygons;
     add(polygons, std::move(first));
@@ -140,8 +140,8 @@ TEST(Newell, NeverComparesAReleasedPairAgain) {
             again += !let_go.emplace(step.p, step.q).second;
         }
     }
-    // The exceptions are polygons Q that are exactly as far as one that P waited for, such as other pieces with the
-    // same farthest corner.
+    // The exceptions are polygons Q whose farthest corner is exactly as far as that of a polygon that P waited for,
+    // such as another piece with the same corner.
     EXPECT_LE(again, let_go_count / 100);
     const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 60);
     const NewellOrder result = newell_order(large, viewpoint_on_z());

@@ -1,4 +1,4 @@
-// Tests whether the projections that Newell's cheap tests compare are separate on an axis, or separate at all.
+// The functions with which Newell's cheap tests decide whether two projections are apart on an axis, or apart at all.
 #include "visibility/projected.h"
 
 #include <gtest/gtest.h>

@@ -183,7 +183,7 @@ TEST(Rasterize, CoplanarPolygonsNeverFight) {
 }
 
 TEST(Rasterize, CutsOpenCracksOnlyOnACoarseGrid) {
-    // Pieces of one polygon, cut by many planes: T-junctions everywhere.
+    // Many planes cut one polygon into pieces, which leaves T-junctions everywhere.
     SCOPED_TRACE(seed);
     Random random(seed);
     const Polygon whole = make_polygon({{-1.7, -1.4, 0}, {1.7, -1.4, 0}, {0.2, 1.6, 0}}, 0, 0).value();

@@ -125,7 +125,7 @@ const kept = (() => {
     show();
   };
 
-  /// Only one tab at a time reads and writes, under a lock if the browser grants one within this time.
+  /// Only one tab at a time reads and writes: each waits this long for a lock, and then continues without one.
   const lock_wait_ms = 1000;
   const flushUnderLock = () => {
     if (!navigator.locks) return flush();

@@ -101,7 +101,7 @@ const net = (() => {
     return made;
   };
 
-  /// Covers everything; `is_over`: the last picture stays visible behind it.
+  /// Covers everything. If `is_over`, the last picture stays visible behind the notice.
   const notice = (text, is_over) => {
     $('notice').hidden = false;
     $('notice').classList.toggle('over', is_over);

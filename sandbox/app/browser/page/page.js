@@ -1,6 +1,6 @@
 // The page around the program: passes events, time and sizes to the functions of app/browser/page.cpp, and does what
-// only a page can: files, clipboard, address, full screen, suspending. Loaded after net.js and kept.js, and before the
-// program's own script, whose names (Module, FS, stackSave, wasmTable, page_pause) are global.
+// only a page can do: files, clipboard, address, full screen, suspending. Loaded after net.js and kept.js, and before
+// the program's own script, whose names (Module, FS, stackSave, wasmTable, page_pause) are global.
 'use strict';
 
 const page = (() => {
