@@ -71,7 +71,7 @@ int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
 }
 
 Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float width)
-    : number(inner::FaceOf(CurrentContext().fonts.number)), symbol(inner::FaceOf(CurrentContext().fonts.note)) {
+    : number(inner::FaceOf(CurrentContext().fonts.matrix)), symbol(inner::FaceOf(CurrentContext().fonts.note)) {
     bracket = Px(7);
     cell_width = std::floor((width - 4.0F * bracket) / 4.0F);
     inset = std::min(Px(6), cell_width * 0.07F);
@@ -85,7 +85,12 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
     // Reserve the same height whether or not the symbols are shown, so that it stays the same when editing starts.
-    const float shown_height = number.size + Px(9) + (has_symbols ? symbol.size * 1.1F : 0.0F);
+    // Without the symbols that it has elsewhere, a matrix also gives up the space around its numbers.
+    const bool hides_symbols = !style.cells.empty() && std::ranges::all_of(style.cells, [](const MatrixCell& cell) {
+        return *cell.symbol == '\0';
+    });
+    const float shown_height =
+        number.size + (hides_symbols ? Px(5) : Px(9)) + (has_symbols ? symbol.size * 1.1F : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
 

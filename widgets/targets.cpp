@@ -10,7 +10,6 @@ namespace widgets {
 
 namespace {
 
-using inner::Box;
 using inner::Px;
 
 constexpr int search_frames = 4;  ///< folded sections need a frame to open before their content can scroll into view
@@ -37,30 +36,6 @@ void BringIntoView(Targets& targets, ImVec2 min, ImVec2 max) {
     targets.scrolled.push_back(window);
     const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
     if (min.y < top || max.y > bottom) ImGui::SetScrollFromPosY((min.y + max.y) * 0.5F - top, 0.5F);
-}
-
-/// Dims the screen outside the holes, in horizontal bands.
-void DrawDimmed(ImDrawList* draw, ImVec2 screen, const std::vector<Box>& holes, ImU32 color) {
-    std::vector<float> edges = {0.0F, screen.y};
-    for (const Box& hole : holes) {
-        edges.push_back(std::clamp(hole.min.y, 0.0F, screen.y));
-        edges.push_back(std::clamp(hole.max.y, 0.0F, screen.y));
-    }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t band = 0; band + 1 < edges.size(); ++band) {
-        const float top = edges[band], bottom = edges[band + 1];
-        if (bottom <= top) continue;
-        std::vector<Box> here;
-        for (const Box& hole : holes)
-            if (hole.min.y <= top && hole.max.y >= bottom) here.push_back(hole);
-        std::sort(here.begin(), here.end(), [](const Box& a, const Box& b) { return a.min.x < b.min.x; });
-        float from = 0.0F;
-        for (const Box& hole : here) {
-            if (hole.min.x > from) draw->AddRectFilled(ImVec2(from, top), ImVec2(hole.min.x, bottom), color);
-            from = std::max(from, hole.max.x);
-        }
-        if (from < screen.x) draw->AddRectFilled(ImVec2(from, top), ImVec2(screen.x, bottom), color);
-    }
 }
 
 }  // namespace
@@ -203,19 +178,14 @@ void DrawHighlights(float bottom) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float margin = Px(3), width = std::round(Px(2) * palette.stroke);
-    std::vector<Box> holes;
-    for (const Targets::Found& found : targets.found) {
-        holes.push_back(
-            {ImVec2(std::floor(std::max(found.min.x - margin, 0.0F)), std::floor(std::max(found.min.y - margin, 0.0F))),
-             ImVec2(std::ceil(std::min(found.max.x + margin, screen.x)),
-                    std::ceil(std::min(found.max.y + margin, screen.y)))});
-    }
     draw->PushClipRectFullScreen();
-    constexpr float dimmed = 0.3F;
-    DrawDimmed(draw, screen, holes, inner::WithAlpha(palette.ground, dimmed));
-    for (const Box& hole : holes) {
-        draw->AddRect(hole.min, hole.max, palette.accent, Px(3), 0, std::max(width, 2.0F));
-        inner::RecordRect("highlight", hole.min, hole.max);
+    for (const Targets::Found& found : targets.found) {
+        const ImVec2 min(std::floor(std::max(found.min.x - margin, 0.0F)),
+                         std::floor(std::max(found.min.y - margin, 0.0F))),
+            max(std::ceil(std::min(found.max.x + margin, screen.x)),
+                std::ceil(std::min(found.max.y + margin, screen.y)));
+        draw->AddRect(min, max, palette.accent, Px(3), 0, std::max(width, 2.0F));
+        inner::RecordRect("highlight", min, max);
     }
     draw->PopClipRect();
     ImGui::End();

@@ -88,8 +88,8 @@ struct TargetScope {
     TargetScope& operator=(const TargetScope&) = delete;
 };
 
-/// Frames the highlighted targets and slightly dims everything else, on top of all windows. Call last in a frame. Does
-/// not block the pointer. Leaves the screen below `bottom`, in pixels, unchanged.
+/// Frames the highlighted targets on top of all windows, but nothing below `bottom`, in pixels. Call last in a frame.
+/// Does not block the pointer.
 void DrawHighlights(float bottom);
 
 }  // namespace widgets

@@ -48,6 +48,7 @@ struct Fonts {
     ImFont* heading = nullptr;       ///< semibold 14
     ImFont* note = nullptr;          ///< proportional 11
     ImFont* number = nullptr;        ///< monospaced 14
+    ImFont* matrix = nullptr;        ///< monospaced 14, larger for an audience
     ImFont* small_number = nullptr;  ///< monospaced 11
     ImFont* caption = nullptr;       ///< proportional 17: sentences readable from the back row
 };

@@ -43,9 +43,10 @@ bool AnswerJudge::Question::is_of(const LessonRun& run, const Params& now) const
 bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& moment) {
     const bool was_checking = std::exchange(workbench.is_checking, false);
     LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
+    const bool has_model = run && run->is_revealed() && show_model(*run, session, moment.may_wait);
     if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) {
         give_up();
-        return was_checking;
+        return was_checking || has_model;
     }
     const Ask& ask = run->step().ask;
     const bool is_goal = ask.kind == AskKind::goal;
@@ -87,6 +88,39 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         });
     }
     return true;
+}
+
+bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
+    const Ask& ask = run.step().ask;
+    if (!is_typed(ask.kind) || run.model() || run.lesson().sheet || session.loading_fraction()) return false;
+    const Params start = session.in_own_looks(run.step().start.params);
+    const Case question{run.shared_lesson(), run.index(), {}, start, start, session.scene()};
+    const auto right = [](const Case& of, Renderer& renderer) {
+        LessonNumbers numbers(of.now, of.start, of.scene, &renderer);
+        const Result<Answer> model = model_answer(of.lesson->steps[of.step].ask, numbers.surroundings());
+        return model ? *model : Answer{};  // an expression that fails leaves the field empty
+    };
+    if (!may_wait || !is_measured(ask)) {
+        run.model() = right(question, renderer_);
+        return true;
+    }
+    if (const std::optional<Result<Answer>> done = model_task_.take()) {
+        run.model() = *done && is_model_of(run) ? **done : Answer{};
+        return true;
+    }
+    if (!model_task_.is_running()) {
+        model_of_ = {run.shared_lesson(), run.index(), {}, std::nullopt};
+        model_task_.start([question, right, this](WorkProgress&) -> Result<Answer> {
+            Answer model;
+            const Result<bool> could = side_.lend([&](Renderer& renderer) { model = right(question, renderer); });
+            return could ? Result<Answer>(model) : Result<Answer>(Error{could.error()});
+        });
+    }
+    return false;
+}
+
+bool AnswerJudge::is_model_of(const LessonRun& run) const {
+    return model_of_.lesson == run.shared_lesson() && model_of_.step == run.index();
 }
 
 void AnswerJudge::give_up() {

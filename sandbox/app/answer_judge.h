@@ -36,6 +36,10 @@ private:
         std::optional<Params> params;  ///< only for a goal
         bool is_of(const LessonRun& run, const Params& now) const;
     };
+    /// Computes the right answer of a typed question that has been revealed, in the background if it is measured.
+    /// Returns whether it has just become known.
+    bool show_model(LessonRun& run, Session& session, bool may_wait);
+    bool is_model_of(const LessonRun& run) const;
     /// Drops the judgment in progress, so that the next check starts a new one.
     void give_up();
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);
@@ -44,6 +48,8 @@ private:
     SideRenderer side_;
     std::optional<Question> asked_;
     /// Its result is empty if no side renderer could take the measurements.
+    Question model_of_;  ///< the question of model_task_
+    BackgroundTask<Answer> model_task_;
     BackgroundTask<std::optional<Verdict>> task_;  ///< declared last, so that it ends before the members it uses
 };
 

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-widgets::Fonts upload_fonts(float scale, Syllables& korean, float small_type) {
-    const widgets::Fonts fonts = load_fonts(scale, korean, small_type);
+widgets::Fonts upload_fonts(float scale, Syllables& korean, const TypeSizes& type) {
+    const widgets::Fonts fonts = load_fonts(scale, korean, type);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     return fonts;
@@ -22,7 +22,7 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
     const widgets::Palette& palette = palette_of(ui.theme);
     const float usual_scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
     const float scale = usual_scale * enlargement(window_px, usual_scale, arrangement);
-    const float small = small_type(arrangement);
+    const TypeSizes type = type_sizes(arrangement);
     const bool speaks_anew = ui.language != language_;
     if (speaks_anew) {
         // Another window of the process may already have set this language, or a different one.
@@ -32,14 +32,14 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
         korean.want(spoken_texts());
     }
     const bool wants_fonts =
-        scale != scale_ || small != small_type_ || korean.has_new() || arrived_font_files() != font_files_;
+        scale != scale_ || type != type_ || korean.has_new() || arrived_font_files() != font_files_;
     if (!wants_fonts && !speaks_anew && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;
-    if (wants_fonts) context.fonts = upload_fonts(scale, korean, small);
+    if (wants_fonts) context.fonts = upload_fonts(scale, korean, type);
     widgets::ApplyStyle(context);
     scale_ = scale;
-    small_type_ = small;
+    type_ = type;
     font_files_ = arrived_font_files();
     theme_ = ui.theme;
     return true;

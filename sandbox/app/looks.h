@@ -12,7 +12,7 @@
 namespace viewing {
 
 /// Uploads the fonts from load_fonts() for a scale to the GL backend of the current ImGui context.
-widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
+widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 
 class Looks {
 public:
@@ -26,7 +26,8 @@ public:
 
 private:
     Theme theme_ = Theme::dark;
-    float scale_ = 0.0F, small_type_ = 0.0F;
+    float scale_ = 0.0F;
+    TypeSizes type_;
     int font_files_ = 0;                ///< number of font files that had arrived at the last upload
     std::optional<Language> language_;  ///< the last requested language
     std::string trouble_;

@@ -74,6 +74,7 @@ const View& Studio::camera_view() {
 
 Params Studio::shown_params() const {
     Params shown = session.portable(shown_.params);
+    shown.projection = session.params.projection;                  // on stage, the shown one may be wider
     shown.animation.jiggle = shown.animation.light_orbit = false;  // their motion is already applied
     return shown;
 }
@@ -93,6 +94,12 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     const bool knows_driver = is_interactive && drawn_.scene_version >= 0;
     const Viewport viewport = knows_driver ? renderer_.viewport(shown_.camera_px, shown_.params.depth.format)
                                            : renderer_.viewport(shown_.camera_px, shown_.params, session.scene());
+    if (const double least = workbench.stage.least_aspect; least > 0.0) {
+        ProjectionParams& lens = shown_.params.projection;
+        lens = session.params.projection;
+        lens.fovy = widened_fovy(lens.fovy, viewport.aspect(), least);
+        lens.height *= std::max(1.0, least / viewport.aspect());
+    }
     Drawn wanted{session.params,
                  session.scene_version(),
                  shown_.params,

@@ -57,8 +57,7 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     view.view_from_world = view_from_world(view.world_from_view);
     // A narrow view keeps its horizontal extent, so that the camera stays in the picture.
     constexpr double usual_aspect = 1.8;
-    const double widening = std::max(1.0, usual_aspect / viewport.aspect());
-    const double fovy_deg = glm::degrees(2.0 * std::atan(std::tan(glm::radians(20.0)) * widening));
+    const double fovy_deg = widened_fovy(40.0, viewport.aspect(), usual_aspect);
     const Lens lens{false, fovy_deg, 6.0, observer.distance * 0.01, observer.distance * 100.0};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
     return view;

@@ -99,4 +99,9 @@ double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const Depth
     return std::max(stored, unit / 2.0);
 }
 
+double widened_fovy(double fovy_deg, double aspect, double least_aspect) {
+    if (aspect >= least_aspect) return fovy_deg;
+    return glm::degrees(2.0 * std::atan(std::tan(glm::radians(0.5 * fovy_deg)) * least_aspect / aspect));
+}
+
 }  // namespace viewing

@@ -54,4 +54,8 @@ double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& 
 /// precision.
 double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
 
+/// Returns the full vertical angle in degrees with which a picture of this aspect ratio is as wide as one of
+/// `least_aspect` with the angle `fovy_deg`; `fovy_deg` itself if the picture is not narrower.
+double widened_fovy(double fovy_deg, double aspect, double least_aspect);
+
 }  // namespace viewing

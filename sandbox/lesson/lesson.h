@@ -105,6 +105,7 @@ struct LessonStep {
     std::string id;
     LoadedState start;  ///< before the answer, including the layout
     Params revealed;    ///< after the answer: with a goal's model and the reveal's changes
+    bool names_lower_left = false, names_lower_right = false;  ///< in the layout; the stage shows no other lower views
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;

@@ -41,6 +41,9 @@ public:
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
 
+    /// Returns the right answer of a typed question, once it has been computed after the reveal.
+    std::optional<Answer>& model() { return now().model; }
+
     int hints_shown() const { return now().hints; }
     void show_hint();
     /// Returns the number of raised hands for each choice, as counted by the lecturer.
@@ -56,6 +59,7 @@ private:
         bool revealed = false, done = false;
         Answer answer;
         std::optional<Verdict> verdict;
+        std::optional<Answer> model;
         int hints = 0;
         std::vector<int> votes;
         std::optional<Params> reached;

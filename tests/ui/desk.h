@@ -100,7 +100,7 @@ public:
             if (const Status spoken = speak(looks.language); !spoken) throw std::runtime_error(spoken.error());
             workbench.korean.want(spoken_texts());
         }
-        context.fonts = load_fonts(context.scale, workbench.korean, small_type(workbench.arranged(session)));
+        context.fonts = load_fonts(context.scale, workbench.korean, type_sizes(workbench.arranged(session)));
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);

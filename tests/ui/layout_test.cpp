@@ -242,13 +242,9 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
     for (int width = 480; width <= 2400; width += 37)
         for (int height = 360; height <= 1400; height += 53)
             for (const float scale : {0.5F, 1.0F, 1.3F, 2.0F})
-                for (const auto& [prefers_matrices, presents] :
-                     {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+                for (const bool prefers_matrices : {false, true}) {
                     Arrangement arrangement;
                     arrangement.prefers_matrices = prefers_matrices;
-                    arrangement.presents = presents;
-                    arrangement.matrices_folded = presents && !prefers_matrices;
-                    arrangement.telling.control_rows = presents ? 2 : 0;
                     const Layout layout =
                         lay_out({static_cast<float>(width), static_cast<float>(height)}, scale, arrangement);
                     const Rect* rects[] = {&layout.top_bar, &layout.status_bar, &layout.panel,      &layout.matrices,
@@ -263,27 +259,6 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
                                 << width << "×" << height << " at " << scale << ": areas " << a << ", " << b;
                         }
                 }
-}
-
-/// On a projector of 1024×768, the tables below then have the width that they need.
-TEST(Layout, WithFewControlsOnStageTheLowerViewsTakeTheWholeWidth) {
-    const ImVec2 room(1024, 768);
-    Arrangement arrangement;
-    arrangement.matrices_folded = true;
-    arrangement.telling.control_rows = 2;
-    const Layout alone = lay_out(room, 1.25F, arrangement);
-    EXPECT_EQ(alone.panel.max.y, alone.lower_left.max.y) << "a student's panel extends down as far as the views";
-    arrangement.presents = true;
-    const Layout few = lay_out(room, 1.25F, arrangement);
-    EXPECT_TRUE(few.lower_are_wide);
-    EXPECT_EQ(few.panel.max.y, few.camera.max.y);
-    EXPECT_LE(few.lower_left.min.x, 13.0F);
-    EXPECT_GE(few.lower_right.max.x, 1011.0F);
-    EXPECT_GT(few.lower_left.min.y, few.panel.max.y);
-    arrangement.telling.control_rows = 30;
-    const Layout many = lay_out(room, 1.25F, arrangement);
-    EXPECT_FALSE(many.lower_are_wide);
-    EXPECT_GE(many.lower_left.min.x, many.panel.max.x);
 }
 
 TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {

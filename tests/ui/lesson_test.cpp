@@ -128,32 +128,83 @@ bool is_all_seen(const Desk& desk) {
     return has_list || desk.workbench.widgets.seen_share == 1.0F;
 }
 
-/// The whole lecture, before and after each answer.
+/// What a step names and the window does not show: views, matrices, controls, and highlighted parts.
+std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step) {
+    std::vector<std::string> missing;
+    const Layout layout = desk.layout();
+    const LayoutParams& listed = desk.session.params.view.layout;
+    const auto require = [&](bool is_there, const std::string& what) {
+        if (!is_there) missing.push_back(what);
+    };
+    const auto& found = desk.workbench.widgets.targets.found;
+    const auto is_drawn = [&](const Rect& part) { return !part.empty() && part.max.y <= layout.strip.min.y + 1.0F; };
+    const bool is_alone = listed.big != BigView::none;
+    require(is_alone || !step.names_lower_left || is_drawn(layout.lower_left), "the left view");
+    require(is_alone || !step.names_lower_right || is_drawn(layout.lower_right), "the right view");
+    const bool has_control = listed.controls != std::vector<std::string>{"view.call"};  // the pixel grid steps
+    require(listed.controls.empty() || !has_control || is_drawn(layout.panel), "the controls");
+    for (const std::string& matrix : listed.matrices) {
+        if (matrix == "follow" || matrix == "display") continue;
+        const auto last = std::ranges::find_if(desk.recorded(), [&](const RecordedItem& item) {
+            return item.label == "matrices/" + matrix + "/r3c3" || item.label == "matrices/" + matrix;
+        });
+        require(last != desk.recorded().end() && last->max.y <= layout.matrices.max.y + 1.0F,
+                "all of matrix " + matrix);
+    }
+    for (const std::string& name : desk.workbench.stage.highlight) {
+        if (name.starts_with("column:")) continue;  // of tables that GL fills, which this desk lacks
+        require(std::ranges::find(found, name, &widgets::Targets::Found::name) != found.end(), name);
+    }
+    return missing;
+}
+
+/// The share of the area above the lesson's text that the largest view has.
+float main_share(const Layout& layout) {
+    const auto area = [](const Rect& rect) { return rect.empty() ? 0.0F : rect.width() * rect.height(); };
+    const float main = std::max({area(layout.camera) + area(layout.beside), area(layout.lower_left),
+                                 area(layout.lower_right), area(layout.matrices)});
+    return main / (layout.strip.width() * layout.strip.min.y);
+}
+
+/// The whole lecture, before and after each answer: everything that a step names is drawn whole and without switches,
+/// the main view is large, and nothing moves when the answer appears. Records the shares of the main view for a report.
 TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
     desk.params().ui.language = GetParam().language;
     desk.apply_looks();
+    const float least_share = GetParam().size.x > 1.5F * GetParam().size.y ? 0.44F : 0.38F;
+    std::vector<float> shares;
     for (const LessonFile& file : lessons()) {
         const Lesson lesson = lesson_of(file.path.string());
         for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
             begin(desk, lesson, step, true);
+            const Layout asked = desk.layout();
             for (const bool is_answered : {false, true}) {
                 if (is_answered) show_answer(desk);
                 const std::string name =
                     lesson.id + ", step " + std::to_string(step + 1) + (is_answered ? ", answered" : "");
                 for (const std::string& text : switches(desk)) ADD_FAILURE() << name << ": " << text;
+                for (const std::string& part : missing_parts(desk, lesson.steps[step]))
+                    ADD_FAILURE() << name << ": " << part << " is missing";
                 EXPECT_TRUE(is_all_seen(desk)) << name << ": " << desk.workbench.widgets.seen_share;
+                EXPECT_EQ(asked.panel.min.y, desk.layout().panel.min.y) << name << ": the controls move";
+                EXPECT_EQ(asked.strip.min.y, desk.layout().strip.min.y) << name << ": the text moves";
             }
+            shares.push_back(main_share(asked));
+            EXPECT_GE(shares.back(), least_share) << lesson.id << ", step " << step + 1 << ": the main view is small";
         }
     }
+    std::ranges::sort(shares);
+    RecordProperty("smallest share of the main view", std::to_string(shares.front()));
+    RecordProperty("median share of the main view", std::to_string(shares[shares.size() / 2]));
 }
 
 /// On stage, no button switches between the two.
 TEST(OnStage, BothLowerViewsAreVisibleOnSquareProjectors) {
     for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
         Desk desk(size);
-        begin(desk, lesson_of("who-hides-whom"), 2, true);
+        begin(desk, lesson_of("depth-fighting"), 4, true);
         EXPECT_FALSE(desk.layout().panel.empty());
         EXPECT_FALSE(desk.layout().lower_left.empty() || desk.layout().lower_right.empty()) << size.x;
         EXPECT_EQ(unreadable(desk), std::vector<std::string>{}) << size.x;

@@ -208,7 +208,7 @@ TEST_F(StageTest, OpenQuestionsHideWarningsAdviceAndFormulas) {
 
 // ---- pointed out -------------------------------------------------------------------------------------
 
-TEST_F(StageTest, PointedOutPartsAreFramedAndTheRestIsDimmed) {
+TEST_F(StageTest, PointedOutPartsAreFramed) {
     highlight({"matrix:V[2][3]"});
     const RecordedItem frame = ui.find("highlight"), cell = ui.find("matrices/V/r2c3");
     EXPECT_LE(frame.min.x, cell.min.x);
@@ -216,7 +216,7 @@ TEST_F(StageTest, PointedOutPartsAreFramedAndTheRestIsDimmed) {
     EXPECT_LT(frame.max.x - frame.min.x, 1.3F * (cell.max.x - cell.min.x));
     const Params before = params;
     desk.drag("projection/z-near", 40.0F);
-    EXPECT_NE(params.projection.near, before.projection.near) << "the dimmed layer lets the pointer through";
+    EXPECT_NE(params.projection.near, before.projection.near) << "the layer of frames lets the pointer through";
     highlight({});
     EXPECT_FALSE(ui.has("highlight"));
 }

@@ -35,7 +35,7 @@ Rect take_controls(CellLayout& layout, Rect room, float width, float height) {
 
 /// The size of small text relative to its usual size.
 float type_scale() {
-    return widgets::HasPlainTitles() ? small_type_for_a_room / usual_small_type : 1.0F;
+    return widgets::HasPlainTitles() ? stage_type.small / TypeSizes{}.small : 1.0F;
 }
 
 int count_that_fits(float length, float side) {

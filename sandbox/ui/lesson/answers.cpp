@@ -165,9 +165,17 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     return given;
 }
 
+/// Frames the last item as the right answer, as choices are framed.
+void frame_right_answer() {
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().plane, px(4.0F), 0,
+                                        px(2.0F));
+}
+
 void draw_numbers(LessonRun& run, const AnswerStyle& style) {
     const Ask& ask = run.step().ask;
-    Answer& answer = run.answer();
+    const bool shows_model = style.shows_right && run.model() && !run.model()->numbers.empty();
+    Answer model = shows_model ? *run.model() : Answer{};
+    Answer& answer = shows_model ? model : run.answer();
     answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
     const std::vector<double> before = answer.numbers;
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
@@ -175,6 +183,7 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
         for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
         const float room = ImGui::GetContentRegionAvail().x;
         widgets::Matrix("answer", matrix, {.editable = style.is_open}, std::min(room, px(widest_matrix)));
+        if (shows_model) frame_right_answer();
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
     } else {
         const std::size_t columns = numbers_in_a_row(ask);
@@ -184,8 +193,10 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
             ImGui::SetNextItemWidth(px(number_width) * static_cast<float>(count));
             widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, count),
                              {.decimals = 3});
+            if (shows_model) frame_right_answer();
         }
     }
+    if (shows_model) return;
     if (!style.is_open) answer.numbers = before;
     if (answer.numbers != before) run.forget_verdict();
 }

@@ -27,8 +27,9 @@ struct Column {
     bool has_symbols = true;  ///< shows symbols below the numbers
 
     MatrixCells shown(MatrixCells cells) const {
+        const bool are_covered = widgets::IsCovered("symbols");
         for (widgets::MatrixCell& cell : cells)
-            if (!has_symbols) cell.symbol = "";
+            if (!has_symbols || (are_covered && *cell.symbol != '\0')) cell.symbol = has_symbols ? "?" : "";
         return cells;
     }
 };
@@ -249,7 +250,9 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     // Showing all numbers matters more than showing the symbols below them.
     const auto rows =
         static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
-    const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * px(205.0F)};
+    const float with_symbols = px(205.0F) + 4.0F * (widgets::CurrentContext().fonts.matrix->FontSize -
+                                                    widgets::CurrentContext().fonts.number->FontSize);
+    const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * with_symbols};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {columns > 1 ? px(8.0F) : 0.0F, shown.has_symbols ? px(4.0F) : 0.0F});
     if (ImGui::BeginTable("listed", columns, ImGuiTableFlags_SizingStretchSame, {width, 0.0F})) {

@@ -271,18 +271,28 @@ void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, H
 
 }  // namespace
 
-void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered) {
-    const widgets::Palette& palette = widgets::CurrentContext().palette;
-    const auto radius = [hovered](Handle handle, float usual) { return hovered == handle ? usual + 2.0F : usual; };
+namespace {
 
+float radius_of(Handle handle, float usual, Handle hovered) {
+    return hovered == handle ? usual + 2.0F : usual;
+}
+
+}  // namespace
+
+void draw_plane_handles(Overlay& overlay, const HandlePlaces& places, Handle hovered) {
+    const widgets::Palette& palette = widgets::CurrentContext().palette;
     if (places.camera) draw_camera_handles(overlay, *places.camera, hovered);
     overlay.arrow(places.plane, places.normal_tip, palette.plane);
-    overlay.square(places.plane, palette.plane, radius(Handle::plane_offset, 4.0F));
+    overlay.square(places.plane, palette.plane, radius_of(Handle::plane_offset, 4.0F, hovered));
     overlay.label(places.normal_tip, "n", palette.plane);
     if (hovered == Handle::plane_tilt) overlay.ring(places.normal_tip, palette.plane, 9.0F);
+}
 
-    draw_lamp(overlay, derived.chosen_light(), derived, light_label(derived).c_str(), radius(Handle::light, 6.0F));
-    overlay.ring(places.light, palette.light, radius(Handle::light, 10.0F));
+void draw_light_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered) {
+    const widgets::Palette& palette = widgets::CurrentContext().palette;
+    draw_lamp(overlay, derived.chosen_light(), derived, light_label(derived).c_str(),
+              radius_of(Handle::light, 6.0F, hovered));
+    overlay.ring(places.light, palette.light, radius_of(Handle::light, 10.0F, hovered));
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light)
         if (light != derived.chosen.light)
             draw_lamp(overlay, derived.lights_world[light], derived, light_name(light), 5.0F);

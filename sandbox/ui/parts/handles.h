@@ -58,8 +58,11 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 /// normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
-/// Draws the handles with their labels, and the lamps of the other lights, which have no handle. A lamp outside the
-/// picture becomes an arrow at the picture's edge.
-void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
+/// Draws the handles of the plane and of the camera, if it has some, with their labels.
+void draw_plane_handles(Overlay& overlay, const HandlePlaces& places, Handle hovered);
+
+/// Draws the light's handle and the lamps of the other lights, which have none, with their labels. A lamp outside the
+/// picture becomes an arrow at its edge.
+void draw_light_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

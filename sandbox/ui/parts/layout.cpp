@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace viewing {
 namespace {
@@ -37,12 +39,120 @@ float height_of_controls(const Telling& telling, float scale) {
     return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
 }
 
+/// A part of the column on stage. Heights and widths in design pixels, without the header.
+struct StagePart {
+    Rect* rect;
+    ImVec2 least;       ///< below this size it is hard to read
+    float most_height;  ///< it has no use for more
+    bool has_header;
+};
+
+/// Places the parts from top to bottom, the last one at the lower edge. Each gets its least height, and the rest is
+/// shared by those that can use it. If there is too little, all shrink alike.
+void place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
+    const float gap = 10.0F * scale;
+    float fixed = gap * static_cast<float>(parts.size() - 1), least = 0.0F;
+    for (const StagePart& part : parts) {
+        fixed += part.has_header ? header : 0.0F;
+        least += part.least.y * scale;
+    }
+    const float available = std::max(column.height() - fixed, 0.0F);
+    // A view can be lower and still be read; a matrix or a control would be cut.
+    const float lowest_view = 96.0F * scale;
+    float spare = 0.0F;
+    for (const StagePart& part : parts)
+        spare += part.has_header ? std::max(part.least.y * scale - lowest_view, 0.0F) : 0.0F;
+    const float taken = spare > 0.0F ? std::clamp((least - available) / spare, 0.0F, 1.0F) : 0.0F;
+    const float shrink = std::min(1.0F, available / std::max(least - taken * spare, 1.0F));
+    std::vector<float> heights;
+    for (const StagePart& part : parts) {
+        const float whole = part.least.y * scale;
+        heights.push_back(shrink * (part.has_header ? whole - taken * std::max(whole - lowest_view, 0.0F) : whole));
+    }
+    float rest = available - std::accumulate(heights.begin(), heights.end(), 0.0F);
+    for (std::size_t round = 0; round < parts.size() && rest > 1.0F; ++round) {
+        const auto can_grow = [&](std::size_t i) { return heights[i] < parts[i].most_height * scale; };
+        std::size_t growing = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) growing += can_grow(i) ? 1U : 0U;
+        if (growing == 0) break;
+        const float share = rest / static_cast<float>(growing);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!can_grow(i)) continue;
+            const float more = std::min(share, parts[i].most_height * scale - heights[i]);
+            heights[i] += more;
+            rest -= more;
+        }
+    }
+    float top = column.min.y;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0 && i + 1 == parts.size())
+            top = std::max(top, column.max.y - heights[i] - (parts[i].has_header ? header : 0.0F));
+        if (parts[i].has_header) top += header;
+        *parts[i].rect = rounded(column.min.x, top, column.max.x, top + heights[i]);
+        top += heights[i] + gap;
+    }
+}
+
+/// Lays out a lesson's step for an audience: the main view as large as possible, at its right a column with everything
+/// else that the step names, from the top: views, matrices, controls. The column is as narrow as its parts allow.
+void lay_out_stage(Layout& layout, const Rect& area, float scale, const Arrangement& arrangement) {
+    const Telling& telling = arrangement.telling;
+    const float gap = 10.0F * scale, unbounded = 1e6F;
+    std::vector<StagePart> parts;
+    if (arrangement.maximized == ViewName::none) {
+        if (arrangement.stage.left)
+            parts.push_back({&layout.lower_left, arrangement.stage.least_left, unbounded, true});
+        if (arrangement.stage.right)
+            parts.push_back({&layout.lower_right, arrangement.stage.least_right, unbounded, true});
+        layout.lower_in_column = !parts.empty();
+    }
+    if (!arrangement.matrices_folded && arrangement.maximized != ViewName::matrices) {
+        constexpr float width = 430.0F;
+        const bool are_listed = telling.matrices > 0;
+        parts.push_back({&layout.matrices,
+                         {width, are_listed ? telling.short_matrices : 250.0F},
+                         are_listed ? telling.tall_matrices : unbounded,
+                         false});
+    }
+    if (!arrangement.panel_folded) {
+        const float whole = telling.control_rows > 0 ? height_of_controls(telling, 1.0F) : unbounded;
+        const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
+        parts.push_back({&layout.panel, {width, std::min(whole, 250.0F)}, whole, false});
+    }
+
+    float hero_right = area.max.x;
+    if (!parts.empty()) {
+        float width = 0.25F * area.width();
+        for (const StagePart& part : parts) width = std::max(width, part.least.x * scale);
+        // The hero keeps half of a wide area, and 45 % of one that is nearly square.
+        width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.55F) * area.width());
+        hero_right = area.max.x - width - gap;
+        place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
+    }
+    const Rect hero = rounded(area.min.x, area.min.y + layout.header_height, hero_right, area.max.y);
+    switch (arrangement.maximized) {
+        case ViewName::lower_left:
+            layout.lower_left = hero;
+            return;
+        case ViewName::lower_right:
+            layout.lower_right = hero;
+            return;
+        case ViewName::matrices:
+            layout.matrices = rounded(area.min.x, area.min.y, hero_right, area.max.y);
+            return;
+        default:
+            layout.camera = hero;
+            cut_caption(layout, arrangement.caption_px, 3.0F * scale);
+            divide_camera(layout, arrangement, gap);
+    }
+}
+
 /// Cuts a column for the listed parts off the area of the maximized view; returns the rest.
 Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole, float scale) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;
     const bool is_big_matrices = arrangement.maximized == ViewName::matrices;
-    const bool has_matrices = telling.matrices && !is_big_matrices && !arrangement.matrices_folded;
+    const bool has_matrices = telling.matrices > 0 && !is_big_matrices && !arrangement.matrices_folded;
     const bool has_controls = telling.control_rows > 0 && !arrangement.panel_folded;
     if (has_matrices || has_controls) {
         const bool is_wide = has_matrices || telling.has_vectors;
@@ -63,18 +173,15 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
-    // When presenting, the lesson's text is 1/36 of the window's height, and numbers are at least 1/48 of it.
-    constexpr float text_px = 17.0F, number_px = 14.0F;  // design pixels
-    if (arrangement.presents && !arrangement.bare)
-        return std::max(window_px.y / (36.0F * text_px), window_px.y / (48.0F * number_px)) / scale;
+    if (arrangement.presents && !arrangement.bare) return window_px.y / (30.0F * stage_type.caption) / scale;
     if (arrangement.maximized == ViewName::none || arrangement.bare) return 1.0F;
     // Enlarge only as long as the bar above still fits.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
 }
 
-float small_type(const Arrangement& arrangement) {
-    return arrangement.presents && !arrangement.bare ? small_type_for_a_room : usual_small_type;
+TypeSizes type_sizes(const Arrangement& arrangement) {
+    return arrangement.presents && !arrangement.bare ? stage_type : TypeSizes{};
 }
 
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
@@ -86,8 +193,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
                 gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    // When presenting, both lower views must be visible, because no button switches between them.
-    const float least_view = px(420.0F), least_lower = px(arrangement.presents ? 160.0F : 240.0F);
+    const float least_view = px(420.0F), least_lower = px(240.0F);
 
     Layout layout;
     layout.is_short = is_short;
@@ -99,14 +205,17 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     if (strip > 0.0F) layout.strip = rounded(0, window_px.y - status - strip, window_px.x, window_px.y - status);
     const float top = bar + margin, bottom = window_px.y - status - strip - margin;
 
+    if (arrangement.presents && !bare) {
+        lay_out_stage(layout, {{gap, top}, {window_px.x - gap, bottom}}, scale, arrangement);
+        return layout;
+    }
+
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
     if (arrangement.maximized != ViewName::none) {
         panel = false;
         matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
     }
-    const float least_panel = arrangement.presents && arrangement.telling.has_vectors ? width_of_vectors : 0.0F;
-    const float panel_width = px(std::max(arrangement.panel_width, least_panel)),
-                matrices_width = px(arrangement.matrices_width);
+    const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
     layout.matrices_fit = !is_short && panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
     if (is_short && strip <= 0.0F && !arrangement.prefers_column) panel = matrices = false;
     if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
@@ -155,21 +264,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
         return layout;
     }
-    // The lower views shrink first: the camera keeps at least 55 % of the height, or a little less when presenting,
-    // since an audience must be able to read the lower views.
-    const float share = arrangement.presents ? 0.52F : 0.45F;
-    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * share - layout.header_height);
+    // The lower views shrink first: the camera keeps at least 55 % of the height.
+    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
     const float split_y = bottom - lower;
-    // When presenting with few controls, the panel ends at the lower edge of the camera's picture, so that tables in
-    // the views below get the width they need.
-    const float controls = height_of_controls(arrangement.telling, scale);
-    layout.lower_are_wide = arrangement.presents && panel && !matrices && arrangement.telling.control_rows > 0 &&
-                            controls <= split_y - layout.header_height - top;
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
-    if (layout.lower_are_wide) {
-        layout.panel.max.y = layout.camera.max.y;
-        left = gap;
-    }
     cut_caption(layout, arrangement.caption_px, px(3.0F));
     divide_camera(layout, arrangement, gap);
     layout.lower_fit = right - left >= 2.0F * least_lower + gap;

@@ -24,11 +24,18 @@ enum class ViewName { none, camera, lower_left, lower_right, matrices };
 /// The small parts that the state lists. Beside a maximized view they form a column at the right, with the matrices
 /// above the controls; otherwise they are in the usual columns. Unlisted parts are hidden.
 struct Telling {
-    bool matrices = false;
-    int control_rows = 0;      ///< 0: no controls
-    bool has_vectors = false;  ///< several numbers in a row, which need a wider column
+    int matrices = 0;                             ///< their number, with the followed point and display()
+    float short_matrices = 0, tall_matrices = 0;  ///< height without and with symbols, design pixels
+    int control_rows = 0;                         ///< 0: no controls
+    bool has_vectors = false;                     ///< several numbers in a row, which need a wider column
 
-    bool is_on() const { return matrices || control_rows > 0; }
+    bool is_on() const { return matrices > 0 || control_rows > 0; }
+};
+
+/// The lower views that a step of a lesson names: only these are on stage. Least sizes in design pixels.
+struct StageViews {
+    bool left = false, right = false;
+    ImVec2 least_left{0, 0}, least_right{0, 0};
 };
 
 /// The user's arrangement; sizes in design pixels.
@@ -43,6 +50,7 @@ struct Arrangement {
     bool halves = false;               ///< two pictures side by side instead of the camera's
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
+    StageViews stage;                  ///< when presenting
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
@@ -66,16 +74,24 @@ struct Layout {
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
     bool is_short = false;                 ///< a phone held sideways: views side by side, columns on request
-    bool lower_are_wide = false;           ///< the panel ends above the lower views, which span the whole width
+    bool lower_in_column = false;          ///< on stage: the lower views are at the right of the camera view
 };
 
 /// Returns the factor by which to enlarge everything when presenting or while one view fills the window. `scale`: see
 /// lay_out().
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement);
 
-/// The size of notes and of numbers in tables, in design pixels: an audience needs larger type than a single reader.
-constexpr float usual_small_type = 13.0F, small_type_for_a_room = 15.0F;
-float small_type(const Arrangement& arrangement);
+/// Sizes of type that differ for an audience, in design pixels.
+struct TypeSizes {
+    float small = 13.0F;    ///< notes, and numbers in tables
+    float matrix = 16.0F;   ///< entries of matrices
+    float caption = 19.0F;  ///< a lesson's sentences
+
+    bool operator==(const TypeSizes&) const = default;
+};
+/// On stage a lesson's sentences are 1/30 of the window's height, and no number is below 1/40.
+constexpr TypeSizes stage_type{15.5F, 20.0F, 20.4F};
+TypeSizes type_sizes(const Arrangement& arrangement);
 
 /// `scale`: pixels per design pixel.
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement);

@@ -37,6 +37,28 @@ bool is_shown(const Params& params, Topic topic) {
     return topic_of(params, Slot::left) == topic || topic_of(params, Slot::right) == topic;
 }
 
+ImVec2 least_size_on_stage(Topic topic) {
+    switch (topic) {
+        case Topic::passes:
+        case Topic::shadow_derivation:
+        case Topic::mirror_derivation:
+        case Topic::lecture_code:
+        case Topic::display_code:
+        case Topic::cells:
+        case Topic::pixel:
+            return {440.0F, 150.0F};
+        case Topic::fighting:
+            return {440.0F, 185.0F};
+        case Topic::codes:
+            return {400.0F, 180.0F};
+        case Topic::precision:
+        case Topic::tree:
+            return {400.0F, 150.0F};
+        default:
+            return {360.0F, 150.0F};
+    }
+}
+
 std::span<const char* const> topic_names() {
     static constexpr const char* names[] = {marked("Automatic"),
                                             marked("Observer"),

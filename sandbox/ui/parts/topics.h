@@ -1,6 +1,8 @@
 // The topics that the two views below the camera view can show, and the current ones. Pure functions.
 #pragma once
 
+#include <imgui.h>
+
 #include <span>
 
 #include "state/params.h"
@@ -23,6 +25,9 @@ Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
+
+/// The size in design pixels below which a topic's view is hard to read from the back row.
+ImVec2 least_size_on_stage(Topic topic);
 
 /// The topics' names for the list, in the order of Topic; the first one is `automatic`.
 std::span<const char* const> topic_names();

@@ -1,7 +1,10 @@
 // The derivations in the world: the slides' figures, drawn into the scene.
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "frame/planes/derivation.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/topics.h"
 #include "ui/parts/view_parts.h"
@@ -69,13 +72,34 @@ void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDeriva
     height(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
 }
 
-void mirror_overlay(Overlay& overlay, const MirrorDerivation& found) {
+/// Marks the correct place of an image that a mistake, or a matrix typed by hand, puts elsewhere.
+void ghost(Overlay& overlay, const glm::dvec3& correct, const char* text, ImU32 color) {
+    overlay.ring(correct, color, 6.0F);
+    overlay.label(correct, tr(text), color);
+}
+
+/// Returns the place where a matrix sends a point, unless it is `correct` or at infinity.
+std::optional<glm::dvec3> sent_elsewhere(const glm::dmat4& matrix, const glm::dvec3& point, const glm::dvec3& correct) {
+    const glm::dvec4 sent = matrix * glm::dvec4(point, 1.0);
+    if (std::abs(sent.w) < 1e-9) return std::nullopt;
+    const glm::dvec3 place = glm::dvec3(sent) / sent.w;
+    const double difference = glm::length(place - correct);
+    return difference > 1e-6 * (1.0 + glm::length(correct)) ? std::optional(place) : std::nullopt;
+}
+
+void mirror_overlay(Overlay& overlay, const DerivedPlane& plane, const MirrorDerivation& found) {
     const widgets::Palette& colors = palette();
     overlay.dashed(found.point_world, found.foot_world, colors.point);
     overlay.dot(found.foot_world, colors.plane, 3.0F);
     measure(overlay, found.point_world, found.foot_world, "k", found.k, colors.plane);
     overlay.mark_target("label:mirrored", found.mirrored_world, found.mirrored_world);
     if (is_image_covered()) return;
+    if (const auto image = sent_elsewhere(plane.mirrored_world_from_world, found.point_world, found.mirrored_world)) {
+        overlay.dashed(found.foot_world, *image, colors.mirror);
+        overlay.dot(*image, colors.mirror);
+        overlay.label(*image, "q′", colors.mirror);
+        return ghost(overlay, found.mirrored_world, marked("where q′ belongs"), colors.mirror);
+    }
     overlay.dashed(found.foot_world, found.mirrored_world, colors.mirror);
     overlay.dot(found.mirrored_world, colors.mirror);
     overlay.label(found.mirrored_world, is_large(overlay) ? "q′ = q − 2 k n" : "q′", colors.mirror);
@@ -91,7 +115,7 @@ void draw_derivation_overlay(Overlay& overlay, const Params& params, const Deriv
     const glm::dvec3 point = derivation_point(derived);
     const glm::dvec4& plane = derived.chosen_plane().unit_plane;
     if (shadow) shadow_overlay(overlay, derived, derive_shadow(plane, derived.chosen_light(), point));
-    if (mirror) mirror_overlay(overlay, derive_mirror(plane, point));
+    if (mirror) mirror_overlay(overlay, derived.chosen_plane(), derive_mirror(plane, point));
     overlay.dot(point, palette().point, 5.0F);
     overlay.label(point, shadow ? "p" : "q", palette().point);
 }

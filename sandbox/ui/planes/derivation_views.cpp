@@ -16,13 +16,13 @@
 namespace viewing {
 namespace {
 
-/// A view with its figure at the left, or at the top if the view is narrow. Closes at the end of its scope.
+/// A view with its figure at the left, or at the top if the view is narrow or tall. Closes at the end of its scope.
 class FigureView {
 public:
     FigureView(const char* name, const Rect& rect)
         : view_(name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
         const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-        is_wide_ = room.x >= px(420.0F);
+        is_wide_ = room.x >= px(420.0F) && room.x >= 1.3F * room.y;
         const float width = is_wide_ ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
         const float height = is_wide_ ? std::max(room.y, 1.0F) : std::max(std::floor(room.y * 0.5F), px(60.0F));
         figure_ = {from, {from.x + width, from.y + height}};

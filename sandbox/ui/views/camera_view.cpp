@@ -161,9 +161,13 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     if (widgets::IsCovered("sentences")) return {};
     float top = first;
     const float middle = (rect.min.y + rect.max.y) * 0.5F;
+    // On stage, a sentence on what this window shows would compete with the lesson's own.
+    const auto is_of_window = [](const Problem& problem) { return problem.mended_by.starts_with("view."); };
     for (const bool breaks : {true, false})
         for (const Problem& problem : problems)
-            if (problem.breaks_picture == breaks && top < middle) top = tell_why(session, problem, rect, top);
+            if (!(widgets::HasPlainTitles() && is_of_window(problem)) && problem.breaks_picture == breaks &&
+                top < middle)
+                top = tell_why(session, problem, rect, top);
     if (top > first) widgets::MarkTarget("sentences", rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top});
     return top > first ? Rect{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}} : Rect{};
 }
@@ -274,8 +278,9 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     if (has_handles) {
-        draw_handles(overlay, places, derived, hovered);
-        draw_derivation_overlay(overlay, params, derived);
+        if (state.marks_plane) draw_plane_handles(overlay, places, hovered);
+        if (state.marks_lights) draw_light_handles(overlay, places, derived, hovered);
+        if (state.marks_derivation || params.follow) draw_derivation_overlay(overlay, params, derived);
     }
     layers.Merge(overlay.draw());
 }

@@ -76,7 +76,8 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (shows.image_space) label_image_space(overlay, derived);
     draw_hidden_observer(state.hidden.links.now, hidden, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
-    draw_handles(overlay, places, derived, hovered);
+    draw_plane_handles(overlay, places, hovered);
+    draw_light_handles(overlay, places, derived, hovered);
     draw_derivation_overlay(overlay, session.params, derived);
 }
 

@@ -52,6 +52,8 @@ struct ViewState {
     /// The fields and groups that handles may change while a lesson's question is open; nullopt: all of them. Holding
     /// Ctrl lifts the restriction.
     std::optional<std::vector<std::string>> movable;
+    bool marks_lights = true, marks_plane = true;  ///< in the camera view
+    bool marks_derivation = true;                  ///< also of the point that is used if none is followed
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag

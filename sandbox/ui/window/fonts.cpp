@@ -54,7 +54,7 @@ ImFont* font(const Face& face, float size_px, const ImWchar* korean, float korea
 
 }  // namespace
 
-widgets::Fonts load_fonts(float scale, Syllables& korean, float small_type) {
+widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
@@ -66,10 +66,11 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, float small_type) {
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);
-    fonts.note = font(regular, small_type * scale, syllables, small_korean);
+    fonts.note = font(regular, type.small * scale, syllables, small_korean);
     fonts.number = font(mono, 16.0F * scale, syllables);
-    fonts.small_number = font(mono, small_type * scale, syllables, small_korean);
-    fonts.caption = font(regular, 19.0F * scale, syllables);
+    fonts.small_number = font(mono, type.small * scale, syllables, small_korean);
+    fonts.matrix = type.matrix == TypeSizes{}.matrix ? fonts.number : font(mono, type.matrix * scale, syllables);
+    fonts.caption = font(regular, type.caption * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
 }

@@ -11,8 +11,7 @@ namespace viewing {
 
 /// Fills ImGui's font atlas for a scale (pixels per design pixel × the theme's type scale). Call between frames;
 /// afterward, upload the atlas again before `korean` changes. Characters that no font has appear as a box.
-/// `small_type`: size of notes and of numbers in tables, in design pixels.
-widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
+widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 /// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
 

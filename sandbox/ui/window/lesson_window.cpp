@@ -21,6 +21,43 @@ std::vector<CardPicture> Workbench::wanted_cards() {
     return {};
 }
 
+namespace {
+
+/// Everything that a step names: in its layout, its frames and covers, and what may be changed.
+std::vector<std::string> named_in(const LessonStep& step) {
+    const LayoutParams& layout = step.start.params.view.layout;
+    std::vector<std::string> names;
+    for (const auto* const list :
+         {&step.cover, &step.highlight, &step.reveal.highlight, &step.ask.allow, &layout.controls})
+        names.insert(names.end(), list->begin(), list->end());
+    for (const std::string& matrix : layout.matrices) names.push_back("matrix:" + matrix);
+    return names;
+}
+
+bool is_any(const std::vector<std::string>& names, std::initializer_list<std::string_view> parts) {
+    return std::ranges::any_of(names, [&](const std::string& name) {
+        return std::ranges::any_of(parts, [&](std::string_view part) { return name.find(part) != std::string::npos; });
+    });
+}
+
+}  // namespace
+
+/// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
+void Workbench::show_only_named(const LessonStep& step) {
+    const bool is_on_stage = presenter.is_on();
+    const std::vector<std::string> names = named_in(step);
+    const Params& start = step.start.params;
+    views.marks_lights = !is_on_stage || start.follow.has_value() ||
+                         is_any(names, {"light", "matrix:S", "matrix:follow", "shadow_derivation", "lecture_code"});
+    views.marks_plane =
+        !is_on_stage || start.follow.has_value() ||
+        is_any(names, {"plane.", "matrix:S", "matrix:R", "matrix:follow", "derivation", "lecture_code"});
+    views.marks_derivation = !is_on_stage;
+    constexpr double written_for = 1.6;
+    const bool names_lens = is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"});
+    stage.least_aspect = is_on_stage && !names_lens ? written_for : 0.0;
+}
+
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
     follow_exercises(session);
@@ -31,6 +68,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
         if (std::exchange(leads_, false)) {
             stage = {};
             views.movable.reset();
+            views.marks_lights = views.marks_plane = views.marks_derivation = true;
         }
         return;
     }
@@ -53,11 +91,16 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     stage.asks = !run->is_revealed();
     if (stage.asks) {
         stage.cover = step.cover;
+        // Tooltips hide their formulas while a question is open; entries of matrices, only if the step says so.
+        if (std::ranges::count(step.cover, "formulas") > 0) stage.cover.emplace_back("symbols");
         const bool may_change_all = step.ask.kind == AskKind::goal && step.ask.allow.empty();
         if (!may_change_all) views.movable = step.start.params.view.layout.controls;
         if (views.movable) views.movable->insert(views.movable->end(), step.ask.allow.begin(), step.ask.allow.end());
     }
     stage.highlight = stage.asks ? step.highlight : step.reveal.highlight;
+    show_only_named(step);
+    arrangement.stage.left = step.names_lower_left;
+    arrangement.stage.right = step.names_lower_right;
     if (step.target) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
 

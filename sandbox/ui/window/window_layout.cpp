@@ -4,6 +4,7 @@
 #include <array>
 
 #include "state/fields.h"
+#include "ui/parts/topics.h"
 
 namespace viewing {
 namespace {
@@ -13,7 +14,7 @@ int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
     const bool is_step = field.path == "view.call" || field.path == "view.triangle";  // the stepping view has it
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
-    return has_buttons ? 2 : has_control ? 1 : 0;
+    return field.path == "visibility.step" ? 3 : has_buttons ? 2 : has_control ? 1 : 0;
 }
 
 int rows_of(const std::vector<std::string>& controls) {
@@ -22,7 +23,7 @@ int rows_of(const std::vector<std::string>& controls) {
         for (const std::string& path : controls)
             if (is_in(field.path, path)) {
                 rows += rows_of(field);
-                if (field.path == "camera.navigation") rows += 2;  // for the lamps
+                if (field.path == "camera.navigation") rows += rows_of_lamps;
                 break;
             }
     return rows;
@@ -64,7 +65,12 @@ void arrange(Arrangement& arrangement, const Params& params) {
     const LayoutParams& layout = params.view.layout;
     arrangement.maximized = views[static_cast<std::size_t>(layout.big)];
     Telling& telling = arrangement.telling;
-    telling.matrices = !layout.matrices.empty();
+    telling.matrices = static_cast<int>(layout.matrices.size());
+    telling.short_matrices = telling.tall_matrices = 4.0F;
+    for (const std::string& name : layout.matrices) {
+        telling.short_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 147.0F;
+        telling.tall_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 230.0F;
+    }
     telling.control_rows = rows_of(layout.controls);
     telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {
         return path == "camera" || path == "camera.position" || path == "light.position" || path == "plane.equation";
@@ -72,26 +78,43 @@ void arrange(Arrangement& arrangement, const Params& params) {
     const bool would_be_empty = !layout.controls.empty() && telling.control_rows == 0;
     arrangement.panel_folded = is_folded(params, "panel") || would_be_empty;
     arrangement.matrices_folded = is_folded(params, "matrices");
+    arrangement.stage.least_left = least_size_on_stage(topic_of(params, Slot::left));
+    arrangement.stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
 }
 
-Rect wide_lower_area(const Layout& layout) {
-    const float bottom = layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y;
-    return {{layout.top_bar.min.x, layout.panel.max.y}, {layout.top_bar.max.x, bottom}};
+namespace {
+
+/// The rectangle around pictures with their headers; empty if all are.
+Rect around(std::initializer_list<Rect> pictures, float header_height) {
+    Rect area;
+    for (const Rect& picture : pictures) {
+        if (picture.empty()) continue;
+        const Rect whole{{picture.min.x, picture.min.y - header_height}, picture.max};
+        area = area.empty() ? whole
+                            : Rect{{std::min(area.min.x, whole.min.x), std::min(area.min.y, whole.min.y)},
+                                   {std::max(area.max.x, whole.max.x), std::max(area.max.y, whole.max.y)}};
+    }
+    return area;
+}
+
+}  // namespace
+
+Rect lower_views_area(const Layout& layout) {
+    return around({layout.lower_left, layout.lower_right}, layout.header_height);
 }
 
 Rect views_area(const Layout& layout, const Arrangement& arrangement) {
-    if (layout.lower_are_wide)
-        return {{layout.panel.max.x, layout.top_bar.max.y}, {layout.top_bar.max.x, layout.panel.max.y}};
     const float bottom = layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y;
-    if (!arrangement.telling.is_on() || arrangement.maximized == ViewName::none)
+    const bool are_around_pictures =
+        arrangement.presents || (arrangement.telling.is_on() && arrangement.maximized != ViewName::none);
+    if (!are_around_pictures)
         return {{layout.panel.max.x, layout.top_bar.max.y},
                 {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, bottom}};
-    Rect area{{layout.top_bar.max.x, layout.status_bar.min.y}, {0.0F, 0.0F}};
-    for (const Rect& view : {layout.camera, layout.beside, layout.caption, layout.lower_left, layout.lower_right}) {
-        if (view.empty()) continue;
-        area.min = {std::min(area.min.x, view.min.x), std::min(area.min.y, view.min.y - layout.header_height)};
-        area.max = {std::max(area.max.x, view.max.x), std::max(area.max.y, view.max.y)};
-    }
+    const Rect none;
+    const Rect area =
+        around({layout.camera, layout.beside, layout.caption, layout.lower_in_column ? none : layout.lower_left,
+                layout.lower_in_column ? none : layout.lower_right},
+               layout.header_height);
     return area.empty() ? Rect{layout.status_bar.min, layout.status_bar.min} : area;
 }
 

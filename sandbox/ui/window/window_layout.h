@@ -13,6 +13,9 @@ namespace viewing {
 bool is_folded(const Params& params, std::string_view column);
 void fold(Params& params, std::string_view column, bool folded);
 
+/// Height of the lamps for the degrees of freedom, in rows of the panel.
+constexpr int rows_of_lamps = 2;
+
 /// Returns the view that the key M enlarges: the one under the pointer, otherwise the camera's.
 BigView big_view(ViewName hovered);
 
@@ -22,7 +25,7 @@ void arrange(Arrangement& arrangement, const Params& params);
 /// Returns the area of the views' window.
 Rect views_area(const Layout& layout, const Arrangement& arrangement);
 
-/// Returns the area of full-width lower views, below the camera's view and the panel.
-Rect wide_lower_area(const Layout& layout);
+/// Returns the area of lower views that have a window of their own (lower_in_column).
+Rect lower_views_area(const Layout& layout);
 
 }  // namespace viewing

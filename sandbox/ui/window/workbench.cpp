@@ -39,6 +39,10 @@ Arrangement Workbench::arranged(const Session& session) const {
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
     if (!arrangement.bare) arrange(now, session.params);
+    const std::vector<std::string>& controls = session.params.view.layout.controls;
+    const bool lists_lamps = std::ranges::count(controls, "camera.navigation") > 0;
+    if (!controls.empty() && !lists_lamps && std::ranges::count(stage.highlight, "lamps") > 0)
+        now.telling.control_rows += rows_of_lamps;
     const auto shows_code = [&](ViewName view, Slot slot) {
         return now.maximized == view && topic_of(session.params, slot) == Topic::lecture_code;
     };
@@ -236,16 +240,17 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (const NamedFile* preset = open_preset(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
-    if (layout.lower_are_wide) {
+    if (layout.lower_in_column) {
         ImGui::End();
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-        begin_area("lower views", wide_lower_area(layout), ImGuiWindowFlags_NoScrollWithMouse);
+        begin_area("lower views", lower_views_area(layout), ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
     }
     const bool is_alone = !layout.lower_fit;
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
-    if (arranged_now.maximized == ViewName::none && !layout.is_short) draw_splitters(layout, between);
+    if (arranged_now.maximized == ViewName::none && !layout.is_short && !arranged_now.presents)
+        draw_splitters(layout, between);
     ImGui::End();
     widgets.targets.offered.reset();
 }
@@ -255,7 +260,7 @@ void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
     ImGui::SetCursorScreenPos({lower.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
     const float length = std::max(layout.lower_right.max.x, lower.max.x) - lower.min.x;
     widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
-    if (!layout.panel.empty() && !layout.lower_are_wide) {
+    if (!layout.panel.empty()) {
         ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
         widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
     }

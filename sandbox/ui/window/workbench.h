@@ -97,6 +97,7 @@ private:
     /// step's highlighted parts. Otherwise returns nullopt, for all switches.
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
+    void show_only_named(const LessonStep& step);
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
     void draw_lesson_button(Session& session);

@@ -1,0 +1,122 @@
+// The layout on stage: all that a step names has a place, the main view has the largest, and type is large enough.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ui/parts/layout.h"
+
+namespace viewing::test {
+namespace {
+
+const ImVec2 halls[] = {{1920, 1080}, {1280, 720}, {1024, 768}, {3840, 2160}};
+
+Arrangement on_stage() {
+    Arrangement arrangement;
+    arrangement.presents = true;
+    arrangement.telling = {1, 140.0F, 230.0F, 2, false};
+    return arrangement;
+}
+
+Layout laid_out(ImVec2 room, const Arrangement& arrangement) {
+    return lay_out(room, enlargement(room, 1.0F, arrangement), arrangement);
+}
+
+bool are_apart(const Rect& a, const Rect& b) {
+    return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
+}
+
+/// What a step names besides the camera's view.
+struct Named {
+    bool left, right, matrices, controls, vectors;
+};
+Named named(int bits) {
+    return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
+}
+
+/// Every combination of parts, in each room, with short and long texts below.
+template <typename Test>
+void for_every_stage(const Test& test) {
+    for (const ImVec2 room : halls)
+        for (const float band : {0.25F, 0.4F, 0.5F})
+            for (int bits = 0; bits < 32; ++bits) {
+                const Named parts = named(bits);
+                Arrangement arrangement = on_stage();
+                arrangement.strip_px = band * room.y;
+                arrangement.stage = {parts.left, parts.right, {440.0F, 150.0F}, {360.0F, 150.0F}};
+                arrangement.matrices_folded = !parts.matrices;
+                arrangement.panel_folded = !parts.controls;
+                arrangement.telling.has_vectors = parts.vectors;
+                SCOPED_TRACE(::testing::Message()
+                             << room.x << "×" << room.y << ", band " << band << ", parts " << bits);
+                test(room, parts, laid_out(room, arrangement));
+            }
+}
+
+TEST(StageLayout, HasAPlaceForEverythingThatAStepNames) {
+    for_every_stage([](ImVec2 room, const Named& parts, const Layout& layout) {
+        EXPECT_FALSE(layout.camera.empty());
+        EXPECT_EQ(layout.lower_left.empty(), !parts.left);
+        EXPECT_EQ(layout.lower_right.empty(), !parts.right);
+        EXPECT_EQ(layout.matrices.empty(), !parts.matrices);
+        EXPECT_EQ(layout.panel.empty(), !parts.controls);
+        const Rect all[] = {layout.camera, layout.lower_left, layout.lower_right, layout.matrices, layout.panel};
+        for (std::size_t a = 0; a < std::size(all); ++a) {
+            EXPECT_LE(all[a].max.x, room.x);
+            EXPECT_LE(all[a].max.y, layout.strip.min.y);
+            for (std::size_t b = 0; b < a; ++b)
+                EXPECT_TRUE(all[a].empty() || all[b].empty() || are_apart(all[a], all[b])) << a << " and " << b;
+        }
+    });
+}
+
+TEST(StageLayout, GivesTheMainViewTheMost) {
+    for_every_stage([](ImVec2 room, const Named& parts, const Layout& layout) {
+        const bool is_wide = room.x > 1.5F * room.y;
+        const float share = layout.camera.width() * layout.camera.height() / (room.x * layout.strip.min.y);
+        EXPECT_GE(share, is_wide ? 0.43F : 0.36F);
+        const bool has_column = parts.left || parts.right || parts.matrices;
+        if (!has_column) {
+            EXPECT_GE(share, !parts.controls ? 0.85F : is_wide ? 0.55F : 0.45F) << "a few controls need little";
+        }
+    });
+}
+
+/// From step to step, controls stay in the same corner.
+TEST(StageLayout, ControlsAreAtTheLowerRight) {
+    for_every_stage([](ImVec2 room, const Named& parts, const Layout& layout) {
+        if (!parts.controls) return;
+        EXPECT_GE(layout.panel.min.x, layout.camera.max.x);
+        EXPECT_GE(layout.panel.max.x, 0.98F * room.x);
+        for (const Rect& other : {layout.lower_left, layout.lower_right, layout.matrices})
+            EXPECT_TRUE(other.empty() || layout.panel.min.y >= other.max.y);
+    });
+}
+
+TEST(StageLayout, ViewsShrinkBeforeMatricesAndControls) {
+    Arrangement arrangement = on_stage();
+    arrangement.stage = {true, false, {360.0F, 150.0F}, {}};
+    const ImVec2 room(1280, 720);
+    const float scale = enlargement(room, 1.0F, arrangement);
+    arrangement.strip_px = room.y - 400.0F * scale;
+    const Layout layout = laid_out(room, arrangement);
+    EXPECT_GE(layout.matrices.height(), 139.0F * scale);
+    EXPECT_GE(layout.panel.height(), 87.0F * scale);
+    EXPECT_LT(layout.lower_left.height(), 149.0F * scale);
+    EXPECT_GT(layout.lower_left.height(), 80.0F * scale);
+}
+
+/// A lesson's sentences and the entries of matrices are 1/30 of the window's height; nothing is below 1/40.
+TEST(StageLayout, TypeIsLargeEnoughForTheBackRow) {
+    const Arrangement arrangement = on_stage();
+    const TypeSizes type = type_sizes(arrangement);
+    for (const ImVec2 room : halls)
+        for (const float scale : {1.0F, 1.3F, 2.0F}) {
+            const float pixels = scale * enlargement(room, scale, arrangement);
+            EXPECT_NEAR(type.caption * pixels, room.y / 30.0F, 0.01F * room.y / 30.0F);
+            EXPECT_GE(type.matrix * pixels, room.y / 31.0F);
+            EXPECT_GE(std::min({type.small, 16.0F}) * pixels, room.y / 40.0F);
+        }
+}
+
+}  // namespace
+}  // namespace viewing::test
