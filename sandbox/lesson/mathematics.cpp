@@ -555,7 +555,7 @@ constexpr Function functions[] = {
     {{"rotation_of", "rotation_of(M)", "its upper left 3 by 3 part"}, rotation_of},
     {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"},
      reflection_matrix},
-    {{"shadow_matrix", "shadow_matrix(plane, light)", "S = (P·L) I − L Pᵀ"}, shadow_matrix_of},
+    {{"shadow_matrix", "shadow_matrix(plane, light)", "S = (Π·L) I − L Πᵀ"}, shadow_matrix_of},
     {{"unit", "unit(v)", "v with length 1; a plane (a, b, c, d) with a unit normal"}, unit},
     {{"close", "close(a, b, tolerance)", "whether no entry differs by more; false if the shapes differ"}, close},
     {{"same_map", "same_map(A, B, tolerance)", "whether they are equal up to a factor"}, same_map},
