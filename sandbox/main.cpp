@@ -1,4 +1,4 @@
-// The program. Everything it does starts from the command line: read cli/run.cpp next.
+// The program's entry point. Everything it does starts from the command line; read cli/run.cpp next.
 #include "cli/run.h"
 #include "cli/signals.h"
 #include "platform/heap.h"

@@ -1,4 +1,4 @@
-// Shows how often each pixel was drawn, as colors. The count is in the red channel, one level per drawing.
+// Shows in colors how often each pixel was drawn. The red channel holds the count, one level per draw.
 in vec2 position_texture;
 
 uniform sampler2D value_texture;

@@ -60,7 +60,7 @@ uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the p
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
-// Logarithms of the gap that is resolved, at eye distances from near to far in equal logarithmic steps.
+// Logarithms of the gap that the depth buffer resolves, at eye distances from near to far in equal logarithmic steps.
 uniform vec4 heat_onsets[HEAT_ENTRIES / 4];
 uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: first half for ratios from 0 to just below 1, rest for 1, 2, 4 …
 uniform vec4 heat_gap;                       // xyz: unit normal in view space; w: gap along it, negative: none
@@ -146,8 +146,8 @@ vec3 srgb_from_linear(vec3 linear) {
 
 #if SHADING == SHADING_LIT || SHADING == SHADING_UNLIT
 #ifdef IS_PATCH
-// Returns two alternating tones with thin lines between them. Where squares become smaller than pixels, the tones blend
-// into their mean, and the lines fade out.
+// Returns the color of a checkerboard: two alternating tones with thin lines between them. Where squares become smaller
+// than pixels, the tones blend into their mean, and the lines fade out.
 vec3 patch_color() {
     vec2 cell = position_patch * patch_extent;
     vec2 width = max(fwidth(cell), vec2(1e-6));

@@ -1,6 +1,6 @@
 // Transforms every surface of the scene: objects, their shadows, their mirror images and the plane's patch. The
 // matrices arrive complete: the CPU has already multiplied in S and R, in double precision. Shading uses positions
-// relative to the eye, along the world's axes: far from the world's origin, float32 is too coarse for slopes.
+// relative to the eye, along the world's axes: far from the world's origin, float32 is too coarse to compute slopes.
 layout(location = 0) in vec3 position_model;
 layout(location = 1) in vec3 normal_model;
 #ifdef PER_VERTEX

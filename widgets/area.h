@@ -15,7 +15,7 @@ struct WheelArea {
     ImVec2 min, max;
 };
 
-/// Draws a quiet sentence in the middle of an empty area.
+/// Draws a sentence in muted text in the middle of an empty area.
 void DrawHint(ImDrawList* draw, ImVec2 min, ImVec2 max, std::string_view sentence);
 
 }  // namespace widgets::inner

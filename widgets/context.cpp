@@ -1,5 +1,5 @@
-// The context that all widgets share: start of a frame, highlights, the recorder that tests use to click by name,
-// groups. Read widgets.h first.
+// The context that all widgets share: start of a frame, highlights, groups, and the recorder that tests use to click by
+// name. Read widgets.h first.
 #include <algorithm>
 #include <cassert>
 #include <utility>

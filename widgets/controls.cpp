@@ -1,4 +1,4 @@
-// Controls other than numbers: toggles, choices, segments, colors, buttons, sections.
+// Controls other than numbers: toggles, choices, segments, colors, buttons, and sections.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

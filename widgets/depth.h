@@ -69,7 +69,7 @@ struct HistogramStyle {
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 200×120 design pixels
 };
 
-/// Draws counts of values between `min` and `max` as bars of equal width, and two lines that can be dragged around the
+/// Draws counts of values between `min` and `max` as bars of equal width, and two draggable lines at the ends of the
 /// range of interest (after every edit, x < y, both within min…max). "Fit" or a double-click selects the range that has
 /// counts; a right-click selects the full range. An invalid range is shown as the full one. The highest of `counts`
 /// sets the vertical scale; the bar of unwritten values is cut off if it is higher. Without counts or with min ≥ max,
@@ -92,7 +92,7 @@ struct CellGridStyle {
     ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: the available size. At least 40×40 design pixels
 };
 
-/// The maximum number of cells that a grid can draw, and the maximum with which it draws their text.
+/// The maximum number of cells that a grid can draw, and the maximum number for which it still draws their text.
 constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
 /// Draws a block of pixels as large squares in the middle of the area. Each square has its text in black or white,
@@ -109,7 +109,7 @@ struct DividerStyle {
     const char* left = "";  ///< names of the two sides, shown beside the line at the top if they fit
     const char* right = "";
     float default_share = 0.5F;  ///< a right-click resets to it
-    bool* held = nullptr;        ///< receives whether the line has the pointer; the picture must then ignore it
+    bool* held = nullptr;        ///< receives whether the line has the pointer, which the picture must then ignore
 };
 
 /// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the part of the

@@ -34,7 +34,7 @@ struct TreeLayout {
     int LevelCount() const { return static_cast<int>(level_begin.size()) - 1; }
     std::span<const int> Level(int index) const;
 };
-/// Nodes in `collapsed` keep their place; their subtrees are hidden.
+/// Computes the layout, without the subtrees of nodes in `collapsed`.
 TreeLayout LayOutTree(std::span<const TreeNode> nodes, const std::unordered_set<int>& collapsed = {});
 
 /// State of a tree diagram between frames. The caller may change everything above `layout`.
@@ -114,9 +114,9 @@ struct StepPlayer {
     bool shown = false;        ///< the bar sets this when it is drawn
 };
 
-/// Draws a bar that sets `step` to 0…count, or to −1, which means all steps even if the count grows. It has buttons to
-/// the ends and to the neighbors, play and pause, a slider (drag; wheel and buttons move by one step; Ctrl-click to
-/// type), and the speed. Disabled without steps. Returns true when `step` changed.
+/// Draws a bar that sets `step` to 0…count, or to −1, which means all steps even if the count grows. It has buttons
+/// that jump to either end, move by one step, and play or pause; a slider (drag; the wheel moves by one step;
+/// Ctrl-click to type); and the speed. Disabled without steps. Returns true when `step` changed.
 bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s);
 
 /// For custom bars: advances by `dt_s` while playing. Stops at the end; playing again starts over.

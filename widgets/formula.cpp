@@ -110,8 +110,8 @@ ImU32 ColorOf(char32_t letter, std::span<const LetterRole> roles, ImU32 base) {
     return base;
 }
 
-/// Whether the space at `s` separates two one-letter factors, as in "l_x n_y"; a space beside a sign or a word does
-/// not.
+/// Returns whether the space at `s` separates two one-letter factors, as in "l_x n_y"; a space beside a sign or a word
+/// does not.
 bool IsThinSpace(const char* formula, const char* s) {
     const auto is_symbol = [](char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '}'; };
     if (s == formula || !is_symbol(s[-1]) || !IsLetter(s[1])) return false;

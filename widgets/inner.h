@@ -1,4 +1,4 @@
-// Internals that the widgets share: scaled lengths, fonts, colors, recorder access, formula layout. Read widgets.h
+// Internals that the widgets share: scaled lengths, fonts, colors, recorder access, and formula layout. Read widgets.h
 // first.
 #pragma once
 
@@ -63,7 +63,8 @@ ImU32 InkOn(ImU32 color);
 inline ImU32 Shown(ImU32 color) {
     return ImGui::GetColorU32(color);
 }
-/// Whether widgets are inside ImGui::BeginDisabled. ApplyStyle sets the alpha to 1, and only that block lowers it.
+/// Returns whether widgets are inside ImGui::BeginDisabled. ApplyStyle sets the alpha to 1, and only that block lowers
+/// it.
 inline bool IsDisabled() {
     return ImGui::GetStyle().Alpha < 0.99F;
 }
@@ -77,7 +78,7 @@ void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text
 /// Like RecordRect, for buttons and for controls that set a value.
 void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
-/// Starts a new frame of covered and highlighted targets.
+/// Starts a new frame for the covered and highlighted targets.
 void BeginTargets(Targets& targets);
 /// Draws a plate if the box's name is covered. Returns whether it is. `component`: −1 for a box on its own.
 bool CoveredBox(const char* id_text, int component, ImVec2 size);
@@ -114,12 +115,12 @@ bool FollowLinks(Links links);
 
 /// Call while the pointer is over an item that represents a matrix entry.
 void PointAtEntry(Links own, Links links);
-/// Whether to highlight an item that represents a matrix entry, because the pointer is over the entry or over the
-/// control of one of its parameters.
+/// Returns whether to highlight an item that represents a matrix entry, because the pointer is over the entry or over
+/// the control of one of its parameters.
 bool IsEntryLit(Links own, Links links);
 
-/// Whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first item
-/// that asks in a frame, so a part takes precedence over its group.
+/// Returns whether the pointer has rested long enough on the item with this rectangle. Returns true only for the first
+/// item that asks in a frame, so a part takes precedence over its group.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
 /// Returns the maximum width of a tooltip's lines: they fit beside the column, unless they would then be too short to
 /// read comfortably.
@@ -131,7 +132,7 @@ void EndTooltipWindow(std::string_view told = {});
 using viewing::NumberChars;
 using viewing::Tiny;
 
-/// A formula split into pieces of one size and color, ready to be drawn anywhere.
+/// A formula split into pieces, each of one size and color, ready to be drawn anywhere.
 struct FormulaLayout {
     struct Piece {
         short begin, end;  ///< in `text`
@@ -165,7 +166,7 @@ enum class BoxKind { drag, slider };
 bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
                const NumberLook* look = nullptr);
 
-/// Draws numbers without a label, which share the width. `names` are for the recorder. `first`: the index of the first
+/// Draws a row of equally wide numbers, without a label. `names` are for the recorder. `first`: the index of the first
 /// number among the components of its scope (TargetScope).
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
                std::span<const double> defaults, std::span<const Links> links, float width, int first = 0);

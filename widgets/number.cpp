@@ -1,4 +1,4 @@
-// Numbers with labels: single numbers, sliders, and rows. All of them consist of NumberBox (number_box.cpp).
+// Numbers with labels: single numbers, sliders, and rows. All of them are built from NumberBox (number_box.cpp).
 #include <cmath>
 #include <iterator>
 

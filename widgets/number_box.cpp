@@ -1,5 +1,5 @@
 // The box of a number, to drag, slide and type in; the basis of Number, Slider and Numbers (number.cpp). A press starts
-// a drag, a double-click or Ctrl-click turns the box into a text field, a right-click resets.
+// a drag, a double-click or Ctrl-click turns the box into a text field, and a right-click resets the number.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -239,7 +239,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
-/// While the user types in a number, Tab leads to the next number drawn, Shift+Tab to the previous one.
+/// Implements Tab while the user types in a number: it leads to the next number drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
     if (editing.tab > 0 && editing.typing == 0) {

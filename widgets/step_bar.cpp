@@ -1,4 +1,4 @@
-// The bar that steps through a method: buttons, a track, the step as a number, the speed.
+// The bar that steps through a method: buttons, a track, the step as a number, and the speed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

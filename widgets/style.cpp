@@ -1,4 +1,4 @@
-// The look: three palettes, ImGui's own colors and metrics, the frames that all fields share. Check each theme with
+// The look: three palettes, ImGui's own colors and metrics, and the frame that all fields share. Check each theme with
 // widgets-demo.
 #include <algorithm>
 

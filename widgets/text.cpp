@@ -1,4 +1,4 @@
-// Text that is not a control: notes, troubles, values, labels beside controls, tooltips.
+// Text that is not a control: notes, troubles, values, labels beside controls, and tooltips.
 #include <algorithm>
 #include <string>
 
@@ -89,7 +89,7 @@ void ValueText(const char* text, Role role) {
 
 namespace {
 
-/// Draws formulas separated by "; " one below the other.
+/// Draws the formulas, which are separated by "; ", one below the other.
 void TooltipFormulas(std::string_view formulas, std::span<const LetterRole> roles) {
     constexpr std::string_view between = "; ";
     while (!formulas.empty()) {

@@ -1,4 +1,4 @@
-// Text over a picture: on a plate, and labels placed beside their points.
+// Text over a picture: text on a plate, and labels placed beside their points.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ void DrawTextPlate(ImDrawList* draw, ImVec2 at, ImVec2 size) {
                         inner::Shown(inner::WithAlpha(CurrentContext().palette.view_ground, 0.8F)), inner::Px(3));
 }
 
-/// Whether a line crosses a rectangle. Clips the line at one edge after another (Liang and Barsky).
+/// Returns whether a line crosses a rectangle. Clips the line at one edge after another (Liang and Barsky).
 bool Crosses(ImVec2 from, ImVec2 to, ImVec2 min, ImVec2 max) {
     float begin = 0.0F, end = 1.0F;
     const auto cut = [&](float start, float way, float least, float most) {

@@ -1,5 +1,5 @@
 // A small library that extends Dear ImGui for a lecture on viewing: numbers with units, planes, lights, matrices with
-// symbolic entries, lamps. It depends on imgui.h, GLM, and text/, and on nothing else in the sandbox. Every widget
+// symbolic entries, and lamps. It depends on imgui.h, GLM, and text/, and on nothing else in the sandbox. Every widget
 // edits the value it is given and returns whether it did. Run `widgets-demo` to see each one.
 //
 // Conventions, as in Dear ImGui: `bool Name(label, value&, tuning…)`; true only in a frame in which the value changed;
@@ -32,7 +32,7 @@ enum class Role { none, light, plane, camera, mirror, point, trouble };
 /// A theme's palette; colors as ImGui packs them (IM_COL32).
 struct Palette {
     ImU32 ground, raised, field, field_hovered, field_active, border, text, quiet, accent, view_ground;
-    ImU32 light, plane, camera, mirror, point, trouble;  ///< chosen with enough contrast on this background
+    ImU32 light, plane, camera, mirror, point, trouble;  ///< chosen for enough contrast with this background
     float stroke = 1.0F;                                 ///< line width multiplier; larger than 1 on the projector
     float type_scale = 1.0F;                             ///< 1.3 on the projector
 
@@ -96,7 +96,7 @@ struct Editing {
     float redraw_in_s = -1.0F;
 };
 
-/// How a text field has been used: how many times it was left, and the frame in which it was last active.
+/// The use of a text field so far: the number of times it was left, and the frame in which it was last active.
 struct TextFieldUse {
     int times = 0, active_frame = 0;
     bool is_used = false;
@@ -140,14 +140,15 @@ void AskForRedraw(float in_s);
 /// Call after a button that repeats while held (ImGui::PushButtonRepeat), since a mouse at rest triggers no frames.
 void GoOnWhileHeld();
 
-/// Whether a click has just moved a slider's knob, so that a second click would undo the move and start typing. While
-/// this is true, the edit is not final.
+/// Returns whether a click has just moved a slider's knob, so that a second click would undo the move and start typing.
+/// While this is true, the edit is not final.
 bool MayBeTakenBack(const Context& context);
 
-/// Commits typed text at the start of the next frame, as if its field had lost focus. Call before a key, a file or
-/// another window takes the focus. A number box then closes; a text field stays active.
+/// Commits typed text at the start of the next frame, as if its field had lost focus. Call before acting on a key that
+/// leads elsewhere or on a dropped file, and when the window loses focus or closes. A number box then closes; a text
+/// field stays active.
 void EndTyping(Context& context);
-/// Whether typed text is not committed yet.
+/// Returns whether any typed text is not committed yet.
 bool IsTyping(const Context& context);
 
 /// Sets the colors and metrics of ImGui itself from the palette. Call when the theme or the scale changes.
@@ -215,7 +216,7 @@ void Tooltip(const char* title, const char* body, const char* formula = "", cons
 
 // ---- values ----------------------------------------------------------------------------------------
 
-/// How a number is edited.
+/// Settings for editing a number.
 struct NumberStyle {
     double min = -1e12, max = 1e12;         ///< for typing
     double drag_min = 0.0, drag_max = 0.0;  ///< for dragging and sliding; both 0: min … max
@@ -249,10 +250,10 @@ float LabelledWidth(const char* label, float control_width);
 
 bool Toggle(const char* label, bool& value, bool default_value);  ///< checkbox; right-click resets
 float ToggleWidth(const char* label);                             ///< width of a Toggle on one line, in pixels
-/// A combo of names; a right-click resets to `default_index`. `width` 0: as wide as the longest name.
+/// Draws a combo box of names; a right-click resets to `default_index`. `width` 0: as wide as the longest name.
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width = 0.0F);
 float ChoiceWidth(std::span<const char* const> names);  ///< width that shows the longest name in full, in pixels
-/// The same choice as a row of radio buttons. `tips` explain each one on hover.
+/// Draws the same choice as a row of radio buttons. `tips` explain the buttons on hover.
 bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
               std::span<const char* const> tips = {});
 
@@ -282,9 +283,9 @@ bool SmallButton(const char* label, bool enabled = true, const char* why_disable
 float SmallButtonWidth(const char* label);  ///< width on one line, in pixels
 bool OffersButton(const char* label);       ///< whether a Button or SmallButton with this label is drawn at all
 
-/// A header that folds the content below it; ImGui keeps the state. Returns whether it is open. `note`: quiet text at
-/// its right end. `trouble`: a problem inside, shown by a sign with a tooltip, so that nothing below moves when it
-/// appears.
+/// Draws a header that folds the content below it; ImGui keeps the state. Returns whether it is open. `note`: quiet
+/// text at its right end. `trouble`: a problem inside, shown by a sign with a tooltip, so that nothing below moves when
+/// it appears.
 bool Section(const char* label, bool open_by_default = true, const char* note = "", const char* trouble = "");
 
 // ---- the lecture's things --------------------------------------------------------------------------
@@ -306,8 +307,8 @@ struct MatrixCell {
     Links own = 0;            ///< the entry itself, highlighted together with other references to it: see FollowEntry
 };
 
-/// How a matrix is drawn. Its rows are as on the slides: cells[4 * row + column] belongs to value[column][row], since
-/// GLM indexes columns first.
+/// Settings for drawing a matrix. Its rows are as on the slides: cells[4 * row + column] belongs to value[column][row],
+/// since GLM indexes columns first.
 struct MatrixStyle {
     int decimals = 3;
     std::span<const MatrixCell> cells = {};  ///< 16, or empty
@@ -340,7 +341,7 @@ struct Lamp {
 void Lamps(const char* label, std::span<const Lamp> lamps, Role role);
 
 /// Draws a splitter, `length` pixels long, between two areas. Dragging moves `position`, in design pixels; `direction`
-/// −1 moves it against the pointer, for an area at the right or bottom. `vertical`: the bar is between left and right.
+/// −1 moves it against the pointer, for an area at the right or bottom. `vertical`: the areas are side by side.
 bool Splitter(const char* id, bool vertical, float& position, float min, float max, float length,
               float direction = 1.0F);
 

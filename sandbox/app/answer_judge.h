@@ -15,8 +15,8 @@ namespace viewing {
 
 class AnswerJudge {
 public:
-    /// `renderer`, the window's own, must outlive this object. It takes the measurements if no second renderer is
-    /// possible.
+    /// `renderer` is the window's own and must outlive this object. It takes the measurements if no second renderer can
+    /// be created.
     explicit AnswerJudge(Renderer& renderer) : renderer_(renderer) {}
 
     struct Moment {

@@ -5,7 +5,7 @@
 namespace viewing {
 namespace {
 
-/// Returns a drawing that contains only one picture, at its size.
+/// Returns a drawing that contains only this picture and has its size.
 Drawing drawing_of(Image image) {
     const glm::vec2 size(image.width, image.height);
     const DrawingBox box{glm::vec2(0.0F), size};

@@ -13,7 +13,7 @@ class Inspection {
 public:
     explicit Inspection(Renderer& renderer) : renderer_(renderer) {}
 
-    /// Forgets the values, since the pictures have changed.
+    /// Forgets the values. Call when the pictures have changed.
     void forget() { inspector_.forget(); }
 
     /// Reads the values that the views need from this frame. If `at_once`, waits for all of them.

@@ -21,7 +21,7 @@ struct LessonPicture {
     Lesson lesson;
     std::size_t step = 0;  ///< counted from 0
     bool revealed = false;
-    bool presents = false;  ///< as the audience sees it
+    bool presents = false;  ///< shows the step as the audience sees it
     bool has_strip = true;  ///< shows the lesson strip with the step's texts
 };
 
@@ -103,7 +103,8 @@ Status check_picture_size(PictureView view, glm::ivec2 size_px);
 /// Whether the picture contains no user interface.
 bool is_drawn_by_gl(const PictureRequest& request);
 
-/// Draws a picture; needs a current context. If it contains any user interface, draws frames until two are equal.
+/// Draws a picture; needs a current context. If it contains any user interface, draws frames until two in a row are
+/// equal.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);
 

@@ -1,4 +1,4 @@
-// Writes the pictures that a person requests in the window to files: F12's snapshot and a view's Save PNG.
+// Writes files with the pictures that a person requests in the window: F12's snapshot and a view's Save PNG.
 #pragma once
 
 #include <filesystem>

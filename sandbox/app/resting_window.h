@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// The maximum number of frames in which the user interface must settle: ImGui needs two for its layout, and sections
-/// need one more.
+/// The user interface must settle within this number of frames: ImGui needs two for its layout, and sections need one
+/// more.
 inline constexpr int most_frames = 12;
 
 /// Shows the whole window, or one view alone without the controls that make sense only on screen. Hides the pointer.
@@ -21,9 +21,9 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Draws the requested view until two frames are equal. If a view by itself would have to scroll or be cut off,
-    /// draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error is
-    /// the window's own message, or says that the size is too small and which size would do.
+    /// Draws the requested view until two frames in a row are equal. If a view by itself would have to scroll or be cut
+    /// off, draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error
+    /// is the window's own message, or says that the size is too small and which size would do.
     Status rest(const PictureRequest& request);
 
     /// Whether everything is visible without cuts or scrolling.

@@ -11,7 +11,7 @@ namespace viewing {
 class ShownAnswer {
 public:
     /// Asks the worker for the result that the camera's view needs, and waits for it briefly. If the result takes
-    /// longer, a later call takes it. If `is_interactive` is false, waits without a limit.
+    /// longer, a later call picks it up. If `is_interactive` is false, waits without a limit.
     Status update(Renderer& renderer, const Params& params, const Derived& derived, const Session& session,
                   glm::ivec2 camera_px, bool is_interactive);
 

@@ -50,8 +50,8 @@ public:
     Image read() const;
     /// Returns the latest frame as shapes, text and pictures. Its lines must have been drawn without textures.
     Drawing record() const;
-    /// Returns the camera's picture alone, of the same state as shown_state(). Draws it now if another view fills the
-    /// window, or if it lags behind a drag.
+    /// Returns only the camera's picture, which shows the state that shown_state() returns. Draws it now if another
+    /// view fills the window, or if it lags behind a drag.
     const View& camera_view();
     /// Returns the state that the latest frame showed, as text, with animations at that frame's time.
     std::string shown_state() const;

@@ -43,7 +43,7 @@ Status WindowMemory::take_written() {
     if (!ended) return std::monostate{};
     if (!*ended) return Error{ended->error()};
     // Adopt changes by other windows, but not their look or their student. If both windows have a step in a lesson,
-    // keep this window's step. Two windows that copied these from each other would never come to rest.
+    // keep this window's step. If two windows copied each other's step, they would never come to rest.
     Remembered written = **ended;
     for (auto& [id, progress] : written.lessons)
         if (const auto own = sent_.lessons.find(id); own != sent_.lessons.end()) progress.step = own->second.step;

@@ -50,7 +50,7 @@ void EndingReport::tell(const char* name, Json value) {
 
 void EndingReport::finish(Outputs& results, ExitStatus status, const std::string& sentence) {
     if (target_) results.add(*target_, text(status, sentence, seconds_so_far()));
-    // If writing blocks, part of the report may already be written, so do not write a second one.
+    // If the write blocks, part of the report may already have been written, so do not write a second one.
     if (target_ && !is_plain_file(*target_)) forget_last_words();
     results.write();
     is_written_ = true;

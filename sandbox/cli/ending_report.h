@@ -39,7 +39,7 @@ public:
 
     /// Checks all files (check_outputs); from then on, an expired --timeout or a fault also leaves a report.
     void begin();
-    /// Adds a fact to the report, in the order of the calls; replaces an earlier one with the same name.
+    /// Adds a fact at the end of the report, or replaces the earlier fact with the same name.
     void tell(const char* name, Json value);
     /// Writes the results and the report together: all of them or none.
     void finish(Outputs& results, ExitStatus status, const std::string& sentence);

@@ -33,7 +33,8 @@ public:
     /// Throws Failure with GL's message if GL has reported an error.
     void require_no_errors();
 
-    /// Returns the value of a drawing's result. An error in the result, or one that GL reported, ends the command.
+    /// Returns the value of a result that drawing produced. An error in the result, or one that GL reported, ends the
+    /// command.
     template <typename T>
     T drawn(Result<T> result, ExitStatus status_of_its_error = ExitStatus::gl_error) {
         require_no_errors();
@@ -55,8 +56,8 @@ void check_size(const Options& options, const PictureRequest& request);
 /// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the exit status for an error of draw_picture() that GL has not reported: bad_input for a view by itself,
-/// which may be empty or may not fit, otherwise gl_error.
+/// Returns the exit status for an error of draw_picture() that GL has not reported: bad_input for a view that may be
+/// empty or may not fit, otherwise gl_error.
 ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.

@@ -1,5 +1,5 @@
-// measure: measures a frame, or the costs of methods with growing polygon counts. Read report/visibility_report.h and
-// report/fighting_report.h next.
+// measure: measures a frame, or the costs of methods as the number of polygons grows. Read report/visibility_report.h
+// and report/fighting_report.h next.
 #include <array>
 #include <limits>
 

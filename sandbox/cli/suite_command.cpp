@@ -135,8 +135,8 @@ std::string pace(std::size_t done, std::size_t of, double seconds) {
     return figures(rate) + "/s, " + left + " left";
 }
 
-/// Prints the progress: on a terminal, in one line that is redrawn; elsewhere, in a new line after each tenth of the
-/// entries. Each entry that did not pass also gets a line.
+/// Prints the progress: on a terminal, in one line that is redrawn; elsewhere, if there are more than 20 entries, in a
+/// new line after each tenth of them. Each entry that did not pass also gets a line.
 class Progress {
 public:
     Progress(std::size_t of, std::size_t kept_for_shown) : of_(of), step_(std::max<std::size_t>(kept_for_shown, 1)) {}

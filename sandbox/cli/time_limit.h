@@ -21,7 +21,7 @@ public:
 
     static bool has_run_out();
 
-    /// Return the message for an expired limit, and the limit in seconds; "" and 0 without a limit.
+    /// Return the message for an expired limit, and the limit in seconds, both of the latest limit; "" and 0 if none.
     static std::string sentence();
     static double seconds();
 };

@@ -1,5 +1,5 @@
 // A drawing as shapes, text and pictures from back to front: the source of SVG and PDF. Lengths are in pixels, y points
-// down, colors are sRGB. Pure.
+// down, colors are sRGB. Pure functions.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 namespace viewing {
 
-/// Elapsed time, and the light's rotation so far. The rotation is summed up because the speed may change during the
+/// Elapsed time, and the light's rotation so far. The rotation is accumulated because the speed may change during the
 /// motion.
 struct Moment {
     double time_s = 0.0;
@@ -18,8 +18,9 @@ bool is_animated(const Params& params);
 /// Returns the moment `dt_s` later.
 Moment advanced(Moment moment, const Params& params, double dt_s);
 
-/// Returns the parameters at `moment`; at time 0 they equal `params`. The camera jitters, mostly sideways, by up to a
-/// thousandth of the target's distance. The light rotates about the world's y axis, counterclockwise seen from above.
+/// Returns the parameters at `moment`; at time 0 they equal `params`. The camera jitters, mostly sideways, by up to
+/// about a thousandth of the target's distance. The chosen light rotates about the world's y axis, counterclockwise as
+/// seen from above.
 Params animated(const Params& params, const Moment& moment);
 
 }  // namespace viewing

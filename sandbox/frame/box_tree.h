@@ -1,6 +1,6 @@
 // A box tree over a mesh's vertices or triangles: each run of neighbors has a box, eight boxes share a larger one, and
 // so on up to the whole mesh. A query on a large mesh skips most of the tree. A tree is built once per mesh and kept as
-// long as the mesh. Read object_reach.h next, which queries it.
+// long as the mesh exists. Read object_reach.h next, which queries it.
 #pragma once
 
 #include <algorithm>

@@ -56,7 +56,7 @@ struct CastShadow {
 
 /// A plane, with the shadow that each light casts on it.
 struct DerivedPlane {
-    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< has the equation's sign
+    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< keeps the equation's sign
     PlanePatch patch{};
     double eye_side = 1.0;  ///< Π·eye: its sign gives the visible side
     bool receives_shadow = true, mirrors = true, gloss = false;
@@ -75,7 +75,7 @@ struct Derived {
     glm::dmat4 clip_from_world{1.0};           ///< P V
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
     StoredDepth stored_depth{};                ///< as measured or, without a measurement, as requested
-    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: w = 0 and the direction toward the eye, as for a light
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: direction toward the eye, with w = 0 as for a light
 
     std::vector<DerivedPlane> planes;      ///< one per plane of Params, so at least one
     std::vector<glm::dvec4> lights_world;  ///< at least one
@@ -104,8 +104,8 @@ struct ObserverView {
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
 /// Derives the chosen light's view of everything that casts a shadow, framed to fit the picture wherever the light is.
-/// In this view, each caster hides its own shadow. A parallel light has parallel view rays; a light among the casters
-/// sees only those in front of it. Without objects, the light looks at the chosen plane's patch.
+/// In this view, each caster hides its own shadow. For a parallel light, the view rays are parallel; a light among the
+/// casters sees only those in front of it. Without objects, the light looks at the chosen plane's patch.
 ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport);
 
 /// Derives the lecture's other interpretation of the same picture: the camera stays at the origin and V moves the

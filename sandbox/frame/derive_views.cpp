@@ -11,8 +11,8 @@
 namespace viewing {
 namespace {
 
-/// Returns a matrix that shifts a picture and enlarges it uniformly until `points` fill it; the identity if a point is
-/// behind the eye.
+/// Returns a matrix that centers `points` in a picture and enlarges it uniformly, at most four times, until they nearly
+/// fill it; the identity if a point is behind the eye.
 glm::dmat4 centered_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& point : points) {
@@ -55,7 +55,7 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     view.eye_world = {observer.target + back * observer.distance, 1.0};
     view.world_from_view = world_from_view(glm::dvec3(view.eye_world), angles);
     view.view_from_world = view_from_world(view.world_from_view);
-    // A narrow view keeps its horizontal extent, so that the camera stays in the picture.
+    // A narrow view still shows the usual horizontal extent, so that the camera stays in the picture.
     constexpr double usual_aspect = 1.8;
     const double fovy_deg = widened_fovy(40.0, viewport.aspect(), usual_aspect);
     const Lens lens{false, fovy_deg, 6.0, observer.distance * 0.01, observer.distance * 100.0};
@@ -78,7 +78,7 @@ ObserverView derive_light_view(const Derived& derived, const Scene& scene, const
     const bool is_at_target = glm::length(away) < 1e-6;  // then the light looks down the normal
     const glm::dvec3 back = is_at_target ? patch.normal : away / distance;
 
-    // A view straight down or up cannot have the y axis upright.
+    // A view straight down or up cannot keep the y axis upright.
     const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     ObserverView view;

@@ -12,8 +12,8 @@ struct Factor {
     std::string code, comment, part;
 };
 
-/// Returns the factors of W, from left to right, for the V of this state. To undo the camera's motion, their numbers
-/// are negated, unless C itself is uploaded.
+/// Returns the factors of W, which takes the place of this state's V, from left to right. To undo the camera's motion,
+/// their numbers are negated, unless C itself is uploaded.
 std::vector<Factor> factors_of(const Params& params) {
     const bool is_camera_itself = params.slips.camera_as_view;
     const double sign = is_camera_itself ? 1.0 : -1.0;

@@ -1,4 +1,4 @@
-// The sequence of draw calls that a frame sends to GL, so that the frame can stop between calls and within them.
+// The sequence of draw calls that a frame sends to GL, so that the frame can stop between two calls or within one.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Finds the fields that have no effect in a state, and why, so that a control that does nothing can say so. Pure.
+// Finds the fields that have no effect in a state, and the reason, so that a control that does nothing can say why.
+// Pure.
 #pragma once
 
 #include <string_view>

@@ -23,7 +23,7 @@ MatrixSymbols camera_symbols(bool swapped_order);
 /// Returns P with near n, far f, height h and c = cot(½ fovy).
 MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one);
 
-/// Returns a symbol in LaTeX math: "\Pi \cdot L - l_x n_x".
+/// Returns a symbol as LaTeX math: "\Pi \cdot L - l_x n_x".
 std::string symbol_as_latex(const std::string& symbol);
 /// Returns a symbol for C, GLSL, Python and MATLAB, with products written out: "plane_dot_light-l_x*n_x".
 std::string symbol_as_code(const std::string& symbol);

@@ -24,7 +24,7 @@ struct Specials {
 struct Notation {
     Specials specials;
     bool columns_first = false;
-    bool needs_point = false;  ///< "1.0": in C and GLSL "1" is an integer
+    bool needs_point = false;  ///< "1.0", since "1" is an integer in C, GLSL and Python
 };
 
 constexpr Notation plain{{"nan", "inf", "-inf"}, false, false};

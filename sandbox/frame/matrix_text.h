@@ -22,7 +22,7 @@ std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixF
 /// Returns the same with the symbolic form of the entries, in the format's own notation.
 std::string matrix_text(std::string_view name, const MatrixSymbols& symbols, MatrixFormat format);
 
-/// Returns a number with its name as text, with the remark in every format but LaTeX.
+/// Returns a number with its name as text, followed by the remark in every format except LaTeX.
 std::string number_text(std::string_view name, double value, MatrixFormat format, std::string_view remark);
 
 /// Returns the nearest number with `digits` significant decimal digits, or the number itself if `digits` is 0.

@@ -86,15 +86,15 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch, and not cut off by near or far.
+/// Returns whether a point of the plane is in the patch and is not cut off by near or far.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
     const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
     return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
 }
 
-/// Returns whether any triangle edge from a vertex that lands inside the patch to one that does not crosses the patch's
-/// edge in the picture. For large meshes, assumes that one does.
+/// Examines the triangle edges that join a vertex that lands inside the patch to one that does not. Returns whether any
+/// of them crosses the patch's edge in the picture. For large meshes, assumes that one does.
 bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) {
     const Mesh& mesh = *object.mesh;
     constexpr std::size_t most_triangles = 20'000;
@@ -121,8 +121,9 @@ bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) 
     return false;
 }
 
-/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, elsewhere: beside it, or
-/// nowhere (w ≤ 0). With `in_picture`, it must also land in the picture.
+/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
+/// patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
+/// picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
         if (glm::dot(landing.side, point) < -standing) return false;

@@ -30,7 +30,7 @@ bool is_in_view(const SceneObject& object, const Params& params, const Derived& 
 /// Returns whether part of a patch is in the picture, between near and far, judged by a grid of points.
 bool is_in_view(const PlanePatch& patch, const glm::dmat4& clip_from_world);
 
-/// A map that sends the scene's vertices to the plane of a patch, and which of their images count.
+/// A map that sends the scene's vertices to the plane of a patch, and the conditions under which a vertex counts.
 struct Landing {
     const glm::dmat4& plane_from_world;  ///< only vertices that it sends to w > 0 count
     const glm::dmat4& clip_from_world;   ///< the picture's matrix: only images inside the picture count

@@ -36,8 +36,8 @@ constexpr StencilState marks(int region) {
     return {.test = true, .reference = region, .on_pass = StencilOp::replace};
 }
 
-/// Passes only inside a region, lit or not. Used for mirror images, the patch over its image, and shadows whose
-/// overlaps are not counted.
+/// Passes only inside a region, whether or not lights are missing there. Used for mirror images, the patch over its
+/// image, and shadows whose overlaps are not counted.
 constexpr StencilState inside(int region) {
     return {.test = true, .func = CompareFunc::equal, .reference = region, .read_bits = stencil_region_bits};
 }

@@ -1,7 +1,7 @@
 // The technique, pass by pass: for each plane the mirror image inside the stenciled patch, the patch, and the shadows
 // on it; then the objects. A mirror shows the same world once more: plan_mirror.cpp. Shadows are in plan_shadow.cpp.
-// Nothing here depends on the sign or length of the plane's equation: everything is relative to the eye's and the
-// light's side of the plane. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
+// Nothing here depends on the sign or length of the plane's equation, only on which side of the plane the eye and the
+// light are on. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
 #include "frame/plan.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void add_plane(std::vector<Pass>& passes, const Level& level, std::size_t plane)
     if (!level.is_real() && is_marked) give_region_back(passes, level, plane);
 }
 
-/// Returns the shading of the scene's objects if they are not lit.
+/// Returns the shading that a view uses for the scene's objects instead of lighting; none if they are lit.
 std::optional<Shading> shading_of(Shows shows) {
     switch (shows) {
         case Shows::facing:

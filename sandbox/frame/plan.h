@@ -53,7 +53,7 @@ struct Pass {
     std::string reason;  ///< one sentence: its purpose
     Subject subject = Subject::objects;
     std::size_t plane = 0;        ///< index in Derived::planes: the patch, or a shadow's receiver
-    std::size_t light = 0;        ///< index in Derived::lights_world: the light whose shadow it is
+    std::size_t light = 0;        ///< index in Derived::lights_world: the light whose shadow the pass draws
     Chosen chosen = Chosen::all;  ///< all objects, those that are not decals, or only decals
     bool marks_objects = false;   ///< each object has its own stencil reference: FramePlan::object_marks
     Shading shading = Shading::lit;
@@ -142,7 +142,7 @@ std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& 
 int reflection_depth(const Params& params, const Derived& derived);
 
 /// The eye from which add_scene_passes() sees the scene. That function adds the objects and the planes, with their
-/// mirror images and shadows: part of plan() and plan_observer().
+/// mirror images and shadows; it is part of plan() and plan_observer().
 struct Eye {
     glm::dmat4 clip_from_view{1.0};
     glm::dmat4 view_from_world{1.0};
@@ -158,7 +158,7 @@ FramePlan plan(const Params& params, const Derived& derived, const HiddenPicture
 /// Replaces the objects with a method's result: part of plan().
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
 
-/// Returns a pass that draws FramePlan::hidden's difference over the picture.
+/// Returns a pass that draws the difference in FramePlan::hidden over the picture.
 Pass difference_pass(const char* reason);
 
 /// Sets the depth buffer's format, mapping, clear value and offsets, and the way in which it is shown: part of plan().
@@ -186,13 +186,13 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// Returns the GL calls that lead from one pass of a frame to another, with their current values, in the lecture's
+/// Returns the GL calls that lead from one pass of a frame to another, with the values that they set, in the lecture's
 /// words; unchanged state needs no call. first_gl_state() is the state before the first pass.
 std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
-/// Returns the calls that begin a frame after another one of the same plan. The first of them reset the state that the
-/// last pass left.
+/// Returns the calls that begin a frame if the previous frame had the same plan. The first of them reset the state that
+/// its last pass left behind.
 std::vector<std::string> clear_calls(const FramePlan& frame);
 
 /// Return "GL_LEQUAL" and the like.

@@ -36,7 +36,7 @@ struct Level {
     int mirrors_met = 0;
     int region = 0;                       ///< the stencil's low bits where the level is drawn; 0 for level 0
     std::optional<std::size_t> mirror{};  ///< the last mirror on the way
-    std::optional<ClipPlane> clip{};      ///< in the scene: keeps everything in front of the last mirror
+    std::optional<ClipPlane> clip{};      ///< in scene space: keeps everything in front of the last mirror
     bool is_fresh = true;                 ///< nothing has been drawn here yet
 
     const DerivedPlane& plane(std::size_t index) const { return derived.planes[index]; }
@@ -98,7 +98,7 @@ StencilState stencil_of_wiping();
 /// `eye_distance`.
 void fill_picture(Pass& pass, double clip_z, double eye_distance);
 
-/// Returns the pass of the scene itself, or of its mirror image.
+/// Returns the pass that draws the scene itself or its mirror image.
 Pass objects_pass(const Level& level);
 
 /// Returns a pass that marks a patch in the stencil, without color or depth.

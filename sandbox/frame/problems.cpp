@@ -107,7 +107,7 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
                 tr("this hidden-surface method draws only one plane: the others are left out of its picture"));
 }
 
-/// Returns the uploaded w of a point between light and plane.
+/// Returns the w that the uploaded matrix gives a point between the light and the plane.
 double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
     const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
     const double height = is_parallel_light(cast.light_world)

@@ -15,20 +15,21 @@ struct Angles {
     bool operator==(const Angles&) const = default;
 };
 
-/// R = Ry(yaw) Rx(pitch) Rz(roll).
+/// Returns R = Ry(yaw) Rx(pitch) Rz(roll).
 glm::dmat4 rotation_from_angles(const Angles& angles);
 
 /// Returns the angles of a rotation: yaw and roll in (−180, 180], pitch in [−90, 90]. At the poles (|pitch| = 90), roll
 /// and yaw rotate about the same axis; there, roll is 0 and yaw is the whole rotation.
 Angles angles_from_rotation(const glm::dmat3& rotation);
 
-/// C = T(position) R; its columns are right, up, back and the eye. With all angles 0, the camera looks along −z.
+/// Returns C = T(position) R, whose columns are right, up, back and the eye. With all angles 0, the camera looks along
+/// −z.
 glm::dmat4 world_from_view(const glm::dvec3& position, const Angles& angles);
 
-/// V = C⁻¹ for a rigid C, built from Rᵀ and −Rᵀ·eye without a general matrix inverse.
+/// Returns V = C⁻¹ for a rigid C, built from Rᵀ and −Rᵀ·eye without a general matrix inverse.
 glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
 
-/// T(position) R(rotation) S(scale), the pose of an object.
+/// Returns T(position) R(rotation) S(scale), the matrix that places an object.
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
 
 /// Returns the angles (roll 0) of a camera at `eye` that looks at `target`. If the two points coincide, the camera

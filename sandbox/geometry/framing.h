@@ -1,4 +1,4 @@
-// Places a camera so that its picture contains a box. Pure. Read navigation.h for how the user moves the camera.
+// Places a camera so that its picture contains a box. Read navigation.h for how the user moves the camera.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,8 +15,9 @@ struct Framing {
 };
 
 /// Returns the nearest position from which a camera with these angles has the whole box in the middle of its picture,
-/// with a small margin. If the box is a single point, the camera is one unit away from it; an empty box counts as the
-/// origin. `aspect` must be positive.
+/// with a small margin; a perspective camera is one unit away from a box that is a single point. For an orthographic
+/// lens, returns the picture's height, and a position from which the whole box is beyond the near plane. An empty box
+/// counts as the origin. `aspect` must be positive.
 Framing framing(const Bounds& box, const Angles& angles, const Lens& lens, double aspect);
 
 }  // namespace viewing

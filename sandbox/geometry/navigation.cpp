@@ -111,7 +111,7 @@ Pose walk(Pose pose, const Vec3& path, const Vec3& turn, const MotionSlips& slip
     return pose;
 }
 
-/// Rotates the whole camera about the target so that it ends with `angles`.
+/// Rotates the whole camera about the target so that it ends up at `angles`.
 void carry_about_target(Pose& pose, const Angles& angles) {
     const glm::dmat3 before(rotation_from_angles(pose.angles)), after(rotation_from_angles(angles));
     pose.position = pose.target + after * (glm::transpose(before) * (pose.position - pose.target));

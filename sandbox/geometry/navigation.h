@@ -65,7 +65,7 @@ struct MotionTuning {
 Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation mode, const MotionSlips& slips,
           const MotionTuning& tuning, double dt_s);
 
-/// One indicator per degree of freedom.
+/// One flag per degree of freedom.
 struct MovingFreedoms {
     bool forward = false, strafe = false, lift = false, yaw = false, pitch = false, roll = false;
     bool operator==(const MovingFreedoms&) const = default;

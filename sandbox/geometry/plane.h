@@ -19,8 +19,8 @@ bool is_parallel_light(const glm::dvec4& light);
 /// Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
-/// Returns +1 or −1, the factor that makes w positive for every caster between light and plane, so that clipping keeps
-/// the shadow. Returns +1 if Π·L = 0.
+/// Returns +1 or −1, the factor that makes w positive for every caster between the light and the plane, so that
+/// clipping keeps the shadow. Returns +1 if Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// Returns the plane with the sign that puts a point, an eye or a light on its positive side. Returns it unchanged if

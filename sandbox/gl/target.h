@@ -1,5 +1,5 @@
-// Our own framebuffer, with or without multisampling: its color can be shown as a texture, its depth and stencil can be
-// read back.
+// Our own framebuffer, with or without multisampling: its color can be shown as a texture, and its depth and stencil
+// can be read back.
 #pragma once
 
 #include <vector>

@@ -13,8 +13,9 @@
 
 namespace viewing {
 
-/// strict is for pictures from the same machine and driver. portable accepts the effects of another driver or another
-/// number of samples on edges (is_resampled_edge in portable.h), and detects a shift by one level, which strict cannot.
+/// strict is for pictures from the same machine and driver. portable accepts edges that another driver or a different
+/// number of samples has changed (is_resampled_edge in portable.h), and detects a shift by one level, which strict
+/// cannot detect.
 enum class CompareProfile { strict, portable };
 inline constexpr std::array profile_names{"strict", "portable"};
 
@@ -32,9 +33,9 @@ struct CompareOptions {
     /// pixels away in x and y. With 1, edges that moved by a pixel do not count.
     int reach_px = 0;
     CompareProfile profile = CompareProfile::strict;
-    /// Only for portable. The default is 4, because another number of samples changes single pixels at corners and at
-    /// faces thinner than a pixel, and even blocks of four if there are 16 samples instead of 4. An edge that has moved
-    /// in five rows changes five pixels.
+    /// Only for portable. The default is 4, because a different number of samples changes single pixels at corners and
+    /// on faces thinner than a pixel, and even blocks of four pixels if there are 16 samples instead of 4. An edge that
+    /// has moved in five rows changes five pixels.
     std::int64_t block_px = 4;
     /// Only for portable, in levels. The default is 0.6: noise of two levels up or down shifts the mean of 256 pixels
     /// by at most 0.48 in a picture of 640 x 360 (seven standard deviations are 0.62), while a shadow that is one level
@@ -65,7 +66,7 @@ struct CompareReport {
     std::array<int, 2> size_a{};    ///< width, height
     std::array<int, 2> size_b{};    ///< width, height
     std::int64_t pixels = 0;        ///< the larger width times the larger height
-    std::int64_t left_out = 0;      ///< number of those that the mask leaves out
+    std::int64_t left_out = 0;      ///< number of pixels that the mask leaves out
     std::int64_t different = 0;     ///< pixels with any channel different, or that only one picture has
     std::int64_t beyond = 0;        ///< pixels off by more than options.worst, or that only one picture has
     std::int64_t resampled = 0;     ///< portable: pixels off by more than worst that count as resampled edges
@@ -93,7 +94,7 @@ std::vector<std::uint8_t> pixel_differences(const Image& a, const Image& b, cons
 /// pixels that the mask leaves out count as equal. A mask of another size covers only its own area, from the top left.
 CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {}, const Mask& mask = {});
 
-/// Returns one line for a person, starting with "equal" or "different".
+/// Returns one line of text for people to read, starting with "equal" or "different".
 std::string sentence(const CompareReport& report);
 
 /// Returns the whole report with its thresholds and the sentence as a JSON object, indented by two spaces.

@@ -10,8 +10,8 @@
 namespace viewing {
 
 /// Computes the largest channel difference of each pixel, one row at a time, in the area that both pictures have; 0 for
-/// pixels that the mask leaves out. Only for pixels beyond the threshold is the neighborhood searched for a match that
-/// excuses them. The pictures and the mask must outlive this object.
+/// pixels that the mask leaves out. Searches the neighborhood of a pixel for a match that excuses it, but only if the
+/// pixel is beyond the threshold. The pictures and the mask must outlive this object.
 class Differences {
 public:
     Differences(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask);

@@ -13,7 +13,7 @@ namespace viewing {
 /// Returns the note as elements of an SVG document; "" if the note is empty or no figure can store it.
 std::string note_as_svg(std::string_view note);
 /// Returns the note as a keyword of a PDF document: a fixed name, followed only by letters and digits; "" in the same
-/// cases.
+/// cases as note_as_svg().
 std::string note_as_keyword(std::string_view note);
 
 /// Whether a file name has the extension of a figure: .png, .svg or .pdf.

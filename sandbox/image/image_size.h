@@ -1,4 +1,4 @@
-// Limits on the size of a picture: one rule for every size, on the command line and in files.
+// Limits on the size of a picture: the same rule on the command line and in files.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct MaskRect {
 class Mask {
 public:
     Mask() = default;
-    /// Makes a mask of this size that leaves nothing out yet. Sides are 0 or more.
+    /// Makes a mask of this size that leaves nothing out yet. Both sides must be 0 or more.
     Mask(int width, int height);
     /// Leaves out the white pixels of a picture: those whose luma (Rec. 709 on the stored values) and alpha are both
     /// 128 or more.

@@ -77,7 +77,7 @@ struct Reader {
 struct FoundNote {
     std::string text;
     int parts = 0;
-    InflateEnd end = InflateEnd::whole;  ///< of the latest part
+    InflateEnd end = InflateEnd::whole;  ///< how unpacking the latest part ended
 };
 
 Inflated copied(std::span<const std::uint8_t> bytes, std::size_t most) {
@@ -138,7 +138,7 @@ bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nul
     return true;
 }
 
-/// Reads all rows as 8-bit RGBA, and then on to the end of the file, so that a truncated file is detected.
+/// Reads all rows as 8-bit RGBA, and then the rest of the file, so that a truncated file is detected.
 bool read_rows(const Reader& reader, png_bytepp rows) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_expand(reader.png);

@@ -24,7 +24,7 @@ constexpr int most_image_pixels = 64'000'000;
 /// its header, exceeds largest_image_side or most_image_pixels.
 Result<Image> read_png(const std::filesystem::path& path);
 
-/// Pixels per inch on a usual screen.
+/// Pixels per inch on a typical screen.
 inline constexpr double usual_dpi = 96.0;
 
 /// Reads a PNG from an open file or pipe, up to the end of the picture. An error begins with `name`.
@@ -38,9 +38,9 @@ inline constexpr char png_note_key[] = "viewing-sandbox state";
 /// says that the note is longer than max_document_bytes or damaged.
 Result<std::string> read_png_note(const std::filesystem::path& path);
 
-/// Returns the bytes of a PNG file: RGB if every alpha is 255, otherwise RGBA. Fast rather than small: zlib level 1
-/// with only the SUB filter takes a fifth of libpng's default time, and the files are a third larger. Sides are 1 …
-/// largest_image_side. `note` is UTF-8 stored with the picture; nothing is stored for "" or a note longer than
+/// Returns the bytes of a PNG file: RGB if every alpha is 255, otherwise RGBA. Favors speed over size: zlib level 1
+/// with only the SUB filter takes a fifth of libpng's default time, and the files are a third larger. Each side must be
+/// 1 … largest_image_side. `note` is UTF-8 stored with the picture; nothing is stored for "" or a note longer than
 /// max_document_bytes. `dpi` is the intended resolution on paper; the usual one is not stored, since readers assume it
 /// by default.
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);

@@ -15,9 +15,9 @@ constexpr int channels = 4;
 /// The share of an edge's step by which a value may be outside the range of its neighbors in the other picture. A line
 /// one pixel wide that is resolved with 16 samples keeps at least half of its contrast.
 constexpr double fading = 0.5;
-/// An edge that is displaced by this many pixels has moved. Other samples displace an edge by half a pixel (one sample
-/// at the center instead of the true coverage) plus an eighth (coverage from four samples). For an edge that has moved
-/// by one pixel, the measurement gives 1.
+/// An edge displaced by at least this many pixels counts as moved. Other samples displace an edge by up to half a pixel
+/// (one sample at the center instead of the true coverage) plus an eighth (coverage from four samples). For an edge
+/// that has moved by one pixel, the measurement gives 1.
 constexpr double moved_px = 0.8;
 /// The smallest step, in levels, whose displacement counts. For a smaller step, the rounding of the neighboring pixels
 /// matters too much.
@@ -43,7 +43,7 @@ struct ChannelRange {
     int beyond(int value) const { return std::max({low - value, value - high, 0}); }
 };
 
-/// Returns the ranges of the 3 x 3 pixels around a pixel, in the area that both pictures have.
+/// Returns the range of each channel in the 3 x 3 pixels around a pixel, within the area that both pictures have.
 std::array<ChannelRange, channels> ranges_around(const Image& image, int x, int y, int width, int height) {
     std::array<ChannelRange, channels> ranges;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
@@ -68,7 +68,7 @@ struct Profile {
 
 struct Displacement {
     double px = 0.0;      ///< how far the edge moved; never negative
-    double net_px = 0.0;  ///< px minus the displacement of the line's other edge: 0 if the line shrank on both sides
+    double net_px = 0.0;  ///< absolute sum of a line's signed edge displacements: 0 if both sides shrank alike
     int step = 0;         ///< height of the edge, in levels
     int least_range = 0;  ///< range of the profile in the picture where it is smaller
 };

@@ -11,11 +11,11 @@
 
 namespace viewing {
 
-/// Whether a pixel that differs by more than `worst` in a channel is on an edge drawn with other samples. This is the
-/// case if
+/// Whether a pixel that differs by more than `worst` in a channel is on an edge drawn with different samples. This is
+/// the case if
 /// - both pictures have an edge there (the range of some channel in the surrounding 3 x 3 pixels is more than `worst`),
-/// - in each channel and in both directions, its value is between those of its neighbors in the other picture, or
-///   outside by at most half of the edge's step (a line thinner than a pixel fades), and
+/// - in each channel, its value in either picture is between those of its neighbors in the other picture, or outside by
+///   at most half of the edge's step (a line thinner than a pixel fades), and
 /// - the edge has not moved by a pixel.
 /// (x, y) must be inside both pictures. The idea that an anti-aliased pixel is between its neighbors is from V.
 /// Vysniauskas, "Anti-aliased Pixel and Intensity Slope Detector", 2009; the test of how far the edge has moved is our

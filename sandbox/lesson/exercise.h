@@ -58,8 +58,8 @@ Result<std::vector<std::string>> combinations(std::string_view json, const std::
 /// refers to.
 using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 
-/// Returns a variant as a step, with its constants filled in and its expressions computed at its own start. The error
-/// is one sentence.
+/// Returns a variant as a step, with its constants filled in and its expressions computed in the step's starting state.
+/// The error is one sentence.
 Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at);
 
 /// Make an empty sheet for a student, and add an exercise to a sheet.

@@ -33,7 +33,7 @@ struct Evaluation {
 };
 
 constexpr int instructions_between_looks = 1000;
-constexpr std::size_t bytes_of_an_instruction = 64;  // memory that can be filled in the time of one instruction
+constexpr std::size_t bytes_of_an_instruction = 64;  // memory that can be filled in the time that one instruction takes
 constexpr const char* takes_too_long = "takes too long";
 constexpr const char* needs_too_much_memory = "needs too much memory";
 
@@ -231,7 +231,8 @@ int call_measured(lua_State* lua) {
     return 1;
 }
 
-/// Looks up a name that is not a mathematical one. Lua calls this when the evaluation reaches the name.
+/// Looks up a name that is not a mathematical function or constant. Lua calls this when the evaluation reaches the
+/// name.
 int find_name(lua_State* lua) {
     constexpr int instructions_of_search = 10;
     spend(lua, instructions_of_search);

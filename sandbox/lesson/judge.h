@@ -28,7 +28,7 @@ bool is_measured(const Ask& ask);
 /// Returns the answer as expressions see it: a number, a list of numbers, a list of rows, or a list of indices.
 Json answer_as_json(const Ask& ask, const Answer& answer);
 
-/// Computes the right answer in these surroundings; empty for a goal. Fails with the expression's error.
+/// Computes the right answer in these surroundings; the result is empty for a goal. Fails with the expression's error.
 Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings);
 
 /// Judges an answer; for a goal, ignores `answer` and judges whether the goal is reached. Fills in

@@ -1,5 +1,5 @@
 // Internal to lesson/: finds the words of Lua source by splitting it into tokens as Lua does, so that no comment or
-// long string hides one. Source: Lua 5.4 Reference Manual, §3.1.
+// long string hides a word. Source: Lua 5.4 Reference Manual, §3.1.
 #pragma once
 
 #include <string>

@@ -473,7 +473,7 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
 }
 
 /// Pushes the list of `of(code)` for the stored code of each fragment. Lua's first argument is a list of fragments,
-/// such as pixel() returns.
+/// such as `pixel(x, y).fragments`.
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);

@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// Returns the right answer in words: "B: the farthest", "−10", "1 3 2"; for a goal, the settings that reach it. An
+/// Returns the right answer in words: "B: the farthest", "−10", "1 → 3 → 2"; for a goal, the settings that reach it. An
 /// answer that cannot be computed appears as its expression.
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
 

@@ -53,8 +53,8 @@ constexpr const char* bars[] = {"pixel"};
 constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
                           {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
-/// Names without a kind, for things that occur in many places: red sentences, advice on z-near, formulas in tooltips,
-/// and links between entries and controls.
+/// Names without a kind: the lamps for degrees of freedom, and things that occur in many places (red sentences, advice
+/// on z-near, formulas in tooltips, links between entries and controls).
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
 /// Former names, which lessons from before the labels changed still use, each with its present name.

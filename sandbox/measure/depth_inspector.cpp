@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the top left pixel of a block whose middle is the pixel, unless the picture's edges force the block to
+/// Returns the top left pixel of a block that is centered on the pixel, unless the picture's edges force the block to
 /// shift.
 glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px) {
     return glm::clamp(pixel - cells / 2, glm::ivec2(0), glm::max(size_px - cells, glm::ivec2(0)));

@@ -109,7 +109,8 @@ void HiddenWorker::start(Job job) {
         if (const Status fits = check_hidden_budget(job.scene, job.question); !fits) return Error{fits.error()};
         if (kept->scene_version != job.scene_version) {
             kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene, &progress);
-            kept->scene_version = is_canceled(&progress) ? Solver::no_scene : job.scene_version;  // it is incomplete
+            // If the work was canceled, the solver is incomplete.
+            kept->scene_version = is_canceled(&progress) ? Solver::no_scene : job.scene_version;
         }
         return std::make_shared<const HiddenAnswer>(answer_hidden_question(*kept->solver, job.question, &progress));
     });

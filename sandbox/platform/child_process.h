@@ -1,5 +1,5 @@
 // Runs another program that communicates in lines: returns its standard output line by line, and its standard error as
-// one text. Meant for work that may crash and must not take this process down with it.
+// a single string. Meant for work that may crash and must not take this process down with it.
 #pragma once
 
 #include <memory>
@@ -57,8 +57,8 @@ private:
 /// Returns the path of the running program.
 std::string own_program();
 
-/// Call in a child process: makes it end when the thread that started it ends, for whatever reason, as if by SIGTERM.
-/// Leaves Ctrl+C and a closed terminal to the parent.
+/// Call in a child process: sends it SIGTERM when the thread that started it ends, for whatever reason. If the parent
+/// has already ended, exits immediately. Leaves Ctrl+C and a closed terminal to the parent.
 void end_with_parent();
 
 }  // namespace viewing

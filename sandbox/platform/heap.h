@@ -16,8 +16,8 @@ void give_large_blocks_back();
 /// Turns the untouched part of the reserve into 2 MB pages, if the system provides them on request, one after another
 /// as long as none takes longer than `longest`. Making a picture then takes a tenth less time from start to end.
 /// Processors clear a page in 40 to 300 µs. A virtual machine whose host must first find the memory takes 5 ms, which
-/// is more than a page saves, so the first page is also the last one there. Call before the first driver is loaded;
-/// later calls do nothing.
+/// is more than a page saves, so on such a machine the first page is also the last one. Call before the first driver is
+/// loaded; later calls do nothing.
 void take_large_pages(std::chrono::microseconds longest = std::chrono::microseconds(700));
 
 }  // namespace viewing

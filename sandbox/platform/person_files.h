@@ -1,6 +1,6 @@
 // Moves files between the program and the person. On a desktop, files stay in the folder where they were written. In a
 // browser, the program's folder is invisible: the person chooses files to read in the browser's dialog, and the page
-// hands written files over.
+// delivers written files to the person.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace viewing {
 /// the person itself.
 bool ask_for_file();
 
-/// Returns the file chosen in the dialog, once.
+/// Returns the file that the person has chosen in the dialog, but only once.
 std::optional<std::filesystem::path> chosen_file();
 
-/// Gives a written file to the person.
+/// Delivers a written file to the person.
 void hand_over(const std::filesystem::path& written);
 
-/// Whether writing a file can replace one of the person's files; handing a file over never does.
+/// Whether writing a file can replace one of the person's files; delivering a file never does.
 bool can_replace_files();
 
 /// Returns the name to use for a written file in a sentence: its path, or only its name if the folder is internal to

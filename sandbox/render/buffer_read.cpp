@@ -42,7 +42,7 @@ std::size_t from_the_bottom(std::size_t index, const PixelRect& rect) {
     return (rows - 1 - index / columns) * columns + index % columns;
 }
 
-/// `depth` is a code or the bits of a float, as stored in the buffer.
+/// Converts a pixel to the precision `asked`. `depth` is a code or the bits of a float, as stored in the buffer.
 StoredPixel stored_pixel(std::uint32_t depth, int stencil, const DepthPrecision& in_buffer,
                          const DepthPrecision& asked) {
     StoredPixel pixel{0.0, depth, stencil};

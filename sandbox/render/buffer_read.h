@@ -34,8 +34,8 @@ struct ReadPixel {
 /// Reads views that were drawn without multisampling, and leaves GL in its default state. Rows are ordered from the
 /// top.
 ///
-/// If GL cannot read depth and stencil, they are drawn into a color buffer, depth as the bytes of a float32. That is
-/// exact, except that a 24-bit code may be off by one.
+/// If GL cannot read depth and stencil, this class draws them into a color buffer, depth as the bytes of a float32.
+/// That is exact, except that a 24-bit code may be off by one.
 class BufferReader {
 public:
     /// `capabilities` are those of the renderer that drew the views.

@@ -1,5 +1,5 @@
-// Reports the values at a pixel: they are read back from the buffers, not recomputed. Draws the frame once and then
-// answers for all of its pixels, so that the status bar can follow the pointer.
+// Reports the values at a pixel: they are read back from the buffers, not recomputed. Once the frame is drawn, any of
+// its pixels can be reported, so that the status bar can follow the pointer.
 #pragma once
 
 #include <optional>

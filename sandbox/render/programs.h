@@ -19,7 +19,7 @@ inline constexpr std::size_t patch_tone_count = 3;  ///< light square, dark squa
 
 /// The properties of a surface that select its program.
 struct SurfaceKind {
-    /// The source of color and numbers: the object, its vertices, or textures with surface points.
+    /// The source of colors and ids: the object, its vertices, or textures with surface points.
     enum class Source { object, vertices, picture };
 
     Shading shading = Shading::lit;
@@ -36,9 +36,9 @@ struct SurfaceKind {
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
-/// shaders/surface.*. "Relative" coordinates have the world's axes and the origin from relative_origin() in
-/// surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: those with few bits,
-/// logarithmic ones, and those from a software method.
+/// The program of shaders/surface.*. "Relative" coordinates have the world's axes and the origin from relative_origin()
+/// in surface_uniforms.h. `WRITE_DEPTH` is for depths that the fixed pipeline cannot store by itself: those with few
+/// bits, logarithmic ones, and those from a software method.
 struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
     Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};

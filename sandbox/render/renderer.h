@@ -29,8 +29,8 @@ private:
 
 class Renderer {
 public:
-    /// Needs a current context. Leaving out a capability of the context selects its fallback; passing one that the
-    /// context lacks is a programming error. Fails if the driver rejects a shader.
+    /// Makes a renderer for the current context. If a capability of the context is left out, its fallback is used;
+    /// passing one that the context lacks is a programming error. Fails if the driver rejects a shader.
     static Result<Renderer> make(const gl::Capabilities& capabilities = gl::Capabilities::of_current_context());
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -43,7 +43,7 @@ public:
     /// not measured.
     Viewport viewport(glm::ivec2 size_px) const;
     Viewport viewport(glm::ivec2 size_px, DepthFormat measured) const;
-    /// Measures only if something depends on the result (depends_on_stored_depth).
+    /// Does the same, but measures only if something depends on the result (depends_on_stored_depth).
     Viewport viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const;
 
     /// Draws the plan into the view, after resizing the view to `size_px`.

@@ -69,7 +69,7 @@ struct Sampler {
     GLint unit;
 };
 
-/// GL's type for a C++ type, and the upload of its values.
+/// GL's type for a C++ type, and a function that uploads its values.
 template <typename Value>
 struct UniformType;
 template <>
@@ -128,8 +128,8 @@ struct UniformType<Sampler> {
     static void upload(GLint at, GLsizei, const Sampler* sampler) { glUniform1i(at, sampler->unit); }
 };
 
-/// A uniform, or an array of `count`. Its program must be current when it is set; if the program does not use the
-/// uniform, setting it does nothing.
+/// A uniform: one value, or an array of `count` values. Its program must be current when it is set; if the program does
+/// not use the uniform, setting it does nothing.
 template <typename Value, std::size_t count = 1>
 class Uniform {
 public:
@@ -139,7 +139,7 @@ public:
     Uniform(const Uniform&) = delete;
     Uniform& operator=(const Uniform&) = delete;
 
-    /// Converts `from` to the uniform's type and sets it. Only here does double become float.
+    /// Converts `from` to the uniform's type and sets it. This is the only place where double becomes float.
     template <typename From>
     void set(const From& from) const {
         static_assert(count == 1);

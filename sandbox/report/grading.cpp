@@ -22,8 +22,8 @@ int sum(const std::vector<ItemGrade>& items, const Of& of) {
                            [&](int total, const ItemGrade& item) { return total + of(item); });
 }
 
-/// Returns a key for the content of an attempt. Each setting follows its length, since names in a file may contain any
-/// character.
+/// Returns a key for the content of an attempt. Each setting is preceded by its length, since names in a file may
+/// contain any character.
 std::string key_of(const Attempt& attempt) {
     std::string key = attempt.is_goal ? " goal" : " answer";
     if (attempt.answer)
@@ -171,8 +171,8 @@ void Grader::stop_when(std::function<bool()> is_over, std::string why) {
 }
 
 /// Returns everything about an exercise except the verdicts on its answers. If there are no answers to judge, the
-/// standing is final; otherwise, the result has an empty place for each verdict, or a trouble that says why nothing is
-/// judged.
+/// standing is final; otherwise, the result has an empty place for each verdict, or its `trouble` says why nothing
+/// is judged.
 ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
     const Exercise& asked = exercises_[exercise];
     ItemGrade grade;

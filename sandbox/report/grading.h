@@ -83,8 +83,8 @@ public:
     /// Sets the ids of exercises that a file may contain although they are not to be graded.
     void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
 
-    /// Stops judging once `is_over` returns true; `why` then becomes the trouble of each exercise that has not been
-    /// judged.
+    /// Stops judging once `is_over` returns true; `why` then becomes ItemGrade::trouble for each exercise that has not
+    /// been judged.
     void stop_when(std::function<bool()> is_over, std::string why);
 
     const std::vector<Exercise>& exercises() const { return exercises_; }

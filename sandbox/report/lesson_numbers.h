@@ -23,7 +23,7 @@ public:
     static constexpr glm::ivec2 size_px{1280, 720};            ///< for measured pictures
     static constexpr glm::ivec2 visibility_size_px{640, 360};  ///< for visibility_counts()
     static constexpr int most_counted_polygons = 20'000;       ///< limit for visibility_counts(): about a second
-    static constexpr std::size_t most_measured = 64;           ///< limit of different measurements, up to a second each
+    static constexpr std::size_t most_measured = 64;           ///< limit on different measurements, up to a second each
 
 private:
     Result<Json> look_up(const std::string& name, std::span<const double> arguments);

@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Returns the matrices as rows, under the names used in state files; "followed" is present only if a point is
-/// followed.
+/// Returns the matrices, each as a list of rows, under names such as "clip_from_view"; "followed" is present only if a
+/// point is followed.
 Json matrices_as_json(const Derived& derived, const std::vector<Problem>& problems);
 
 }  // namespace viewing

@@ -134,7 +134,8 @@ private:
         return wrong;
     }
 
-    /// Polygons of exact curves have their own numbers, so compare objects instead.
+    /// Counts the pixels that differ from the reference. The polygons of exact curves have their own numbers, so
+    /// objects are compared instead.
     std::int64_t wrong_pixels(const HiddenResult& result) {
         const IdImage image = or_refuse(polygon_ids_drawn(renderer_, params_, derived_, scene_, result));
         if (!uses_exact_curves(result.request)) return difference(reference_, image).different;

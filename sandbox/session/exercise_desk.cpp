@@ -23,7 +23,7 @@ std::string local_time() {
     return text;
 }
 
-/// Returns the answer that was checked last; empty if there is none.
+/// Returns the most recently checked answer; empty if there is none.
 std::vector<double> latest_answer(const HandInItem& item) {
     const auto latest = std::find_if(item.attempts.rbegin(), item.attempts.rend(),
                                      [](const Attempt& attempt) { return attempt.answer.has_value(); });
@@ -342,7 +342,7 @@ HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant)
     hand_in_.student = owner_.number;
     hand_in_.name = owner_.name;
     HandInItem* item = hand_in_.find(exercise);
-    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // answers to other numbers
+    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // drop answers to other numbers
     if (item) return *item;
     return hand_in_.items.emplace_back(HandInItem{exercise, variant, {}, {}, {}, {}});
 }

@@ -31,7 +31,7 @@ public:
     bool is_open() const { return is_read_; }
     const Status& trouble() const { return trouble_; }
 
-    /// Returns what was typed for the student, complete or not.
+    /// Returns the student's data as typed, complete or not.
     const Student& student() const { return student_; }
     /// Opens a student's sheet and restores its earlier answers. If the number or the course is missing, or if the
     /// student `practices`, opens the practice sheet instead, whose numbers belong to nobody and which is never handed
@@ -46,7 +46,8 @@ public:
         int all = 0, with_own_numbers = 0;
     };
     Practiced practiced() const;
-    /// Adds the attempts and answers with the student's own numbers to the sheet; the practice sheet keeps them too.
+    /// Adds the practice attempts and answers that have the student's own numbers to the sheet; the practice sheet
+    /// keeps them too.
     void take_over_practice();
     /// Continues with a file of saved answers, merged with those stored for the same student; update() reports the
     /// outcome.
@@ -111,7 +112,7 @@ private:
     std::filesystem::path folder_;
     std::string program_;
     Student student_;  ///< as typed
-    Student owner_;    ///< whose numbers and file are used; number and course are empty for practice
+    Student owner_;    ///< the student whose numbers and file are used; for practice, number and course are empty
     HandIn practice_;  ///< the practice sheet, read when another sheet was opened
     std::vector<Entry> entries_;
     HandIn hand_in_;
@@ -129,8 +130,8 @@ private:
     std::optional<std::vector<double>> last_typed_;  ///< its last answer in this window, recorded or not
 };
 
-/// Returns the name of the file with a student's answers to a course. It keeps letters, digits, - and _, writes other
-/// bytes as %XX, and has a tilde between course and number.
+/// Returns the name of the file with a student's answers in a course. The name keeps letters, digits, - and _, writes
+/// other bytes as %XX, and has a tilde between course and number.
 std::string answers_file_name(const Student& student);
 
 /// Returns the usual name of a file to hand in: "32201234_홍길동.json". Characters that some file systems refuse become

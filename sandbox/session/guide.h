@@ -19,9 +19,9 @@ public:
 
     /// Opens a lesson by its name or file, which is read in the background. `step` counts from 0.
     void open(const std::string& argument, std::size_t step = 0);
-    /// Opens the step that a lesson's link names.
+    /// Opens the step that a link to a lesson names.
     void open(const Link& link);
-    /// Begins a lesson that is already read; its step starts in the session immediately.
+    /// Begins a lesson that has already been read; its step starts in the session immediately.
     void begin(Lesson lesson, std::size_t step, Session& session);
     /// Begins a run with earlier answers.
     void begin(LessonRun run, Session& session);
@@ -42,8 +42,8 @@ public:
     /// Ends the lesson, so that there is nothing to resume.
     void close();
 
-    /// Whether a student's sheet of exercises is open: its steps come in any order, and only a right answer reveals the
-    /// covered parts.
+    /// Whether a student's sheet of exercises is open: its steps can be taken in any order, and only a right answer
+    /// reveals the covered parts.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// Goes to the question's answer, then to the next step's question; in a sheet, goes directly to the next step. If
     /// a reveal is in progress, only finishes it. Does nothing after the last step.

@@ -1,5 +1,5 @@
 // One open sandbox without its interface: the parameters with their history, the scene that they name, and the camera's
-// motion. Panels edit `params` in place; the session notices. Read ui/window/workbench.h next.
+// motion. Panels edit `params` in place; the session detects this. Read ui/window/workbench.h next.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ struct Message {
 
 class Session {
 public:
-    /// Loads the scene immediately; the error says why that is impossible.
+    /// Makes a session and loads its scene immediately; the error says why the scene cannot be loaded.
     static Result<Session> make(const LoadedState& state);
     /// Makes a session for a window without waiting long: if loading takes more than `patience_s`, the opening scene is
     /// shown until the scene arrives.
@@ -86,7 +86,7 @@ public:
     /// Fits the whole scene with its patches into the picture without rotating the camera. `aspect` is that of the
     /// picture.
     void frame_all(double aspect);
-    /// Removes roll.
+    /// Sets the camera's roll to zero.
     void level();
     /// Looks at the target along a world axis (0: x, 1: y, 2: z) from its positive side, at the same distance; from the
     /// other side if the camera already looks that way.
@@ -99,20 +99,22 @@ public:
     void redo();
     bool can_undo() const { return history_.can_undo(); }
     bool can_redo() const { return history_.can_redo(); }
-    /// Returns the parameters before the latest edit; what has changed since then is tinted.
+    /// Returns the parameters before the latest edit; the window tints whatever has changed since then.
     const Params& before_latest_edit() const { return params == at_rest_ ? before_ : at_rest_; }
 
     /// Returns the given parameters with the user's own theme, scale and language.
     Params in_own_looks(Params other) const;
 
-    /// Returns the preset opened last; none after a file or the clipboard. Undo and redo restore it.
+    /// Returns the most recently opened preset; null if a file was opened or the clipboard was pasted since. Undo and
+    /// redo restore it.
     const OpenPreset* preset() const { return preset_.get(); }
     /// Whether anything but looks and layout differs from that preset.
     bool departs_from_preset() const;
     /// Restores the preset, except for looks and layout, as one step; does nothing without a preset.
     void return_to_preset();
 
-    /// Returns the flight opened last, but only once, so that the caller can play it; its start is already in `params`.
+    /// Returns the most recently opened flight, but only once, so that the caller can play it; its start is already in
+    /// `params`.
     std::shared_ptr<const Flight> take_flight() { return std::exchange(flight_, nullptr); }
 
     void reset();
@@ -121,9 +123,9 @@ public:
 
     // Files are read and written in the background. The outcome appears in `message`, and once in take_outcome().
 
-    /// Opens a file, a preset's name, an .obj or a dropped file.
+    /// Opens a file, a preset given by name, an .obj file, or a dropped file.
     void open(const std::string& argument);
-    /// Returns the name given to open() while it is being read, else "".
+    /// Returns the argument of open() while the file that it names is being read; otherwise "".
     const std::string& opening() const;
     /// Applies a whole state, or the state that a link contains. Text has no folder of its own, so files that it names
     /// outside the assets need permission.

@@ -1,5 +1,5 @@
-// The comparisons of glDepthFunc and glStencilFunc. They are also correct for the bits of floats ≥ 0, which sort in the
-// same order as the floats.
+// The comparisons of glDepthFunc and glStencilFunc. They are also correct for the bit patterns of floats ≥ 0,
+// which sort in the same order as the floats.
 #pragma once
 
 #include "state/depth_params.h"

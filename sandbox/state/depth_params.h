@@ -15,7 +15,7 @@ struct DepthOffset {
 };
 
 struct DepthParams {
-    bool buffer = true;  ///< off: no depth buffer, like a window without GLUT_DEPTH
+    bool buffer = true;  ///< off: no depth buffer, as in a window created without GLUT_DEPTH
     bool test = true;
     CompareFunc func = CompareFunc::less;
     bool write = true;
@@ -29,10 +29,10 @@ struct DepthParams {
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
-    bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth and move away from the eye
+    bool reversed_offset = true;       ///< off: with reversed depth, offsets keep their sign and push away from the eye
     bool logarithm_per_vertex = false;
 
-    /// Returns whether depth is compared; GL writes depth only then.
+    /// Returns whether depth is compared; otherwise, GL does not write depth either.
     bool tests() const { return buffer && test; }
     bool operator==(const DepthParams&) const = default;
 };

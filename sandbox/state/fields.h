@@ -58,8 +58,8 @@ struct Field {
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
     std::string_view help;          ///< its effect, in a few sentences
-    std::string_view formula = "";  ///< "" or the formula that uses it
-    std::string_view gl_call = "";  ///< "" or the GL call that it sets
+    std::string_view formula = "";  ///< the formula that uses the field; "" if none
+    std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none
 
     /// Returns the field's place in `params`. `element` selects the light or plane in the groups "light" and "plane";
     /// it is 0 for other fields.
@@ -86,7 +86,7 @@ std::vector<const Field*> fields_of(std::string_view group);
 /// Returns the JSON form of an element of the group's list: `{"equation": [a, b, c, d], "extent", …}`.
 std::string element_form(std::string_view group);
 
-/// Returns how many elements of a list have the field; 1 if the field is not in a list.
+/// Returns how many lights or planes there are if each of them has the field; 1 for any other field.
 std::size_t element_count(const Field& field, const Params& params);
 
 /// The inclusive range of a field's component. The w of a light has the range 0 … 1; all other components have the

@@ -9,8 +9,8 @@ namespace viewing {
 /// Returns the absolute path, following links as far as the path exists.
 std::filesystem::path resolved(const std::filesystem::path& path);
 
-/// A set of files, and of folders with everything below them. Links are followed before a file is looked up. The assets
-/// are always within reach.
+/// A set of files, and of folders with everything below them. Links are resolved before a file is compared with the
+/// set. The assets are always within reach.
 struct FileReach {
     bool is_everywhere = true;
     std::vector<std::filesystem::path> places;  ///< resolved

@@ -17,7 +17,7 @@ enum class MirroredThing { scene, camera };
 
 inline constexpr std::size_t most_lights = 4, most_planes = 8;
 
-/// w = 1: a point light at (x, y, z); w = 0: a parallel light from the direction (x, y, z).
+/// A light: with w = 1, a point light at (x, y, z); with w = 0, a parallel light from the direction (x, y, z).
 struct LightParams {
     glm::dvec4 position{2.6, 5.2, 2.2, 1.0};
     bool operator==(const LightParams&) const = default;
@@ -35,7 +35,7 @@ struct PlaneParams {
 struct ShadowParams {
     bool enabled = true;
     Color color{0, 0, 0};
-    double opacity = 0.5;  ///< where the shadows of all lights overlap
+    double opacity = 0.5;  ///< the resulting opacity where the shadows of all lights overlap
     bool stencil_once = true, clip_to_receiver = true, clip_casters = true;
     ShadowOffset offset = ShadowOffset::polygon_offset;
     double offset_factor = -1.0, offset_units = -1.0, lift = 0.01;
@@ -56,7 +56,7 @@ struct ReflectionParams {
     bool flip_winding = true, reflect_light = true;
     int bounces = 1;
 
-    MirroredThing mirrored = MirroredThing::scene;  ///< R mirrors the scene, or the camera, whose picture is flipped
+    MirroredThing mirrored = MirroredThing::scene;  ///< the thing R mirrors; a mirrored camera's picture is flipped
     bool same_projection = true;                    ///< off: the mirrored camera uses the aspect ratio of a square
     bool printed_by_rows = false;  ///< fills R by rows, like the lecture's code; GL reads them as columns
     bool mask_writes_depth = false;

@@ -5,9 +5,9 @@
 
 namespace viewing {
 
-/// Moves up the later lights or planes, together with the matrices that were entered for them by hand. The chosen
-/// element stays chosen; if it is the one removed, the next one is chosen instead, or the last one if there is no next.
-/// `index` must exist; the last remaining element cannot be removed.
+/// Removes a light or plane, and moves the later ones up together with the matrices that were entered for them by hand.
+/// The chosen element stays chosen; if it is the one removed, the next one is chosen instead, or the last one if there
+/// is no next. `index` must exist; the last remaining element cannot be removed.
 void remove_light(Params& params, std::size_t index);
 void remove_plane(Params& params, std::size_t index);
 

@@ -68,7 +68,7 @@ struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
     bool light_rays = false;    ///< draws rays from the light through the outline's vertices to their shadow
-    bool mirrored_eye = false;  ///< draws the mirrored eye with its frustum, which shows the mirror image
+    bool mirrored_eye = false;  ///< draws the mirrored eye, and the frustum through which it sees the mirror image
     bool image_space = false;   ///< draws the scene again, behind the mirror
     bool operator==(const ObserverParams&) const = default;
 };
@@ -77,7 +77,7 @@ struct ObserverParams {
 struct SlipParams {
     bool walk_slows = false;          ///< walking moves along the view direction, then restores the height
     bool creeping_roll = false;       ///< walking and orbiting apply yaw and pitch about the camera's own axes
-    bool pole_flip = false;           ///< orbit uses a look-at with a fixed up and no limit on pitch
+    bool pole_flip = false;           ///< orbit uses a look-at with a fixed up vector and no limit on pitch
     bool swapped_order = false;       ///< C = R T instead of T R
     bool camera_as_view = false;      ///< uploads C instead of V
     bool degrees_as_radians = false;  ///< P gets fovy in degrees instead of radians

@@ -1,4 +1,4 @@
-// A scene as the rest of the program sees it: its description, together with its meshes, made or loaded.
+// A scene as the rest of the program sees it: its description, together with the meshes made or loaded for it.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Scene {
     std::optional<CoplanarParams> made_from = {};  ///< the parameters of the formula that made the objects, if any
     std::filesystem::path file = {};               ///< its own file; empty for an asset or an inline scene
     std::vector<std::filesystem::path> read = {};  ///< all files that were read for it, resolved
-    std::vector<std::string> notes = {};           ///< about its mesh files; each begins with its place, as errors do
+    std::vector<std::string> notes = {};           ///< about its mesh files; like errors, each names its place first
 
     const SceneObject* find(std::string_view name) const;
     /// Returns the number of triangles in all objects.

@@ -54,7 +54,7 @@ enum class BigView { none, camera, lower_left, lower_right, matrices };
 
 /// The layout of the window for a demonstration. Empty lists change nothing.
 struct LayoutParams {
-    BigView big = BigView::none;        ///< fills the space of all views
+    BigView big = BigView::none;        ///< the view that fills the space of all views
     std::vector<std::string> matrices;  ///< shows only these, in this order
     std::vector<std::string> controls;  ///< shows only these: paths of fields and groups
     std::vector<std::string> folded;    ///< "panel", "matrices" or both

@@ -12,11 +12,11 @@ enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software
 
 struct VisibilityParams {
     VisibilityMethod method = VisibilityMethod::depth_buffer;
-    int step = -1;  ///< −1: all steps
+    int step = -1;  ///< stops after this many steps; −1: runs all steps
     PainterKey sort_key = PainterKey::farthest;
     BspSplitter splitter = BspSplitter::fewest_splits;
     BspOrder walk = BspOrder::back_to_front;
-    double epsilon = 1e-9;      ///< a point nearer to a plane counts as on it; a fraction of the scene's diagonal
+    double epsilon = 1e-9;      ///< a point nearer to a plane than this is on it; a fraction of the scene's diagonal
     bool exact_curves = false;  ///< rays intersect spheres, cylinders, cones and tori instead of their triangles
     VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other method in the difference view
     bool numbers = false;                                        ///< writes the drawing order on the polygons

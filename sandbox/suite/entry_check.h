@@ -17,7 +17,8 @@ struct CheckWish {
     std::string program;    ///< identifies the program and the driver, for the key
 };
 
-/// The context to which `renderer` and `log` belong must be current. Reports failures in the result.
+/// Checks an entry, and reports failures in the result. The context to which `renderer` and `log` belong must be
+/// current.
 EntryResult check_entry(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer,
                         gl::DebugLog& log);
 

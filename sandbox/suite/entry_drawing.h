@@ -1,5 +1,5 @@
-// Finds the state of an entry in a suite, draws its picture and computes its numbers. Read entry_check.h for the
-// comparison.
+// Loads everything that is needed to draw an entry of a suite, and computes the entry's numbers. Read entry_check.h for
+// the comparison.
 #pragma once
 
 #include <string>

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Creates missing folders. Fails if they cannot be created or written, or if the report's folder contains something
-/// else.
+/// Creates missing folders. Fails if they cannot be created or written, or if the report's folder contains anything
+/// other than a report.
 Status prepare_report(const Suite& suite);
 
 /// Writes report.json, junit.xml and index.html.

@@ -146,8 +146,8 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
 
 // ---- subjects ------------------------------------------------------------------------------------------------------
 
-/// Returns the path of the file with this name, relative to the suite's folder; if there is no such file, the name
-/// itself, which may be that of a built-in lesson or preset.
+/// Resolves a file name relative to the suite's folder and returns the file's path; if there is no such file, returns
+/// the name itself, which may be that of a built-in lesson or preset.
 std::string found_from(const fs::path& folder, const std::string& name) {
     std::error_code unknown;
     const fs::path file = folder / name;
@@ -266,7 +266,7 @@ void name_files(Suite& suite, const std::string& prefix) {
     }
 }
 
-/// Gives entries the thresholds listed in "loosened", and adds the reason to each.
+/// Gives entries the thresholds listed in "loosened", and adds the reason to each entry's description.
 void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
     require_array(list, where, form::most_entries, "a list of names with thresholds and a reason");
     std::map<std::string, SuiteEntry*> by_name;

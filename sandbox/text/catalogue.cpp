@@ -19,7 +19,8 @@ using Texts = std::map<std::string, std::string, std::less<>>;
 /// Null for English.
 std::atomic<const Texts*> spoken = nullptr;
 
-/// Never frees a language: a string that was looked up may be shown for as long as the program runs.
+/// Makes these texts current. Never frees a language's texts: a string that was looked up may be shown for as long as
+/// the program runs.
 void speak_texts(Texts texts) {
     static std::mutex mutex;
     static std::vector<std::unique_ptr<const Texts>> all;

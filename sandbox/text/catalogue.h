@@ -39,12 +39,12 @@ using fmt::literals::operator""_a;
 void speak_english();
 /// Sets the translations; fuzzy and empty ones stay English. Safe while other threads look up texts.
 void speak(std::span<const PoEntry> entries);
-/// For tests: makes each entry's translation its own text in brackets, 40 % longer and with every English letter
-/// replaced; placeholders stay. Text that still appears in English never went through the catalog.
+/// For tests: translates each entry to its English text in brackets, 40 % longer and with every letter replaced;
+/// placeholders stay. Text that still appears in English never went through the catalog.
 void speak_pseudo(std::span<const PoEntry> entries);
 
-/// Returns all translations of the current language in one string, from which the fonts take the characters that they
-/// must have; "" for English.
+/// Returns all translations of the current language in one string, so that fonts can be loaded with all characters that
+/// occur; "" for English.
 std::string spoken_texts();
 
 /// Returns "[Êçéñé å]" for "Scene".
@@ -66,7 +66,8 @@ constexpr const char* marked(const char* english) {
     return english;
 }
 
-/// Fills the template in the current language. A translation that does not fit its values counts as missing.
+/// Fills the template in the current language. A translation whose placeholders do not match the values counts as
+/// missing.
 std::string say_with(fmt::string_view english, fmt::format_args values);
 
 template <typename... Values>

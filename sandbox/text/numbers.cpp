@@ -19,7 +19,7 @@ constexpr int max_decimals = 17;
 constexpr std::string_view power_of_ten = "·10";
 constexpr std::string_view raised_minus = "⁻";
 constexpr std::string_view raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-constexpr double largest_fixed = 1e6;  ///< from here on, written as 1.234·10⁶
+constexpr double largest_fixed = 1e6;  ///< magnitudes from here on are written as 1.234·10⁶
 constexpr double residue = 1e-9;       ///< smaller magnitudes come from rounding and are written as 0.000
 
 /// The ways to write a number: 12.5, 1.25·10¹, or, if space is short, 1.25e1.

@@ -1,6 +1,6 @@
-// Numbers as text: one function for each way in which the program writes them. For a person: a true minus sign, digits
-// in groups, 1.2·10⁻⁷. For code and files: what compilers and JSON read. The widgets define which numbers may be typed
-// (ParseNumber).
+// Numbers as text: one function for each way in which the program writes them. For people: a true minus sign, digits in
+// groups, 1.2·10⁻⁷. For code and files: the form that compilers and JSON parsers read. The widgets define which numbers
+// may be typed (ParseNumber).
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace viewing {
 
-// ---- for a person --------------------------------------------------------------------------------------------------
+// ---- for people ----------------------------------------------------------------------------------------------------
 
-/// Returns a number with fixed decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶ on, or if all
-/// digits would be zero, writes 1.234·10⁶ or 7.5·10⁻⁶. A magnitude below 10⁻⁹ counts as a rounding residue and is
-/// written without a power of ten: 0.000.
+/// Returns a number with a fixed number of decimals (0 … 17), never "−0.000"; "—" for NaN, "∞" for infinity. From 10⁶
+/// on, or if all digits would be zero, writes 1.234·10⁶ or 7.5·10⁻⁶. A magnitude below 10⁻⁹ counts as a rounding
+/// residue and is written without a power of ten: 0.000.
 std::string number_text(double value, int decimals);
 
 /// Returns a number with `digits` significant digits, without zeros at the end, for sentences: "0.25", "−3500",
 /// "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
 
-/// Returns a number with three significant digits, or all digits before the point if those are more. Keeps zeros at the
+/// Returns a number with three significant digits, or all digits before the point if there are more. Keeps zeros at the
 /// end, so that a changing value does not jump: "4.00", "12.5", "12345", "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);
 
@@ -52,7 +52,7 @@ std::string shortest_number(double value);
 /// Returns a color as "#e4572e".
 std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
-/// Returns fixed decimals with the keyboard's minus: "-0.500".
+/// Returns a number with a fixed number of decimals and the keyboard's minus: "-0.500".
 std::string plain_decimals(double value, int decimals);
 
 /// Returns the initial content of a text field: the shortest digits that read back to the same value, in keyboard

@@ -24,7 +24,7 @@ struct PoEntry {
 /// an English text has only one translation; the text for 1 and the text for other numbers are two entries.
 Result<std::vector<PoEntry>> read_po(std::string_view content);
 
-/// Returns the placeholders in braces of a template, in alphabetical order, each once: "{count} of {all}" has "all" and
+/// Returns the names of a template's placeholders, in alphabetical order, each once: "{count} of {all}" has "all" and
 /// "count". "{{" and "}}" are literal braces. Fails if a brace has no partner.
 Result<std::vector<std::string>> places_in(std::string_view text);
 

@@ -17,7 +17,7 @@ struct Character {
     std::size_t bytes = 1;
 };
 
-/// Returns the first character of a text that is not empty.
+/// Returns the first character of a nonempty text.
 Character character_at(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);

@@ -29,16 +29,16 @@ void remove_last_character(std::string& text);
 /// characters, and characters that disguise a text by changing its writing direction, become escapes such as \u202e.
 std::string printable(std::string_view text);
 
-/// Returns user input for a message: printable, and cut between two characters after at most 200 bytes.
+/// Prepares user input for a message: makes it printable, and cuts it between two characters after at most 200 bytes.
 std::string one_line(std::string_view text);
 
 /// Shortens a message of more than `most_bytes`, such as one with a very long name, but keeps its beginning and its
-/// end, where the reason is.
+/// end, which gives the reason.
 std::string without_middle(std::string_view text, std::size_t most_bytes);
 
 bool is_utf8(std::string_view text);
 
-/// Returns a word from a file for a message: printable, at most 20 characters.
+/// Prepares a word from a file for a message: makes it printable, and cuts it after at most 20 characters.
 std::string excerpt(std::string_view text);
 
 /// Breaks a text between words into lines of at most `width` characters where possible, each ending with a newline. The

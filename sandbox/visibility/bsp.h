@@ -60,7 +60,7 @@ struct BspTree {
 BspTree build_bsp(std::span<const Polygon> polygons, const BspOptions& options = {}, WorkProgress* progress = nullptr);
 
 /// A node, recorded when its own polygons are drawn, and which side of its plane the eye is on: 1 in front, −1 behind,
-/// 0 in the plane. The traversal treats 0 like 1, because then neither side can hide the other, and the node's polygons
+/// 0 in the plane. The traversal may treat 0 like 1, because then neither side hides the other, and the node's polygons
 /// are seen edge-on.
 struct BspVisit {
     int node;

@@ -175,8 +175,8 @@ struct Bvh::Together {
         return bits_of(is_beside_ac & (c >= 0.0) & (b + c <= 1.0) & (t >= 0.0) & (t <= max_t[part]));
     }
 
-    /// Calls visit(triangles, lanes as bits) for every leaf whose box is hit by some of the rays before they end; visit
-    /// may make rays end earlier.
+    /// Calls visit(triangles, lanes as bits) for every leaf whose box some of the rays hit before they end; the lanes
+    /// say which rays. visit may make rays end earlier.
     template <typename Visit>
     VIEWING_INLINE void go_down(const Bvh& bvh, RayCounters& counters, Visit visit) const {
         struct Waiting {

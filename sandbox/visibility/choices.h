@@ -1,5 +1,5 @@
-// The options of the methods: defined only here, stored in the parameters, and used by the methods. Read polygons.h
-// next.
+// The options of the hidden-surface methods. They are defined only here, stored in the parameters, and used by the
+// methods. Read polygons.h next.
 #pragma once
 
 namespace viewing {

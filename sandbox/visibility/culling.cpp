@@ -12,7 +12,7 @@ Facing facing_of(double signed_measure, double tolerance, FrontFace front) {
     return (signed_measure > 0.0) == (front == FrontFace::ccw) ? Facing::towards : Facing::away;
 }
 
-/// Returns the corners of the part in front of the near plane, in normalized device coordinates.
+/// Returns the corners of the part beyond the near plane, in normalized device coordinates.
 std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm::dmat4& clip_from_world) {
     std::vector<glm::dvec2> corners;
     const std::size_t count = polygon.vertices.size();
@@ -30,7 +30,7 @@ std::vector<glm::dvec2> clipped_and_projected(const Polygon& polygon, const glm:
     return corners;
 }
 
-/// A positive area means counterclockwise; `size` is the longest distance from the first corner.
+/// A polygon's area, positive if it is counterclockwise, and its `size`: the longest distance from its first corner.
 struct ScreenArea {
     double twice_area = 0.0, size = 0.0;
 };

@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// Which way a polygon faces; `neither` if the eye is in its plane, or if no part of the polygon is in view.
+/// The way a polygon faces; `neither` if the eye is in its plane, or if no part of the polygon is in view.
 enum class Facing : char { towards, away, neither };
 
 /// Decides by which side of each plane the eye is on; the results are in the polygons' order. The eye counts as in the
@@ -21,7 +21,7 @@ enum class Facing : char { towards, away, neither };
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                     FrontFace front = FrontFace::ccw);
 
-/// Decides by the sign of the screen area of the part in front of the near plane. The result is `neither` if all of the
+/// Decides by the sign of the screen area of the part beyond the near plane. The result is `neither` if all of the
 /// polygon is clipped, or if twice its screen area is at most 1e−12 times the square of its size on the screen. A
 /// mirrored view swaps clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
@@ -39,9 +39,9 @@ struct CullCounts {
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front = FrontFace::ccw,
                         const WorkProgress* progress = nullptr);
 
-/// Returns the polygons left after culling by the side of the plane, in the same order. A polygon seen edge-on is
-/// neither front-facing nor back-facing: it stays, but covers no pixel. front_and_back leaves nothing. If canceled,
-/// considers only the first polygons.
+/// Returns the polygons that culling leaves, in the same order; facing_by_plane() says which way each one faces. A
+/// polygon seen edge-on is neither front-facing nor back-facing: it stays, but covers no pixel. front_and_back leaves
+/// nothing. If canceled, considers only the first polygons.
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
                             FrontFace front = FrontFace::ccw, const WorkProgress* progress = nullptr);
 

@@ -12,7 +12,7 @@ namespace viewing {
 
 struct IdDifference {
     std::int64_t compared = 0;            ///< pixels
-    std::int64_t different = 0;           ///< pixels whose ID the reference does not show within a pixel of them
+    std::int64_t different = 0;           ///< pixels whose ID the reference shows nowhere within one pixel
     std::int64_t different_at_edges = 0;  ///< all other differing pixels: rounding alone may cause them
     std::vector<std::uint8_t> differs;    ///< 1 for each pixel that `different` counts; row by row from the top
 };
@@ -29,7 +29,7 @@ struct WrongPair {
     double x = 0.0, y = 0.0;      ///< the center of the pair's pixels, as fractions of the picture from the top left
 };
 
-/// Returns none if no polygon was drawn over a visible one.
+/// Returns the pair with the most wrong pixels; none if no polygon was drawn over a visible one.
 std::optional<WrongPair> worst_pair(const IdImage& reference, const IdImage& image);
 
 /// Returns the same image with every ID replaced by `new_id[id]`, for example to show objects instead of polygons.

@@ -37,13 +37,13 @@ enum class GrowthScene { small_triangles, large_triangles, own_polygons };
 
 struct GrowthRequest {
     GrowthScene scene = GrowthScene::small_triangles;
-    std::vector<Polygon> own_polygons{};  ///< for own_polygons; each measurement takes up to its count, evenly spaced
+    std::vector<Polygon> own_polygons{};  ///< for own_polygons; a row uses up to its count of them, evenly spaced
     std::vector<int> counts{10, 30, 100, 300, 1'000, 3'000, 10'000, 30'000, 100'000};
     int width = 320, height = 240;         ///< size of the picture in pixels; at least 1
     std::optional<Viewpoint> viewpoint{};  ///< if none, the view contains the whole scene
     double time_budget_ms = 4000.0;        ///< for each row; if infinite, only the two limits below stop a method
     int max_fragments = 1'000'000;         ///< for a BSP tree and for Newell's sort
-    std::int64_t max_pairs = std::numeric_limits<std::int64_t>::max();  ///< pairs that Newell's sort compares
+    std::int64_t max_pairs = std::numeric_limits<std::int64_t>::max();  ///< limit on pairs that Newell's sort compares
     unsigned seed = 1;
 };
 

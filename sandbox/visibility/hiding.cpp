@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// The part of a polygon that is in front of the eye and the near plane.
+/// The part of a polygon that is in front of the eye and beyond the near plane.
 struct Seen {
     int index;
     Polygon polygon;

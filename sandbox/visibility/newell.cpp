@@ -1,7 +1,7 @@
-// Keeps the list sorted by farthest vertex; P can be anywhere in it, but at first it is the farthest. A Q that must be
-// drawn first becomes P; if that leads back to an earlier P, something is cut. A polygon that becomes P again continues
-// at the Q where it stopped, because it has already passed its tests against everything farther; its pieces pass these
-// tests too. Read software_zbuffer.cpp next.
+// Keeps the list sorted by farthest vertex. At first, P is the farthest polygon. A Q that must be drawn first becomes
+// P, so P can then be anywhere in the list; if that leads back to an earlier P, something is cut. A polygon that
+// becomes P again continues at the Q where it stopped, because it has already passed its tests against everything
+// farther; its pieces pass these tests too. Read software_zbuffer.cpp next.
 #include "visibility/newell.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ private:
         return std::nullopt;
     }
 
-    /// The sort order of the list: the next fragment to draw is at the end.
+    /// Returns whether fragment a is drawn after b. The list is sorted by this, so the next one to draw is at its end.
     bool is_drawn_later(int a, int b) const {
         const double a_farthest = projected_[a].farthest, b_farthest = projected_[b].farthest;
         return a_farthest != b_farthest ? a_farthest < b_farthest : a < b;
@@ -207,7 +207,7 @@ private:
     }
 
     /// Cuts P by Q's plane or Q by P's. If neither is possible, as in some cycles, cuts one of them along the other's
-    /// outline. Returns false if nothing is left to cut.
+    /// outline. Returns whether it cut anything.
     bool cut_one_of(int p, int q) {
         if (cut(p, q, p, plane_towards_eye(q)) || cut(p, q, q, plane_towards_eye(p))) return true;
         return cut_along_outline(p, q, p, q) || cut_along_outline(p, q, q, p);
@@ -267,7 +267,7 @@ private:
     const WorkProgress* const progress_;
     const double epsilon_;
     std::vector<Projected> projected_;   ///< per fragment
-    std::vector<double> let_go_beyond_;  ///< per fragment: as P, it passed against every Q farther than this
+    std::vector<double> let_go_beyond_;  ///< per fragment: as P, it passed its tests against every Q farther than this
     std::vector<bool> is_in_chain_;      ///< by fragment
     std::vector<int> list_;              ///< not yet drawn; the next one is last
     std::vector<int> chain_;             ///< P is last, after those that wait for it

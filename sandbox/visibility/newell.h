@@ -48,7 +48,7 @@ struct NewellStep {
     int split = -1;        ///< the one of the two that was cut
     int first_piece = -1;  ///< the piece in front; the other piece follows it
     glm::dvec4 cut_plane{
-        0.0};  ///< Q's or P's plane or, in a cycle that neither of them can cut, a plane through the eye and an edge
+        0.0};  ///< Q's or P's plane; if neither plane can cut the other polygon, a plane through the eye and an edge
 };
 
 struct NewellOptions {
@@ -67,7 +67,7 @@ struct NewellCounters {
 struct NewellOrder {
     std::vector<Polygon> fragments;  ///< all that ever existed, even those cut later; in world space
     std::vector<int> order;          ///< indices into fragments, back to front
-    double clipped_area = 0.0;       ///< area of the parts on or behind the near plane, which the order leaves out
+    double clipped_area = 0.0;       ///< area of the parts that were clipped: up to the near plane, or behind the eye
     std::vector<NewellStep> steps;
     std::int64_t steps_left_out = 0;
     NewellCounters counters;
@@ -76,7 +76,7 @@ struct NewellOrder {
     std::string problem;
 };
 
-/// Returns an order of painting that is correct for this viewpoint. Clips polygons at the near plane first. Where
+/// Returns a painting order that is correct for this viewpoint. Clips polygons at the near plane first. Where
 /// coplanar polygons overlap, the one with the lowest source is visible. A polygon seen edge-on hides nothing.
 NewellOrder newell_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                          const NewellOptions& options = {}, WorkProgress* progress = nullptr);

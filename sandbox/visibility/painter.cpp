@@ -18,7 +18,7 @@ double key_of(const Polygon& polygon, const Viewpoint& viewpoint, PainterKey key
     return key == PainterKey::nearest ? nearest : farthest;
 }
 
-/// A heap of polygon indices with the next one to draw at the top; counts into `result`.
+/// A heap of polygon indices with the next one to draw at the top; counts its comparisons and swaps in `result`.
 class FarthestFirst {
 public:
     explicit FarthestFirst(PainterOrder& result) : result_(result), heap_(result.distances.size()) {

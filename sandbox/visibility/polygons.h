@@ -57,8 +57,8 @@ glm::dvec3 centroid(const Polygon& polygon);  ///< of the area
 
 enum class PlaneSide { coplanar, front, back, spanning };
 
-/// Returns a polygon's position relative to a unit plane. Corners within `epsilon` count as on the plane and fit either
-/// side.
+/// Returns a polygon's position relative to a unit plane. Corners within `epsilon` count as on the plane and do not
+/// affect the side.
 PlaneSide side_of_plane(const Polygon& polygon, const glm::dvec4& plane, double epsilon);
 
 /// Returns the pieces in front of and behind a unit plane that the polygon spans. The ends of the cut are the same in

@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-/// An overlap of at most this, in normalized device coordinates, counts as touching, like that of mesh neighbors.
+/// An overlap of at most this, in normalized device coordinates, counts as mere touching, as between mesh neighbors.
 constexpr double touching = 2e-8;
 
 std::pair<double, double> extent_along(const glm::dvec2& axis, const std::vector<glm::dvec2>& corners) {

@@ -15,7 +15,7 @@ struct Projected {
     std::vector<glm::dvec2> corners;  ///< convex, either winding
 };
 
-/// Projects a polygon, which must be in front of the near plane.
+/// Projects a polygon, which must be beyond the near plane.
 Projected project(const Polygon& polygon, const Viewpoint& viewpoint, const glm::dmat4& clip_from_world);
 
 /// Returns whether two polygons are apart on an axis (0: x, 1: y), to within a hundred-millionth of the picture's size.

@@ -84,7 +84,7 @@ struct RayCastResult {
     RayCounters counters;
 };
 
-/// Casts row by row from the top. If canceled, returns the rows so far; the rest is background.
+/// Casts the rays row by row from the top. If canceled, returns the rows so far; the rest is background.
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress = nullptr);
 

@@ -135,8 +135,8 @@ private:
         }
     }
 
-    /// Sets depth = at_origin + per_x · x + per_y · y from the polygon's plane, so that it is the same for all pieces
-    /// of a polygon.
+    /// Computes the coefficients of depth = at_origin + per_x · x + per_y · y from the polygon's plane, so that they
+    /// are the same for all pieces of a polygon.
     void set_depth_plane() {
         const glm::dvec4 p = clip_plane_from_world_ * polygon_->plane;
         const bool is_edge_on = std::abs(p.z) <= 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.w));

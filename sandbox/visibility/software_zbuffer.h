@@ -63,7 +63,7 @@ struct RasterResult {
     std::vector<RasterTouch> touches;              ///< in the order in which they were tested
 };
 
-/// Draws `polygons` in `order`, which contains indices into them, any number of them. A pixel belongs to a polygon that
+/// Draws `polygons` in `order`, which may contain any number of indices into them. A pixel belongs to a polygon that
 /// contains its center, with the top-left rule on edges. Clips at the near and far planes; clip_from_world has the clip
 /// range −1 … 1. Depths are in double precision; among fragments whose depths agree to 1e−12, the first one stays, so
 /// coplanar polygons do not fight. If canceled, returns the picture so far.

@@ -93,7 +93,7 @@ void windows(Renderer& renderer, const LoadedState& state, int count, glm::ivec2
     });
 }
 
-/// Does not time the first four seconds, in which the window notices slow frames and makes a coarser mesh.
+/// Times a flight, except for its first four seconds, in which the window notices slow frames and makes a coarser mesh.
 void flight(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     Studio::Surroundings surroundings{.size_px = size_px, .shows_time = true, .input = {}};
     surroundings.input.down[static_cast<std::size_t>(Key::w)] = true;

@@ -278,7 +278,7 @@ void compare_large_mesh(const Programs& programs, const fs::path& scratch, int r
                 Bound{Wanted::at_least, 10.0});
 }
 
-/// The milliseconds of our thread per frame, as bench-pictures prints them.
+/// Our thread's milliseconds per frame, as bench-pictures prints them.
 struct FrameCost {
     Samples numbers, ui, calls, submitted, whole;
 };

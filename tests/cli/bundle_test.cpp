@@ -46,7 +46,7 @@ protected:
             if (!entry.is_directory()) found.insert(fs::relative(entry.path(), folder() / below).string());
         return found;
     }
-    /// Bundles, deletes "from", and compares the pictures.
+    /// Bundles the state, deletes the folder "from", moves the bundle, and compares the pictures.
     void expect_same(const Words& state, const std::set<std::string>& expected) const {
         const std::string before = picture(state);
         Words words{"state", "--bundle", "bundle"};

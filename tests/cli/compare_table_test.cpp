@@ -1,5 +1,6 @@
-// Redraws the pictures behind the README's table of comparisons and counts again. With VIEWING_COMPARE_TABLE=FOLDER,
-// also keeps the pairs of pictures in that folder for other programs (tests/compare_table).
+// Redraws the pictures behind the table of comparisons in tests/README.md and compares them again. With
+// VIEWING_COMPARE_TABLE=FOLDER, also keeps the pairs of pictures in that folder for other programs
+// (tests/compare_table).
 #include <gtest/gtest.h>
 
 #include <algorithm>

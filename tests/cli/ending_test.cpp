@@ -94,7 +94,7 @@ TEST_F(Ending, OfASuiteReportsTheRestAsNotDrawn) {
 }
 
 TEST_F(Ending, OfASuiteByTimeoutLeavesItsReport) {
-    std::string large;  // each takes a second or more
+    std::string large;  // entries that take a second or more each
     for (const char* const name : {"a", "b", "c", "d", "e", "f"})
         large += R"({"name": ")" + std::string(name) + R"(", "size": [4096, 4096], "samples": 4}, )";
     write("suite.json", R"({"suite": 1, "entries": [{"name": "small"}, )" + large + R"({"name": "after"}]})");

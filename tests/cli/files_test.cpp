@@ -1,5 +1,5 @@
-// Input and output files: empty, long or misleading names, and unreadable files. The program writes nothing anywhere
-// else.
+// Input and output files: empty, long or misleading names, and unreadable files. Apart from its output files, the
+// program writes nothing.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

@@ -54,7 +54,7 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    // GL draws these and rounds the positions of their corners, except that software_depth_buffer is drawn pixel by
+    // GL draws these pictures and rounds the positions of corners. Only software_depth_buffer is computed pixel by
     // pixel.
     EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
     EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);

@@ -45,8 +45,8 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
     return sum / (4.0 * from.width * from.height);
 }
 
-/// Returns how many levels the whole area can be darkened or brightened, whichever is more, and whether that is
-/// brightened.
+/// Returns by how many levels the whole area can be darkened or brightened, whichever is more, and true if it can be
+/// brightened by more.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)

@@ -1,4 +1,4 @@
-// Tests snapshot, inspect, compare and doctor, and the message that open prints without a display.
+// Tests snapshot, inspect, compare and doctor, and the message of `open` when there is no display.
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>

@@ -45,7 +45,7 @@ struct Surroundings {
     std::filesystem::path folder = {};                    ///< working directory; the test's own if empty
     std::map<std::string, std::string> environment = {};  ///< variables to add to the test's own
     std::vector<std::string> without = {};                ///< environment variables to remove
-    bool input_stays_open = false;                        ///< standard input is a pipe that never delivers data or ends
+    bool input_stays_open = false;                        ///< standard input is a pipe that stays open without any data
     std::string output = {};                              ///< the file that gets standard output, if not empty
     std::map<int, unsigned long> limits = {};             ///< limits of the process, by RLIMIT_…
     bool output_has_no_reader = false;                    ///< standard output is a pipe whose other end is closed

@@ -191,7 +191,7 @@ TEST_F(State, PresetsAreListedOnePerLine) {
             {.environment = {{"VIEWING_SANDBOX_ASSETS", "/nowhere"}}});
 }
 
-/// Multiplies the mathematical matrix, given by its rows, by a column.
+/// Multiplies a matrix, given by its rows, by a column vector.
 std::vector<double> times(const Json& rows, const std::vector<double>& column) {
     std::vector<double> result;
     for (const Json& row : rows) {
@@ -245,7 +245,7 @@ TEST_F(Matrices, MatchWorkedShadowExamples) {
                  {0, 10, 0, 1}, {-6, 0, 0});
     expect_point(expect(0, {"matrices", "--set", "light.position=[12,20,0,1]"}).json()["shadow_from_world"],
                  {0, 10, 0, 1}, {-12, 0, 0});
-    // The plane (1,1,1)/√3 with d = −2. It is written with a normal of length √3, which makes d = −2√3.
+    // The plane with unit normal (1,1,1)/√3 and d = −2. It is written with a normal of length √3, so d becomes −2√3.
     const std::vector<std::string> tilted{"matrices", "--set", "plane.equation=[1,1,1,-3.4641016151377544]", "--set",
                                           "light.position=[5,9,7,1]"};
     expect_point(expect(0, tilted).json()["shadow_from_world"], {1, 2, 3, 1}, {0.323760, 0.816581, 2.323760});

@@ -1,5 +1,5 @@
-// A scene far from the world's origin gives the same picture: light must not speckle where float32 lacks precision for
-// world positions.
+// A scene far from the world's origin gives the same picture: lit surfaces must not become speckled where float32
+// lacks precision for world positions.
 #include "gl_test.h"
 
 namespace viewing {

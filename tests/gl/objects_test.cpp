@@ -1,5 +1,5 @@
-// The owners of GL objects, targets, programs and contexts free what they own in time, and they are empty without a
-// context.
+// Tests the owners of GL objects, targets, programs and contexts: they free what they own when they are destroyed or
+// reassigned, and they are empty without a context.
 #include <type_traits>
 
 #include "geometry/shapes.h"

@@ -145,7 +145,7 @@ protected:
     }
 
     Tally tally_;
-    std::vector<Difference> differences_;  ///< in the room that was compared last
+    std::vector<Difference> differences_;  ///< in the most recently compared room
     int pinholes_ = 0;                     ///< in the same room
 
 private:

@@ -1,5 +1,5 @@
-// Pictures with several planes, lights and mirrors do not depend on the sign and length of an equation, the culling of
-// closed objects, the choice between mirroring scene and camera, the clipping method, or the depth format.
+// Pictures with several planes, lights and mirrors do not depend on the sign and scale of a plane's equation, the
+// culling of closed objects, the choice between mirroring scene and camera, the clipping method, or the depth format.
 // planes_rays_test.cpp checks the content of such pictures; planes_switches_test.cpp has the broken states.
 #include "planes_room.h"
 #include "render/buffer_read.h"

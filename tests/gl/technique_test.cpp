@@ -67,7 +67,7 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithoutIt) {
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_GT(lit[channel], 40);
         EXPECT_NEAR(once[channel], lit[channel] * 0.5, 1.5);
-        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // one layer from the light's side, one from the other
+        EXPECT_NEAR(twice[channel], lit[channel] * 0.25, 1.5);  // faces toward the light and faces away: two layers
     }
     EXPECT_EQ(color_at(plain({"shadow.enabled=false"}), box_scene(), in_light),
               color_at(plain({}), box_scene(), in_light));
@@ -190,7 +190,7 @@ TEST_F(Technique, EveryOffsetThatFixesFightingGivesTheSameShadow) {
     // Without an offset, depths are equal up to rounding, and "less" leaves out parts of the shadow.
     EXPECT_GT(pixels_beyond(expected, draw(params_with(plain({"shadow.offset=none"})), box_scene(), technique_px), 3),
               100);
-    // The offset suffices in every format: only the edge differs.
+    // The offset suffices in every format; only the shadow's edge differs.
     for (const char* const format : {"depth.format=d16", "depth.format=d32f", "depth.format=d12"})
         for (const char* const mapping :
              {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"})
@@ -202,7 +202,7 @@ TEST_F(Technique, EveryOffsetThatFixesFightingGivesTheSameShadow) {
 TEST_F(Technique, MissingLightLeavesTheAmbientPart) {
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), in_shadow);
     const Rgb missing = color_at(plain({"shadow.style=missing_light"}), box_scene(), in_shadow);
-    // With the light on its other side, the same patch has only ambient light.
+    // With the light below it, the same patch receives only ambient light.
     const Rgb ambient = color_at(plain({"light.position=[4,-8,0,1]"}), box_scene(), in_shadow);
     EXPECT_LE(worst_channel(missing, ambient), 1);
     EXPECT_LT(missing.g, lit.g - 20);
@@ -356,7 +356,7 @@ TEST_F(Technique, UnclearedDepthHidesLaterObjects) {
             View fresh;
             const Seen first = seen(draw(frame, far_only, technique_px, renderer(), fresh));
             EXPECT_EQ(first,
-                      clears ? Seen::far_quad : Seen::background);  // its own depths hide it: less, not lequal
+                      clears ? Seen::far_quad : Seen::background);  // drawn twice; its first depths hide it (less)
         }
     }
 }

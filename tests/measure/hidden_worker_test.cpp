@@ -141,7 +141,7 @@ TEST(HiddenWorker, FailedWorkIsReportedOnceAndNotRestarted) {
     const Scene scene = scene_of("cyclic-overlap");
     const HiddenQuestion small = question_for(params_with({"visibility.method=software_depth_buffer"}), scene);
     HiddenQuestion huge = small;
-    huge.camera.size_px = glm::ivec2(std::numeric_limits<int>::max());  // its picture fits in no memory
+    huge.camera.size_px = glm::ivec2(std::numeric_limits<int>::max());  // no memory can hold so large a picture
     HiddenWorker worker;
     worker.ask(huge, scene, 1);
     worker.wait(-1.0);

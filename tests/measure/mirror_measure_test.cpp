@@ -1,4 +1,4 @@
-// Draws a mirror image with GL in the four ways and compares their effect on the picture and on the depths, with every
+// Draws a mirror image with GL in all four ways and compares their effect on the picture and on the depths, with every
 // kind of depth buffer. Also tests the case without an image.
 #include "measure/mirror_measure.h"
 

@@ -75,7 +75,7 @@ protected:
     }
 
 private:
-    /// Returns the contents of a pixel after these fragments, each of which has its own color.
+    /// Returns what a pixel holds after these fragments are drawn, each in a color of its own.
     BufferCell cell_of(const std::vector<Fragment>& fragments) const {
         BufferCell cell{frame_plan.background, code(frame_plan.clear_depth_value), frame_plan.clear_depth_value};
         for (const Fragment& fragment : fragments) {

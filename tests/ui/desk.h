@@ -1,5 +1,5 @@
 // The whole user interface without a window or GL: a session, its workbench and simulated mouse, keys and clipboard.
-// Each frame derives and plans like the studio. Read widgets/harness.h first.
+// Each frame derives and plans as the studio does. Read widgets/harness.h first.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -150,7 +150,7 @@ public:
 
     // ---- controls by label, scrolled into view when needed -----------------------------------------------
 
-    /// Returns the column, panel or matrices, that contains an item; nothing for items elsewhere.
+    /// Returns the column (panel or matrices) that contains an item; nothing for items elsewhere.
     std::optional<Rect> area_of(const RecordedItem& item) const {
         const Layout now = layout();
         if (item.window == "panel") return now.panel;
@@ -291,7 +291,8 @@ private:
     int solver_version_ = -1;
     std::shared_ptr<const HiddenAnswer> answer_;
 
-    /// Appending to a window that is already drawn reveals how much of its content is beyond its edge.
+    /// Measures how far the content of each area extends beyond its edges. ImGui reports that to code that appends to a
+    /// window after it is drawn.
     void measure_areas() {
         areas.clear();
         for (const char* name : {"top", "panel", "matrices", "views", "lower views"}) {

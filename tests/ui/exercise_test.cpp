@@ -254,7 +254,7 @@ TEST_F(Practice, IsMentionedAndAdoptedOnThePage) {
     desk.click("lesson strip/All exercises");
     ui.frames(3);
     Student student{"viewing-2026", "", ""};
-    for (int number = 1; number < 1000; ++number) {  // find a student whose variant has the same values
+    for (int number = 1; number < 1000; ++number) {  // find a student whose variant has the practiced values
         student.number = std::to_string(number);
         desk.workbench.exercises.sit_down(student);
         if (variant() == practiced) break;

@@ -1,5 +1,5 @@
-// The depth fighting view in its own window, with reports made here: its texts, the columns that it drops when it is
-// narrow, and that everything stays inside the view.
+// Tests the depth fighting view in its own window, with reports made here: its texts, and the columns that it drops
+// when it is narrow. Everything must stay inside the view.
 #include "ui/depth/fighting_view.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The growth of costs is measured in the background. The user can watch and cancel that; results are shown and written
-// to files.
+// The growth of costs is measured in the background. The user can watch and cancel the measurement; its results are
+// shown and written to files.
 #include <chrono>
 #include <fstream>
 #include <set>

@@ -66,7 +66,7 @@ TEST_F(HiddenPanel, OptionsSetTheirFields) {
     desk.settle();
     desk.choose("depth/compare", "depth/compare/painter");
     EXPECT_EQ(params.visibility.compare_with, VisibilityMethod::painter);
-    ASSERT_TRUE(desk.answer()->other);  // without GL, which would draw the painter's order
+    ASSERT_TRUE(desk.answer()->other);  // found in software; in the program, GL draws the painter's order
     EXPECT_GT(difference(desk.answer()->camera->image, desk.answer()->other->image).different, 0);
 }
 

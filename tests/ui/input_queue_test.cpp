@@ -1,5 +1,5 @@
 // The input queue: each frame gets one change, in order and with the time when it happened, however late the window
-// receives it. Further tests send the whole user interface bursts of events as a busy machine produces them.
+// receives it. Further tests send the whole user interface bursts of events like those of a busy machine.
 #include "ui/parts/input_queue.h"
 
 #include "desk.h"

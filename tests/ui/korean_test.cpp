@@ -1,6 +1,6 @@
 // Korean: every character of the catalog and the lessons is drawn. Other characters are loaded on demand or shown as a
-// box. English loads none of these. Switching is immediate, and the language belongs to the user: neither opening nor
-// undoing ever changes it.
+// box. An English window loads no Korean characters until a text needs them. Switching is immediate, and the language
+// belongs to the user: neither opening a state nor undo ever changes it.
 #include <regex>
 #include <set>
 

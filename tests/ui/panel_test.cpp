@@ -366,7 +366,7 @@ TEST_F(PanelTest, RightClickResets) {
 }
 
 TEST_F(PanelTest, CombosChooseByName) {
-    params.cull.enabled = true;  // otherwise its faces have no effect
+    params.cull.enabled = true;  // otherwise the choice of faces has no effect
     desk.fold_out_all();
     desk.choose("depth/func", "depth/func/GL_GEQUAL");
     EXPECT_EQ(params.depth.func, CompareFunc::gequal);

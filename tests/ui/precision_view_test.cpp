@@ -1,4 +1,5 @@
-// The views of the depth buffer's precision in use: near and far on the chart, the advice and the codes.
+// Uses the views of the depth buffer's precision: drags near and far on the chart, follows the advice, and reads the
+// codes.
 #include <algorithm>
 
 #include "desk.h"

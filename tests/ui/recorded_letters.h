@@ -1,4 +1,5 @@
-// Checks that a figure contains each letter that Dear ImGui draws exactly once, in its place and color, and no others.
+// Checks that each letter drawn by Dear ImGui appears in a figure exactly once, in its place and color, and that no
+// other letters do.
 // The letters are read from the latest frame's vertices (letters.h), independently of the recorder's own method.
 #pragma once
 

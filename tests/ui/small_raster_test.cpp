@@ -74,7 +74,7 @@ protected:
         return std::to_string(touch + 1) + " " +
                desk.session.scene().objects[static_cast<std::size_t>(object)].description.name;
     }
-    /// Clicks the first row that starts with this text. The pixel's fragments come before the order.
+    /// Clicks the first row that starts with this text. The pixel's fragments are listed before the drawing order.
     void click_row(const std::string& start) {
         for (const RecordedItem& item : desk.recorded())
             if (item.label.starts_with("left/" + start)) {

@@ -11,7 +11,7 @@
 namespace viewing::test {
 namespace {
 
-/// Returns whether a name belongs to a field that has no control so far.
+/// Returns whether a name belongs to one of the fields that the tests below do not look for.
 bool is_new_field(const std::string& name) {
     return name == "control:projection.aspect" || name == "control:depth.buffer" ||
            name == "control:slips.degrees_as_radians" || name == "control:slips.plus_2ab" ||
@@ -82,7 +82,7 @@ TEST_F(StageTest, WithoutALessonNothingIsCoveredOrFramed) {
     EXPECT_FALSE(draws("?\n?"));
 }
 
-/// R of this plane has −0.571 in row 2, column 4, and no other number of the state is the same.
+/// R of this plane has −0.571 in row 2, column 4, and no other displayed number is the same.
 TEST_F(StageTest, ACoveredMatrixIsReadableNowhere) {
     for (const Topic topic : {Topic::mirror_derivation, Topic::lecture_code, Topic::passes}) {
         open("mirror-derivation");

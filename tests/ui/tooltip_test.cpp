@@ -1,5 +1,5 @@
-// The tooltips of the panel: their title is the control's visible label, they name the path that --set takes, and they
-// contain formulas whose words keep their spaces and whose signs exist in the fonts.
+// Each tooltip of the panel has its control's visible label as its title and names the path that --set takes. In the
+// formulas, words keep their spaces, and every sign exists in the fonts.
 #include <regex>
 
 #include "desk.h"

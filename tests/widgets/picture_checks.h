@@ -1,5 +1,5 @@
-// Checks for any drawn diagram: its vertices are finite and not too many, and its boxes do not overlap. Also a way to
-// run checks in every look.
+// Checks for any drawn diagram: its vertices are finite and not too many, and its boxes do not overlap. Also runs
+// checks in every look.
 #pragma once
 
 #include <cmath>

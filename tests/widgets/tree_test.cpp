@@ -369,7 +369,7 @@ TEST_F(TreeDiagramTest, RevealUnfoldsAndScrollsToTheNode) {
 }
 
 TEST_F(TreeDiagramTest, OnlyVisiblePartsAreDrawnAtAnySizeAndZoom) {
-    // ImGui draws with 16-bit indices here; more vertices would not draw at all.
+    // ImGui uses 16-bit indices here, so it could not draw many more vertices.
     constexpr int most = 60'000;
     for (std::vector<TreeNode> tree : {std::vector<TreeNode>{}, random_tree(1, 9), random_tree(2, 9),
                                        random_tree(100'000, 9), complete_tree(17), hanging_chains()}) {

@@ -1,4 +1,4 @@
-// Shared by the parts of a chart: axes (log_axes.cpp), curves (chart_curves.cpp), names (chart_labels.cpp).
+// Shared by the parts of a chart: axes (log_axes.cpp), curves (chart_curves.cpp), and names (chart_labels.cpp).
 #pragma once
 
 #include "widgets/diagrams.h"
@@ -15,7 +15,7 @@ struct LogScale {
     bool Holds(double value) const;
 };
 
-/// Whether a point is valid on logarithmic axes: finite and positive.
+/// Returns whether a point is valid on logarithmic axes: finite and positive.
 bool CanBeDrawn(const glm::dvec2& point);
 
 /// The rectangle between the axes, with both scales.
@@ -24,7 +24,7 @@ struct ChartPlot {
     LogScale x, y;
 };
 
-/// Whether `box` overlaps none of `taken`.
+/// Returns whether `box` overlaps none of `taken`.
 bool IsFree(const Box& box, std::span<const Box> taken);
 
 float Distance(ImVec2 a, ImVec2 b);
@@ -35,12 +35,12 @@ bool IsInPlot(const ChartPlot& plot, const glm::dvec2& point);
 /// Clips a line to the plot. Returns false if nothing remains.
 bool ClipToPlot(const ChartPlot& plot, ImVec2& a, ImVec2& b);
 
-/// Draws the axes, with their ticks and titles around the plot; leaves `label_room` pixels free at the plot's right.
-/// Returns the plot.
+/// Draws the axes, with their ticks and titles around the plot; leaves `label_room` pixels free to the right of the
+/// plot. Returns the plot.
 ChartPlot DrawAxes(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const ChartCurve> curves,
                    const LogChartStyle& style, float label_room);
 
-/// `index` selects the marker and the dash.
+/// Draws a curve; `index` selects its markers and dashes.
 void DrawCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, std::size_t index, ImU32 color);
 void DrawDashedVertical(ImDrawList* draw, const ChartPlot& plot, float x, ImU32 color, float width);
 

@@ -39,7 +39,7 @@ Pointed PointedAt(const ChartPlot& plot, std::span<const ChartCurve> curves, ImV
     return nearest;
 }
 
-/// Formats with three significant digits.
+/// Formats a value with three significant digits, after its title if it has one.
 std::string ReadoutText(const char* title, double value) {
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(value))), 0, 6);
     const std::string number = viewing::number_text(value, decimals);

@@ -1,4 +1,4 @@
-// widgets-demo [dark|light|projector] [SCALE]: a window with every widget. show_demo.cpp has its content.
+// widgets-demo [dark|light|projector] [SCALE]: a window with every widget. show_demo.cpp fills it.
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <GLFW/glfw3.h>

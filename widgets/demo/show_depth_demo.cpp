@@ -89,7 +89,7 @@ void ShowCounts() {
     Toggle("logarithmic heights", logarithmic, false);
 }
 
-/// A triangle in front of a wall, in 8 × 8 pixels: first colors, then depths.
+/// Shows a triangle in front of a wall, in 8 × 8 pixels: first the colors, then the depths.
 void ShowCells(const Palette& palette) {
     if (!Section("Pixels one by one", true, "click pins")) return;
     constexpr int columns = 8, rows = 8;

@@ -16,7 +16,7 @@ namespace {
 using inner::Px;
 using inner::Shown;
 
-/// The layout of the cells, which are squares of whole pixels.
+/// The layout of the cells: squares whose sides are a whole number of pixels.
 struct Grid {
     ImVec2 min;
     float side;
@@ -102,7 +102,7 @@ struct GridPicture {
     bool has_text;
 };
 
-/// Whether the cell shows its text.
+/// Returns whether the cell shows its text.
 bool ShowsText(const GridPicture& picture, const Cell& cell) {
     return picture.has_text && !cell.text.empty() && Fits(picture.face, cell.text, picture.grid.side);
 }

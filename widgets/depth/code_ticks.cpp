@@ -21,7 +21,7 @@ struct Rows {
     float upper, lower;
     double near, far;
 
-    /// Whether a code's eye distance is inside near…far, apart from rounding errors.
+    /// Returns whether a code's eye distance is inside near…far, apart from rounding errors.
     bool Holds(double z) const {
         const double rounding = 1e-6 * (far - near);
         return z >= near - rounding && z <= far + rounding;
@@ -36,7 +36,7 @@ struct CodeTick {
     bool is_joined;
 };
 
-/// Returns only every n-th tick, so that the ticks stay apart in the upper row, and always the last one.
+/// Returns every n-th tick, so that the ticks stay apart in the upper row, and the last one in any case.
 std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
     const std::size_t last = eye_distances.size() - 1;
     const std::size_t most = std::max<std::size_t>(static_cast<std::size_t>((rows.right - rows.left) / Px(6)), 1);
@@ -53,7 +53,7 @@ std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> ey
     return ticks;
 }
 
-/// Returns the tick whose line is under the pointer or nearest to it.
+/// Returns the tick whose line is nearest to the pointer; null if no line is close.
 const CodeTick* TickAt(const Rows& rows, std::span<const CodeTick> ticks, ImVec2 pointer) {
     if (pointer.y < rows.upper - Px(10) || pointer.y > rows.lower + Px(10)) return nullptr;
     const float share = std::clamp((pointer.y - rows.upper) / (rows.lower - rows.upper), 0.0F, 1.0F);

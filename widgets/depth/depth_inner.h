@@ -1,4 +1,4 @@
-// Shared by the diagrams of depth.h: vertical lines to drag, the readout box beside the pointer.
+// Shared by the diagrams of depth.h: draggable vertical lines, and the readout box beside the pointer.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct DragLineUse {
     bool held = false, hovered = false, reset = false;  ///< reset: right-clicked
     std::optional<double> x;                            ///< dragged position, in pixels, unclamped
 };
-/// Adds the item of a line from `top` to `bottom`. Moves the cursor.
+/// Adds the ImGui item of a line from `top` to `bottom`. Moves the cursor.
 DragLineUse UseLine(const DragLine& line, float top, float bottom);
 struct DragLinesUse {
     DragLineUse low, high;

@@ -79,8 +79,8 @@ void DrawBars(ImDrawList* draw, const Plot& plot, std::span<const std::uint32_t>
                   Px(1) * palette.stroke);
 }
 
-/// Draws the extra bar of unwritten values. If it is higher than all others, it is cut off, which two slanted lines
-/// show.
+/// Draws the extra bar of unwritten values. If it is higher than all others, it is cut off, and two slanted lines mark
+/// the cut.
 void DrawUnwritten(ImDrawList* draw, const Plot& plot, float left, float right, const HistogramStyle& style) {
     const Palette& palette = CurrentContext().palette;
     const double height = HeightOf(style.unwritten, style);

@@ -1,5 +1,5 @@
-// Interaction with a PrecisionChart: dragging near and far along its axis. precision_drawing.cpp draws it, log_axes.cpp
-// draws its axes.
+// Interaction with a PrecisionChart: dragging near and far along its axis. precision_drawing.cpp draws the chart, and
+// log_axes.cpp draws its axes.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Drawing of a PrecisionChart, apart from its interaction: curves without markers, vertical lines with names, the
+// Drawing of a PrecisionChart, apart from its interaction: curves without markers, the names of vertical lines, and the
 // readout. See precision_chart.cpp for usage.
 #pragma once
 

@@ -10,7 +10,7 @@ namespace widgets::inner {
 namespace {
 
 constexpr double smallest_zoom = 0.02, largest_zoom = 3.0;
-constexpr double margin = 26.0;  ///< in design pixels, around the outer nodes' centers of a fitted tree
+constexpr double margin = 26.0;  ///< in design pixels, around the centers of a fitted tree's outer nodes
 
 glm::dvec2 ViewSize(const TreeCamera& camera) {
     return glm::dvec2(camera.max.x - camera.min.x, camera.max.y - camera.min.y) / camera.unit;

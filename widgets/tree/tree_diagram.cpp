@@ -1,5 +1,5 @@
-// Mouse interaction with a tree diagram. tree_camera.cpp moves it, tree_drawing.cpp draws it, tree_layout.cpp places
-// its nodes.
+// Mouse interaction with a tree diagram. tree_camera.cpp moves the diagram, tree_drawing.cpp draws it, and
+// tree_layout.cpp places its nodes.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -111,7 +111,7 @@ PointedNode NodeAt(const TreeCamera& camera, std::span<const TreeNode> nodes, co
     return {};
 }
 
-/// Handles the mouse over the view, the last item. Returns whether `selected` changed.
+/// Handles the mouse over the view, which must be the last item. Returns whether `selected` changed.
 bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state, int& selected,
               const TreeDiagramStyle& style) {
     const ImGuiIO& io = ImGui::GetIO();

@@ -1,5 +1,5 @@
-// Shared by the tree diagram's interaction (tree_diagram.cpp) and drawing (tree_drawing.cpp): where the nodes are on
-// screen.
+// Shared by the tree diagram's interaction (tree_diagram.cpp) and drawing (tree_drawing.cpp): the nodes' positions on
+// the screen.
 #pragma once
 
 #include "widgets/diagrams.h"
@@ -48,7 +48,7 @@ struct TreeChildren {
 /// Returns the valid links of `parent`: those to later nodes that name it as their parent.
 TreeChildren ChildrenOf(std::span<const TreeNode> nodes, int parent);
 
-/// Whether the node's subtree, as built so far, has anything to fold.
+/// Returns whether the node's subtree, as built so far, has anything to fold.
 bool HasShownChild(std::span<const TreeNode> nodes, int node, int shown_count);
 
 void DrawTree(ImDrawList* draw, const TreeCamera& camera, std::span<const TreeNode> nodes,

@@ -36,7 +36,7 @@ struct OpenPage {
 /// Null until there is something to draw.
 extern std::unique_ptr<OpenPage> page;
 
-/// The folder for files to read, and for written files until the page hands them to the person.
+/// The folder for input files, and for output files until the page delivers them to the user.
 inline constexpr const char* page_folder = "/files";
 
 double page_now_s();

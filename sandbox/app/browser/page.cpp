@@ -53,7 +53,7 @@ void obey(const Requests& requests) {
     page->any |= requests.snapshot || requests.view_picture.has_value();
 }
 
-/// Opens a link, the fragment of the page's address.
+/// Opens a link, which is the fragment of the page's address.
 void open_link(const std::string& text) {
     Session& session = page->studio.session;
     const Result<Link> link = read_link(text);
@@ -62,7 +62,7 @@ void open_link(const std::string& text) {
     link->kind == Link::Kind::preset ? session.open(link->text) : session.report(session.paste(text));
 }
 
-/// Returns the fragment for the state or lesson that was opened last; "" for the state at startup.
+/// Returns the fragment for the most recently opened state or lesson; "" for the state at startup.
 std::string opened_fragment() {
     const Workbench& workbench = page->studio.workbench;
     if (const LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;

@@ -43,7 +43,7 @@ Result<LoadedState> state_to_open(const std::string& text) {
                  suggestion(text, names)};
 }
 
-/// The views that a request can name. A picture of the whole window has its size on screen.
+/// The views that a request can name. A picture of the whole window has the window's size on screen.
 constexpr std::array asked_views{PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::window};
 
 std::optional<PictureView> asked_view(std::string_view name) {

@@ -46,7 +46,7 @@ private:
     void release_held();
 
     bool composes_ = false;         ///< the input method holds keys that it has not yet turned into a character
-    std::vector<InputEvent> held_;  ///< an entry's last key and all later events, until its last character arrives
+    std::vector<InputEvent> held_;  ///< the key that ends the text, and later events, until the last character arrives
     bool has_committed_ = false;    ///< a character has arrived since the first held event
     double held_until_s_ = 0.0;
     double polled_s_ = 0.0;

@@ -21,7 +21,7 @@ Area window_area(GLFWwindow* window) {
     return area;
 }
 
-/// Returns the monitor that shows most of the window; null without monitors.
+/// Returns the monitor that shows most of the window; null if there are no monitors.
 GLFWmonitor* monitor_of(GLFWwindow* window) {
     const Area of_window = window_area(window);
     int count = 0;

@@ -19,8 +19,8 @@ public:
     /// notes window while it is visible, else null.
     void apply(GLFWwindow* window, GLFWwindow* notes);
 
-    /// Returns the window's position and size when it is not full screen. `before` has those that it had before it was
-    /// maximized.
+    /// Returns the window's position and size when it is not full screen. `before` holds its position and size before
+    /// it was maximized.
     WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const;
 
 private:

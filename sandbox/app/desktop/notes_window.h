@@ -22,7 +22,7 @@ namespace viewing {
 
 class NotesWindow {
 public:
-    /// `main` is the window whose context is current, now and after each call. Returns null, with a sentence on stderr,
+    /// `main` is the window whose context is current now and after every call. Returns null, with a sentence on stderr,
     /// if the display allows no second window.
     static std::unique_ptr<NotesWindow> make(GLFWwindow* main);
     ~NotesWindow();

@@ -28,8 +28,8 @@
 namespace viewing {
 namespace {
 
-/// Starts GLFW. GLFW 3.4 tries Wayland first, whose library complains on stderr if the session has no folder for its
-/// socket.
+/// Starts GLFW. GLFW 3.4 tries Wayland first, and the Wayland library complains on stderr if the session has no folder
+/// for its socket.
 bool start_glfw() {
 #ifdef GLFW_PLATFORM
     if (!std::getenv("XDG_RUNTIME_DIR")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
@@ -117,7 +117,7 @@ void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory
     glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
     float device_scale = 1.0F;
     glfwGetWindowContentScale(window, &device_scale, nullptr);
-    for (int i = 0; i < 2; ++i) {  // the first leaves the field, the second records the change
+    for (int i = 0; i < 2; ++i) {  // the first frame leaves the field, the second records the change
         const Requests requests = studio.frame({glm::max(size_px, glm::ivec2(1)), device_scale, true, {}});
         studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
     }
@@ -128,7 +128,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
     ImGuiWindow imgui_window(window);
     FullScreen full_screen;
     int frames_due = 0;
-    const auto report = [&](const Status& status) {  // call after drawing the frame that it belongs to
+    const auto report = [&](const Status& status) {  // call after drawing the frame that the status is about
         studio.session.report(status);
         events.any |= !status;
     };

@@ -38,7 +38,7 @@ int nameless_file() {
     return file;
 }
 
-/// Returns a path to an open file that is valid in this process and in ffmpeg.
+/// Returns a path to an open file; the path is valid in this process and in ffmpeg.
 std::string name_of(int file) {
     return "/proc/self/fd/" + std::to_string(file);
 }

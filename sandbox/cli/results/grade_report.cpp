@@ -43,7 +43,7 @@ figcaption { font-size: 9pt; color: #5a6470 }
 img { display: block; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
 )";
 
-/// Makes a text from a hand-in safe to show: escapes markup, and characters that change the writing direction.
+/// Makes text from a hand-in safe to show: escapes markup, and characters that change the writing direction.
 std::string foreign(const std::string& text) {
     return escaped(printable(text));
 }
@@ -357,7 +357,7 @@ void collect(Grader& grader, const StudentGrade& grade, std::size_t exercise, Wr
     }
 }
 
-/// Returns the wrong matrices, beginning with those that most students entered.
+/// Returns the wrong matrices, those entered by the most students first.
 std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const std::vector<StudentGrade>& grades) {
     WrongMatrices found;
     for (const StudentGrade* const grade : read_ones(grades))

@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Returns a line for each student, with a column for each exercise under its short id. The line for a file that cannot
-/// be read is its error.
+/// Returns a line for each student, with a column for each exercise under its short id. If a file cannot be read, its
+/// line is the error.
 std::string grades_as_text(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
 /// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% at the last attempt".
 std::string tags_as_text(const std::vector<TagCount>& tags);

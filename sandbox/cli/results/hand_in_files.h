@@ -20,8 +20,9 @@ struct HandInFiles {
     bool has_folders = false;
 };
 
-/// Accepts a file argument whatever its name. Searches folders and their subfolders for .json, in upper or lower case.
-/// Does not follow links inside a folder, so that the search ends; names that begin with a dot count as hidden.
+/// Finds the hand-ins. Accepts a file argument whatever its name is. Searches folders and their subfolders for .json
+/// files (in upper or lower case). Does not follow links inside a folder, so that the search always ends. Names that
+/// begin with a dot count as hidden.
 HandInFiles hand_in_files(const std::vector<std::string>& arguments);
 
 }  // namespace viewing

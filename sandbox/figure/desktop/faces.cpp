@@ -26,7 +26,7 @@ std::vector<std::uint8_t> subset(std::span<const std::byte> file, const std::set
                                                                                        hb_subset_input_destroy);
     if (!input) return whole;
     for (const char32_t character : characters) hb_set_add(hb_subset_input_unicode_set(input.get()), character);
-    // Each character has its own position, so there are no kerning and no ligatures.
+    // Each character has its own position, so the tables for kerning and ligatures are not needed.
     hb_set_t* const dropped = hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
     for (const hb_tag_t table : {HB_TAG('G', 'S', 'U', 'B'), HB_TAG('G', 'P', 'O', 'S'), HB_TAG('G', 'D', 'E', 'F'),
                                  HB_TAG('k', 'e', 'r', 'n')})

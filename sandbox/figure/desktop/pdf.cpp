@@ -176,7 +176,7 @@ std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& op
         cairo_pdf_surface_create_for_stream(append, &bytes, drawing.size_px.x * points_per_px,
                                             drawing.size_px.y * points_per_px),
         cairo_surface_destroy);
-    // From PDF 1.5 on, cairo 1.18 compresses objects, in which image/figure_note.cpp could not find the state.
+    // From PDF 1.5 on, cairo 1.18 compresses objects, so image/figure_note.cpp could not find the state in them.
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
     const auto tell = [&](cairo_pdf_metadata_t what, const std::string& text) {
         cairo_pdf_surface_set_metadata(surface.get(), what, text.c_str());
@@ -184,7 +184,7 @@ std::vector<std::uint8_t> as_pdf(const Drawing& drawing, const VectorOptions& op
     tell(CAIRO_PDF_METADATA_TITLE, options.title);
     tell(CAIRO_PDF_METADATA_CREATOR, "viewing-sandbox");
     tell(CAIRO_PDF_METADATA_KEYWORDS, note_as_keyword(options.note));
-    tell(CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing gives the same bytes
+    tell(CAIRO_PDF_METADATA_CREATE_DATE, "");  // so that the same drawing gives the same bytes
     {
         const Owned<cairo_t> page(cairo_create(surface.get()), cairo_destroy);
         cairo_scale(page.get(), points_per_px, points_per_px);

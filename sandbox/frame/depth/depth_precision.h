@@ -14,7 +14,7 @@ namespace viewing {
 /// The points of a curve: (eye distance, step Δz), from near to far.
 using StepPoints = std::vector<glm::dvec2>;
 
-/// The total step Δz for one format and mapping.
+/// The curve of the total step Δz for one format and mapping.
 struct StepCurve {
     DepthFormat format = DepthFormat::d24;
     DepthMapping mapping = DepthMapping::standard;

@@ -137,8 +137,8 @@ double unresolved_share(const Params& params, const Derived& derived, double dis
     return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
 }
 
-/// Returns the setting that makes depth fine enough at the things in view: a larger near or, without perspective, a
-/// smaller far; "" if neither does.
+/// Returns the setting that makes depth fine enough for the things in view: a larger near or, without perspective, a
+/// smaller far; "" if it does not make depth fine enough.
 std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
     Params finer = params;
     std::string setting;
@@ -152,8 +152,8 @@ std::string finer_depth(const Params& params, const Derived& derived, const std:
     return unresolved_share(finer, derived, z) < visible_share ? setting : "";
 }
 
-/// Reports that depth is too coarse for the objects in view, except for nearly coplanar surfaces, which have a view of
-/// their own.
+/// Reports that depth is too coarse for the objects in view. Reports nothing if the scene has nearly coplanar surfaces,
+/// which have a view of their own.
 void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
@@ -240,7 +240,7 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
                 tr("a decal that lies on no flat object is left out: no mark in the stencil says where to draw it"));
 }
 
-/// Reports what the picture omits without being wrong.
+/// Reports what is missing from a picture that is otherwise correct.
 void say_omissions(Sayer& tell, const Params& params) {
     tell.broken(
         params.view.call >= 0,

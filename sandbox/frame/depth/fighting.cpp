@@ -163,8 +163,8 @@ private:
 };
 
 /// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. Each
-/// value that is rounded to float32 on the way is off by up to half a unit in the last place for each surface, and by
-/// one for both together. These values are clip z and clip w, which both affect their quotient, and the depth, first as
+/// rounding to float32 on the way is off by up to half a unit in the last place for each surface, so by up to one unit
+/// between the two. The rounded values are clip z and clip w, which both affect their quotient, and the depth, first as
 /// computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded at the end.
 double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
@@ -177,7 +177,7 @@ double rounded_terms(const DepthCoding& coding, double z) {
     }
     if (coding.clip_zero_to_one)
         return lens.orthographic ? depth : 2.0 * lens.far * lens.near / ((lens.far - lens.near) * z) + depth;
-    const double ndc_z = std::abs(2.0 * depth - 1.0);  // later halved and moved to 0 … 1
+    const double ndc_z = std::abs(2.0 * depth - 1.0);  // later halved and shifted to 0 … 1
     return (lens.orthographic ? 0.5 * ndc_z : ndc_z) + 2.0 * depth;
 }
 

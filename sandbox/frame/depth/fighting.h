@@ -45,7 +45,7 @@ DepthCoding depth_coding(const Params& params, const Derived& derived);
 /// Returns how far apart float32 rounding may move the window depths of two surfaces before they are stored, although
 /// these depths should be equal. `distance`, between near and far, is the surfaces' eye distance. `span` is how much
 /// nearer to the eye they extend: depth is interpolated across them, so the larger values at their near ends are
-/// rounded too. Adds up the largest error of each float32 rounding.
+/// rounded too. Adds up the largest possible error of each float32 rounding.
 double depth_rounding(const DepthCoding& coding, double distance, double span = 0.0);
 
 /// The smallest gap at which depth distinguishes two surfaces, wherever their depths fall within a code. With a smaller

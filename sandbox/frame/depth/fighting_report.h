@@ -36,8 +36,8 @@ struct FightingCounts {
     double wrong_fraction() const;
 };
 
-/// The share of wrong pixels of a pair, as seen by several cameras that jitter like animation.jiggle. The depth codes
-/// at the pixels are as good as random, so one picture says little.
+/// The range and mean of a pair's share of wrong pixels, as seen by several cameras that jitter like animation.jiggle.
+/// The depth codes at the pixels are practically random, so a single picture says little.
 struct ShareSpread {
     int cameras = 0;  ///< those that see pixels of the pair
     double sum = 0.0, least = 1.0, most = 0.0;

@@ -34,7 +34,7 @@ double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm:
 }
 
 /// Returns the width of one code in window depth. For a float, GL uses the code at the triangle's greatest depth; a
-/// shader that writes depth uses codes of 24 bits.
+/// shader that writes depth uses the format's own codes, but at most 24 bits.
 double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
     const bool by_shader = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const DepthPrecision precision = by_shader ? precision_of(plan.depth_format) : plan.stored_depth.precision;

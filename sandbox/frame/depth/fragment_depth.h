@@ -24,8 +24,8 @@ double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
 double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                    const glm::dvec2& neighbors_px, glm::ivec2 size_px);
 
-/// Returns the number of codes by which two stored depths may differ; for a float, the number of units in the last
-/// place.
+/// Returns by how many codes the stored depth may differ if the depth itself may differ by `error`; for a float, by how
+/// many units in the last place.
 double stored_within(double depth, double error, const DepthPrecision& precision);
 
 /// Returns the nearest integer code, or the bits of the float.

@@ -119,7 +119,7 @@ bool is_culled(const CullParams& cull, bool front_facing) {
     return cull.face == CullFace::front_and_back || (cull.face == CullFace::front) == front_facing;
 }
 
-/// Depth and stencil of one pixel; tests the surfaces sent to it.
+/// The depth and stencil values of one pixel. Tests the surfaces that are sent to it.
 class PixelBuffers {
 public:
     PixelBuffers(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px)

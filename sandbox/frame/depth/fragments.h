@@ -49,8 +49,8 @@ public:
     ///
     /// Mirror images and shadows are left out; the depth that a mirror image without stencil writes outside the patch
     /// does not count here. Depths are exact until they are stored, so if two codes are closer than their errors, GL
-    /// may decide differently (see reconcile()). Methods that sort have their own order and pieces. If a method finds
-    /// one surface per pixel in software, only that surface passes, as at the method's last step.
+    /// may decide differently (see reconcile()). Methods that sort draw their own pieces in their own order. If a
+    /// method finds one surface per pixel in software, only that surface passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
 private:

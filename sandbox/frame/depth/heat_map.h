@@ -24,10 +24,10 @@ struct FlatGap {
 struct HeatMap {
     static constexpr std::size_t entry_count = 256;
 
-    /// The values of fighting_onset().gap(), which is one code plus the arithmetic before it, at eye distances that are
-    /// evenly spaced on a logarithmic scale: the first entry is at near, the last at far. Very close to near, the space
-    /// up to the near plane is too narrow for any sufficient gap; these entries repeat the value of the nearest
-    /// distance that has one. All entries are positive.
+    /// The values of fighting_onset().gap(), which is one code plus the error of the arithmetic before it, at eye
+    /// distances that are evenly spaced on a logarithmic scale: the first entry is at near, the last at far. Very close
+    /// to near, the space up to the near plane is too narrow for a sufficient gap; the entries there repeat the value
+    /// of the nearest distance that has one. All entries are positive.
     std::array<double, entry_count> onsets{};
     double near = 1.0, far = 2.0;
     std::vector<std::optional<FlatGap>> gap_of_object;  ///< by object index; none if the object is in no pair
@@ -54,7 +54,7 @@ inline constexpr std::array<Color, 6> heat_colors = {{{0x8e, 0x1b, 0x12},
                                                       {0xf3, 0xcb, 0x85},
                                                       {0xc3, 0xe0, 0xf0}}};
 
-/// Returns the color of a ratio, at least 0.
+/// Returns the color of a ratio; a negative ratio counts as 0.
 Color heat_color(double ratio);
 
 }  // namespace viewing

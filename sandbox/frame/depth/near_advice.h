@@ -1,4 +1,4 @@
-// Finds the eye distances of the things in the camera's picture, and whether near could be better. Pure;
+// Finds the eye distances of the things in the camera's picture, and proposes a better near if there is one. Pure;
 // ui/depth/precision_view.h shows the result.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// An object of the scene or the plane's patch, with the eye distances of its part in view. Near does not matter here:
+/// An object of the scene or the plane's patch, with the eye distances of the part in view. Near does not matter here:
 /// that part is within the four sides of the view, in front of the eye, and not beyond far.
 struct SeenThing {
     std::string name;

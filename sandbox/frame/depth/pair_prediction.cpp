@@ -75,8 +75,9 @@ struct SeenCodes {
     /// Returns whether both surfaces have one and the same code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// Widens a share over all phases of a code into one that holds for the pixels. A depth that is linear over a
-    /// polygon has a density with one maximum, which is at most twice the mean, and is sampled once per pixel.
+    /// Widens an interval for the share over all phases of a code into one for the share over the actual pixels. A
+    /// depth that is linear over a polygon has a density with one maximum, which is at most twice the mean, and is
+    /// sampled once per pixel.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {

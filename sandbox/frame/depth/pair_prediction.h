@@ -15,9 +15,9 @@ struct ShareInterval {
 };
 
 /// Returns the share of wrong pixels of two surfaces whose codes fall on the pixels at random. The surfaces are
-/// `gap_codes` to `most_gap_codes` (not less) apart, and arithmetic moves them by at most `arithmetic_codes` relative
-/// to each other. `tie_is_wrong`: the wrong surface is visible if both have the same code. Without arithmetic, the
-/// probability of such a tie is 1 − gap, or 0 for gaps of at least one code.
+/// `gap_codes` to `most_gap_codes` apart, where gap_codes ≤ most_gap_codes, and arithmetic moves them by at most
+/// `arithmetic_codes` relative to each other. `tie_is_wrong`: the wrong surface is visible if both have the same code.
+/// Without arithmetic errors, the probability of such a tie is 1 − gap, or 0 for gaps of at least one code.
 ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, double arithmetic_codes,
                                     bool tie_is_wrong);
 

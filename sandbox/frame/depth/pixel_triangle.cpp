@@ -1,5 +1,5 @@
-// Twice the signed areas between a pixel's center and a triangle's edges determine the triangle's coverage, distance
-// and slopes there.
+// Each edge of a triangle forms a smaller triangle with the pixel's center. Twice the signed areas of these three tell
+// whether the triangle covers the center, and give the weights of its corners there.
 #include "frame/depth/pixel_triangle.h"
 
 #include <cmath>
@@ -14,8 +14,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Returns the areas between a point next to the center and the edges opposite the corners. Divided by their sum, they
-/// are the corners' weights at that point.
+/// Returns twice the signed areas that a point beside the center forms with the edges opposite the corners. Divided by
+/// their sum, they are the corners' weights at that point.
 glm::dvec3 areas(const PixelTriangle& triangle, const glm::dvec2& beside_px) {
     std::array<glm::dvec2, 3> to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = triangle[i].offset_px - triangle[i].w * beside_px;

@@ -1,6 +1,6 @@
-// A triangle as seen through the center of one pixel: whether it covers the pixel, and its distance there with the
-// distance's slopes. Works in homogeneous coordinates, so nothing needs clipping. Read fragments.h next. Source: Olano
-// and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates.
+// A triangle as seen through the center of one pixel: whether it covers the center, its distance there, and the weights
+// of its corners there and beside it. Works in homogeneous coordinates, so nothing needs clipping. Read fragments.h
+// next. Source: Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ std::optional<PixelHit> hit(const PixelTriangle& triangle);
 /// The triangle must not be seen edge-on.
 glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px);
 
-/// Maps points of one space to triangle corners as seen from one pixel.
+/// Converts points, given in the space that both matrices start from, to triangle corners as seen from one pixel.
 class PixelView {
 public:
     /// Pixel (0, 0) is top left.

@@ -11,8 +11,8 @@ namespace viewing {
 /// becomes the last one drawn and gets the code read back; comparisons with it use that code. Fragments whose codes no
 /// longer explain their fate are marked as decided by rounding.
 ///
-/// Changes nothing for the background, or for pixels that rounding does not explain: where GL shows no surface, or
-/// another one, because an edge is near, or where a mirror image wrote the depth.
+/// Changes nothing for the background, or for pixels that rounding does not explain: near an edge, GL may show no
+/// surface or a different one, and elsewhere a mirror image may have written the depth.
 ///
 /// If depth is not cleared, the buffer holds values of the previous frame: comparisons with these use the code read
 /// back, even if nothing passes.

@@ -44,7 +44,7 @@ struct HiddenDrawing {
 };
 
 /// Draws the polygons up to the step, or the picture at the step. If canceled, the drawing has at least the first
-/// 32,768 polygons, so that a drawing that is quick to make is complete.
+/// 32,768 polygons, so a drawing that is quick to make is always complete.
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
 /// A picture to lay over another: red where two pictures differ, and a dark veil elsewhere.

@@ -16,7 +16,7 @@ int drawn_after(const NewellOrder& newell, int steps) {
     return static_cast<int>(std::count_if(newell.steps.begin(), newell.steps.begin() + steps, draws));
 }
 
-/// Returns how many polygons the visits so far draw; `order` is the traversal's order without the culled polygons.
+/// Returns how many polygons the visits so far have drawn; `order` is the traversal's order without culled polygons.
 int drawn_by_visits(const HiddenResult& result) {
     int passed = 0, drawn = 0;
     for (int visit = 0; visit < result.visited_nodes; ++visit) {

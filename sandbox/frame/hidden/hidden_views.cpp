@@ -5,14 +5,14 @@
 namespace viewing {
 namespace {
 
-/// Returns whether the result's own image is the one shown. For other methods, GL draws the polygons and rounds their
-/// corners.
+/// Returns whether the result's own image is the one shown. For other methods, GL draws the polygons and rounds the
+/// positions of their corners.
 bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
 }
 
-/// Returns whether no method can use the mirror's view, because R or the mirrored side was replaced. GL then draws that
-/// image in scene order.
+/// Returns whether no method can use the mirror's view, because R, the mirrored side or the mirrored camera's
+/// projection was replaced. GL then draws that image in scene order.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;

@@ -53,8 +53,8 @@ struct ShadowDerivation {
 };
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world);
 
-/// The same matrix three times, each as written on its slide. The first two require l_w = 1; Blinn's also requires the
-/// plane y = 0 with its normal up. Otherwise they are absent.
+/// The same matrix three times, each as written on its slide. The first two are present only if l_w = 1, and Blinn's
+/// only if, in addition, the plane is y = 0 with its normal up.
 struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …

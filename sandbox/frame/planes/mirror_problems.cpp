@@ -40,8 +40,8 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     return sees_any ? mirrors : std::vector<Mirror>{};
 }
 
-/// Returns S with the eye as its light. It projects points to the plane as the eye sees them, with w > 0 on the plane's
-/// side of the eye.
+/// Returns S with the eye as its light. It projects points onto the plane as the eye sees them; w is positive for
+/// points on the same side of the eye as the plane.
 glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
     return shadow_sign(mirror.plane.unit_plane, derived.eye_world) *
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);

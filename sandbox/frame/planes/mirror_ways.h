@@ -1,4 +1,5 @@
-// The same mirror image made in several ways, and how its pictures and depths differ: see measure/mirror_measure.h.
+// The same mirror image made in several ways, and the differences between their pictures and depths. Read
+// measure/mirror_measure.h for the measurement.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ Params mirrored_in(Params params, MirrorWay way);
 /// Returns "clip distance", "no clipping", "oblique near plane", "mirrored camera": in English; use tr() to show it.
 const char* name_of(MirrorWay way);
 
-/// One way compared with the first.
+/// The comparison of one way with the first one.
 struct MirrorWayReport {
     std::int64_t different = 0;                  ///< pixels unlike the first picture's pixel there and its neighbors
     int worst = 0;                               ///< largest difference of these pixels, in color levels

@@ -66,7 +66,7 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
     for (const SceneObject& object : scene.objects) vertices += object.mesh->positions.size();
     const std::size_t stride = vertices / most_samples + 1;
     std::optional<ObliqueDepth> found;
-    std::size_t next = 0, before = 0;  // the next sample and this object's first vertex, over all objects
+    std::size_t next = 0, before = 0;  // the next sample and this object's first vertex, both numbered over all objects
     for (const SceneObject& object : scene.objects) {
         const std::size_t count = object.mesh->positions.size();
         const glm::dmat4 image_from_model = image_from_scene * object.world_from_model;

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Returns planes that keep the space between light and plane: in front of the plane, and with a positive w.
+/// Returns clip planes that keep the space between the light and the plane: in front of the plane, with a positive w.
 std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4& unit_plane, const CastShadow& cast) {
     const glm::dvec4 towards_light = plane_facing(unit_plane, cast.light_world);
     std::vector<ClipPlane> clips;

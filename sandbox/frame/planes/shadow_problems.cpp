@@ -19,7 +19,8 @@ struct Thrown {
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
-    /// Returns a vector whose dot product with p is the correct w of p's projection: positive between light and plane.
+    /// Returns a vector whose dot product with p is the correct w of p's projection: positive between the light and the
+    /// plane.
     glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
@@ -66,8 +67,8 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
     return true;
 }
 
-/// Reports casters that are not between light and plane, and the effects of the switches on them.
-/// Returns whether any shadow is left.
+/// Reports casters that are not between the light and the plane, and the effects of the switches on them. Returns
+/// whether any shadow is left.
 bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Derived& derived,
                  const Scene& scene) {
     std::vector<std::string> vanishing;
@@ -128,7 +129,7 @@ void say_offset(Sayer& tell, const Params& params) {
                 "shadow.offset");
 }
 
-/// Reports errors of painted shadows that missing light avoids.
+/// Reports errors of painted shadows that would not occur with shadows drawn as missing light.
 void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
     tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
                 tr("each face of each caster is blended separately: unless the stencil counts them, the shadow is "

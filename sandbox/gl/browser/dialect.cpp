@@ -5,7 +5,7 @@
 
 #include "gl/gl.h"
 
-// Ask the browser's own object for extensions that this compiler's headers do not have.
+// Asks the browser's own context object for extensions that this compiler's headers do not have.
 EM_JS(int, has_webgl_extension, (const char* name), { return GLctx.getExtension(UTF8ToString(name)) ? 1 : 0; });
 EM_JS(void, set_webgl_clip_depths, (int from_zero), {
     const clip = GLctx.getExtension("EXT_clip_control");

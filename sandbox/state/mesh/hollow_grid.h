@@ -1,4 +1,5 @@
-// Internal to state/: a grid for finding the corners of a polygon that may be inside an ear. Read polygon.h first.
+// Internal to state/: a grid for finding the hollow (reflex) corners of a polygon that may be inside an ear. Read
+// polygon.h first.
 #pragma once
 
 #include <array>

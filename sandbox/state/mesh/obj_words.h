@@ -35,8 +35,8 @@ struct NamedCorner {
 /// vn have at most nine digits; vt is ignored.
 std::optional<NamedCorner> corner_of(std::string_view word);
 
-/// The kind of a line. In `names`, text follows the keyword, and in `numbers`, numbers follow it; both are skipped
-/// without a note.
+/// The kind of a line. The lines of two kinds are skipped without a note: `names`, where text follows the keyword, and
+/// `numbers`, where numbers follow it.
 enum class Statement { position, face, normal, smoothing, line, point, surface, numbers, names };
 
 /// Classifies a line by its first word; none if the word is not a keyword of Wavefront's format.

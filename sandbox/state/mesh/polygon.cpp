@@ -58,7 +58,7 @@ bool PolygonCutter::lies_in_triangle_at(Index corner, Index hollow) {
 }
 
 /// Returns whether the corner can be cut off: whether it turns left and no other corner is inside its triangle. Testing
-/// only hollow corners is enough, because if any corner is inside, a hollow one is too.
+/// only hollow (reflex) corners is enough, because if any corner is inside, a hollow one is too.
 bool PolygonCutter::is_ear(Index corner) {
     if (is_hollow_[corner] || turn_at(corner) <= 0.0) return false;
     if (blocker_[corner] != no_corner && lies_in_triangle_at(corner, blocker_[corner])) return false;
@@ -70,7 +70,7 @@ bool PolygonCutter::is_ear(Index corner) {
     return !is_blocked;
 }
 
-/// Fills the grid with the hollow corners; does so again once so few of them are left that most cells are empty.
+/// Fills the grid with the hollow corners. Called again once so few of them are left that most cells are empty.
 void PolygonCutter::fill_grid() {
     std::erase_if(hollows_, [this](Index corner) { return !is_hollow_[corner]; });
     if (!hollows_.empty()) grid_.fill(flat_, hollows_);

@@ -15,7 +15,8 @@ glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
 
 class PolygonCutter {
 public:
-    /// The limit on tests of corners and cells, for all polygons together; each corner adds 100 to it.
+    /// The limit on tests of corners and cells, for all polygons together; each corner of a concave polygon adds 100 to
+    /// it.
     static constexpr std::uint64_t most_tests = 100'000'000;
 
     enum class Outcome {

@@ -1,4 +1,4 @@
-// Internal to state/: the lines at which all statements of one kind begin. Most statements of a kind are on consecutive
+// Internal to state/: the lines on which all statements of one kind begin. Most statements of a kind are on consecutive
 // lines, so each run of such lines is stored as a single entry.
 #pragma once
 

@@ -21,7 +21,7 @@ constexpr const char* own_name(Language language) {
 /// error is one sentence; a text without a translation appears in English.
 Status speak(Language language);
 
-/// Returns the language set last; initially English.
+/// Returns the most recently set language; initially English.
 Language spoken_language();
 
 /// Returns the environment's language for messages, from the first of LC_ALL, LC_MESSAGES and LANG that is set; English

@@ -35,14 +35,14 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
     return clicked;
 }
 
-/// Returns the call's title, or "…" if the call is unknown, since the calls still belong to the old scene for one frame
-/// after a scene change.
+/// Returns the call's title, or "…" if the call is unknown: for one frame after a scene change, the calls still belong
+/// to the old scene.
 std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
     const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
     return is_known ? name_of(call, plan, scene) : "…";
 }
 
-/// Draws a list from which to choose one call or all of them; changes `limit`.
+/// Draws a list from which to choose one call or all of them. Choosing changes `limit`.
 void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
                  float width) {
     const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
@@ -64,7 +64,7 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
     }
 }
 
-/// Draws buttons that go to the previous and next triangles that touch the pixel.
+/// Draws buttons that go to the previous and the next triangle at the pixel.
 void touch_buttons(DrawLimit& limit, const DepthData& data) {
     const char* const why_not =
         data.pixel ? marked("No more triangles touch this pixel.") : marked("Click a pixel of the picture first.");

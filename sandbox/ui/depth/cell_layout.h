@@ -18,7 +18,7 @@ struct CellLayout {
     glm::ivec2 block{1};  ///< number of columns and rows with legible numbers
 };
 
-/// `rect` is the whole view.
+/// Returns the layout of a view that fills `rect`.
 CellLayout lay_out_cells(const Rect& rect);
 
 }  // namespace viewing

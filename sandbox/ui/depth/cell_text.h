@@ -1,5 +1,5 @@
-// The numbers in the cells of a block of depths: short enough for a cell and, if possible, different for different
-// codes. Pure functions. See cell_view.cpp for usage.
+// The numbers shown in the cells of a block of depths. They are short enough for a cell and, if possible, differ where
+// the codes differ. Pure functions. See cell_view.cpp for usage.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The cell view: a block of pixels, as on the lecture's Z-buffer slide. Its colors and its depths are side by side, and
-// both grids fill up one draw call and one triangle at a time.
+// both grids fill up one draw call or one triangle at a time.
 #pragma once
 
 #include "frame/depth/depth_data.h"

@@ -1,5 +1,5 @@
-// Depth buffers as pictures below the camera view, beside it, or over the part of it to the right of a divider, and a
-// histogram of depths.
+// Draws depth buffers as pictures: below the camera view, beside it, or over the part of it to the right of a divider.
+// Also draws a histogram of depths.
 #pragma once
 
 #include "frame/derive.h"

@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// The number of triangles in all calls.
+/// Returns the number of triangles in all calls together.
 int step_count(const std::vector<DrawCall>& calls);
 
 /// Returns the step at which `limit` stops; −1 for the whole frame. Clamps a triangle count past the end of its call,

@@ -13,12 +13,12 @@ namespace viewing {
 /// Returns a stored code in readable form: "15,955,400"; for a float, its value with nine decimals: "0.951018989".
 std::string code_text(std::uint32_t stored, const DepthPrecision& precision);
 
-/// The bits of a float: "0x3f737602".
+/// Returns the bits of a float: "0x3f737602".
 std::string bits_text(std::uint32_t stored);
 
-/// Returns the depth function's comparison, whether it is true or false: "12 < 15". Floats get enough decimals to
-/// differ, at least 3; if 12 do not suffice, returns their bits. For GL_NEVER and GL_ALWAYS, which compare nothing,
-/// returns the function's name.
+/// Returns the comparison that the depth function makes, whether or not it is true: "12 < 15". Floats get enough
+/// decimals to differ, at least 3; if 12 do not suffice, returns their bits. For GL_NEVER and GL_ALWAYS, which compare
+/// nothing, returns the function's name.
 std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t stored,
                          const DepthPrecision& precision);
 

@@ -13,7 +13,7 @@ namespace viewing {
 struct PixelNumber {
     std::string name;   ///< "z_{window}": a widgets::Formula, untranslated
     std::string value;  ///< starts with a minus sign, or with a space in its place
-    std::string unit;   ///< follows the value in the quiet color if it fits: "of 2²⁴ − 1"
+    std::string unit;   ///< follows the value, in the muted color, if it fits: "of 2²⁴ − 1"
     std::string title, explanation;
     std::string formula;  ///< a widgets::Formula; may be empty
 };

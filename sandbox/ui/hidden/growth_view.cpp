@@ -48,8 +48,8 @@ const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
     return state.rows[static_cast<std::size_t>(state.scene)];
 }
 
-/// Starts the measurement, which builds everything on the worker thread. The copied scene shares its meshes with the
-/// original.
+/// Starts the measurement. The worker thread builds everything that it measures, from a copy of the scene that shares
+/// its meshes with the original.
 void start(GrowthViewState& state, const Scene& scene) {
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
     state.measuring.start([log = state.log, which = static_cast<GrowthScene>(state.scene),

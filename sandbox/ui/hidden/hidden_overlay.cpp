@@ -150,7 +150,7 @@ void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
     }
 }
 
-/// Draws a square in a node's plane, the plane's normal, and the polygons on either side in two colors.
+/// Draws a square in a node's plane, the plane's normal, and the polygons on either side, with one color for each side.
 void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     const BspTree& tree = *result.tree;
     if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;

@@ -1,5 +1,5 @@
-// The drawing order of the polygons, linked with the pictures. Beside it, what the method does at the step: Newell's
-// ladder, the depth buffer's comparison, or a ray's hits. Read polygon_table.h and step_text.h first.
+// The drawing order of the polygons, linked with the pictures. The view also shows what the method does at the current
+// step: Newell's ladder, the depth buffer's comparison, or a ray's hits. Read polygon_table.h and step_text.h first.
 #include "ui/hidden/order_view.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace viewing {
 
 struct OrderViewState {
     int revealed = -1;  ///< the selected fragment to which the list last scrolled
-    int current = -1;   ///< the step's place to which it last scrolled
+    int current = -1;   ///< the step's place to which the list last scrolled
 };
 
 void draw_order_view(OrderViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,

@@ -18,7 +18,7 @@ std::string listed_name(const SceneSurface* surface, int source);
 /// Returns the same name for narrow columns: "box 12".
 std::string brief_name(const SceneSurface* surface, int source);
 
-/// The object's color, opaque; 0 if there is none.
+/// Returns the color of the polygon's object, opaque; 0 if the surface has no such source.
 ImU32 polygon_color(const SceneSurface* surface, int source);
 
 }  // namespace viewing

@@ -56,7 +56,7 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
     ImGui::SameLine(0.0F, px(step_gap));
 }
 
-/// Draws buttons that go to the previous and next steps that touch the followed pixel.
+/// Draws two buttons: one goes to the previous step that touches the followed pixel, the other to the next one.
 void touch_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
     const char* const why_not = result.request.visibility.pixel
                                     ? marked("No other step in this direction touches this pixel.")
@@ -108,7 +108,7 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     if (level_slider(words.within, within, 0, place.size)) step = place.first + within;
 }
 
-/// Draws buttons that go to the steps that touch the followed pixel, and says how many of these have been reached.
+/// Draws the buttons for the steps that touch the followed pixel, and says how many of these steps have been reached.
 void touch_row(int& step, const HiddenResult& result, const std::optional<glm::ivec2>& pixel) {
     touch_buttons(step, result, "←", "→");
     const int reached = step < 0 ? result.step_count : step;

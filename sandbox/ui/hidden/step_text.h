@@ -20,19 +20,21 @@ struct Ladder {
     std::string action;                                    ///< a sentence
 };
 
-/// The statement about A and B that a test checks, untranslated.
+/// Returns the statement about A and B that a test checks, untranslated.
 const char* newell_test_text(NewellTest test);
 
-/// Returns nullopt if the step is not one of Newell's: at step 0, and when the view summarizes all steps.
+/// Returns the ladder of the current step. Returns nullopt for other methods, at step 0, and when the view summarizes
+/// all steps.
 std::optional<Ladder> newell_ladder(const HiddenResult& result);
 
 /// Describes the step's depth comparison: "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written".
 /// Empty if the step compares no pixel.
 std::string compare_sentence(const HiddenResult& result);
 
-/// The progress of a step, on two levels: "triangle 3 of 9, fragment 12 of 40". A negative step means the last one.
+/// Returns a step's progress, on two levels if the method's steps have them: "triangle 3 of 9, fragment 12 of 40". A
+/// negative step means the last one.
 std::string progress_sentence(const HiddenResult& result, int step);
-/// The same progress as numbers only, for narrow views: "3/9 · 12/40".
+/// Returns the same progress as numbers only, for narrow views: "3/9 · 12/40".
 std::string progress_numbers(const HiddenResult& result, int step);
 
 /// A hit of the traced ray.

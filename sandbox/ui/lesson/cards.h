@@ -17,8 +17,8 @@ struct Card {
     bool is_done = false, is_current = false;
 };
 
-/// Draws cards in rows that fill the width, scrolling if needed; scrolls the chosen one into view. `texture_of` returns
-/// the picture for a key, or null if there is none yet. Returns the index of the clicked card, or −1.
+/// Draws cards in rows that fill the width, and scrolls the chosen card into view. `texture_of` returns the picture for
+/// a key, or null if there is none yet. Returns the index of the clicked card, or −1.
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
                int chosen);
 

@@ -1,5 +1,5 @@
-// The exercise page, which shows the student, the progress, and the list of exercises, and the page that compares a
-// typed matrix with the right one. Read session/exercise_desk.h for the data.
+// Two pages: one shows the student, the progress, and the list of exercises; the other compares a typed matrix with the
+// right one. Read session/exercise_desk.h for the data.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ public:
     struct Wishes {
         bool save = false, open_answers = false;
     };
-    /// Covers the whole window. Starts the exercise that the user chooses.
+    /// Draws the page over the whole window. Starts the exercise that the user chooses.
     Wishes draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures);
     std::vector<CardPicture> wanted_pictures(const ExerciseDesk& desk) const;
 
@@ -37,10 +37,10 @@ private:
 
     bool is_open_ = false;
     int set_ = 0;         ///< 0: all
-    std::string chosen_;  ///< the exercise to start once all are generated
+    std::string chosen_;  ///< the exercise to start once all exercises are generated
 };
 
-/// Two large pictures: the scene with the typed S or R, and the scene with the right one.
+/// A page with two large pictures: the scene with the typed S or R, and the scene with the right one.
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }

@@ -59,7 +59,7 @@ private:
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
     int choice_ = 0;     ///< the step chosen in the overview
-    std::string typed_;  ///< the digits typed so far of a step number
+    std::string typed_;  ///< the digits of a step number that have been typed so far
     double clock_s_ = 0.0, presented_s_ = 0.0;
     std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step
     std::optional<bool> wants_full_screen_;

@@ -32,8 +32,8 @@ public:
     /// Returns the lessons; reads the list on first use.
     const std::vector<LessonFile>& lessons();
 
-    /// Covers the whole window and opens the lesson that the user chooses. Returns true if the caller should open the
-    /// exercises. `recent`: recently opened files, latest first.
+    /// Draws the page over the whole window and opens the lesson that the user chooses. Returns true if the caller
+    /// should open the exercises. `recent`: recently opened files, latest first.
     bool draw(Guide& guide, Session& session, const LessonsProgress& progress, const std::vector<std::string>& recent,
               const Pictures& pictures);
     /// Returns the pictures that the page shows.

@@ -11,7 +11,7 @@
 namespace viewing {
 
 struct StripLook {
-    bool presents = false;     ///< for an audience: larger than its surroundings, without buttons
+    bool presents = false;     ///< for an audience: choices in larger type, no buttons
     bool departs = false;      ///< the state differs from the step's, which a dot indicates
     std::string clock;         ///< the timer's text; empty if there is no timer
     std::string trouble;       ///< why an answer could not be judged; empty if it could
@@ -28,7 +28,7 @@ struct StripWishes {
 /// jumps. Also works outside a frame.
 float strip_height(const LessonRun& run, float width, const widgets::Context& context, bool presents);
 
-/// Draws the strip and edits the answer in the run. Also shows hints.
+/// Draws the strip and edits the run's answer. If the user presses Hint, shows the next hint.
 StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look);
 
 }  // namespace viewing

@@ -72,8 +72,8 @@ void choose_pair(Params& params) {
 constexpr const char* shadow_facts[] = {"fact:det_shadow", "fact:rank_shadow", "fact:plane_dot_light"};
 constexpr const char* mirror_facts[] = {"fact:det_mirror"};
 
-/// The note on S. If a lesson highlights the determinant or Π·L, the note shows that value instead: the usual note only
-/// implies both.
+/// Returns the note on S. If a lesson highlights the determinant or Π·L, returns that value instead, since the usual
+/// note only implies it.
 std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
     const std::string identity = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light));
     if (widgets::IsHighlighted("fact:det_shadow")) return "det S = " + number_text(glm::determinant(shadow), 3);

@@ -31,7 +31,7 @@ struct ShownMatrix {
     std::span<const widgets::LetterRole> roles;
     glm::dmat4 derived{1.0};                  ///< the computed value, which applies unless one is entered by hand
     std::string heading = "";                 ///< replaces the letter unless it is empty
-    std::string property = "";                ///< the property expected of a matrix entered by hand, with its error
+    std::string property = "";                ///< says how far a matrix entered by hand moves points on the plane
     std::span<const char* const> facts = {};  ///< the lessons' names for the facts in the note
 };
 

@@ -1,4 +1,4 @@
-// One function draws each section. Each section reports the problems that arise from its settings.
+// Each section has its own drawing function. Its header reports the problems that arise from its settings.
 #include "ui/panel/panel.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 namespace viewing {
 namespace {
 
-/// Formula for the width of a depth code under the current projection and mapping. ε is the step between adjacent
-/// floats.
+/// Returns the formula for the width of a depth code under the current projection and mapping. ε is the step between
+/// adjacent floats.
 const char* depth_step_formula(const Params& params) {
     const bool is_float = precision_of(params.depth.format).is_float;
     if (params.depth.mapping == DepthMapping::logarithmic)

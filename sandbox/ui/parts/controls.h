@@ -29,7 +29,7 @@ struct ControlStyle {
 /// tooltip says why.
 bool control(Params& params, std::string_view path, const ControlStyle& style = {});
 
-/// The name by which lessons cover and highlight a field's control: "control:camera.yaw".
+/// Returns the name by which lessons cover and highlight a field's control: "control:camera.yaw".
 std::string target_of(std::string_view path);
 
 /// If the field's control is covered, draws a plate `width` pixels wide in its place. Returns whether it is covered.
@@ -40,7 +40,7 @@ bool is_covered(const Field& field, const char* label, float width = 0.0F);
 /// is empty.
 void explain(const Field& field, std::string_view label = {}, std::string_view why_not = {});
 
-/// The defaults that a right-click restores.
+/// Returns the defaults that a right-click restores.
 const Params& default_params();
 
 }  // namespace viewing

@@ -32,7 +32,7 @@ public:
     void measure(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
     /// Labels a vertical line in the same way, with a dimension line to its left.
     void dimension(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
-    /// Names the area around this line for lessons.
+    /// Gives the area around this line the name by which lessons refer to it.
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:

@@ -1,5 +1,5 @@
-// The keys that the sandbox knows, and the input of a frame. The window or the browser's page fills it in; tests do so
-// by hand.
+// The keys that the sandbox knows, and the user's input in one frame. The window or the browser's page fills in this
+// input; tests do so by hand.
 #pragma once
 
 #include <array>

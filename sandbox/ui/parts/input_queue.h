@@ -68,7 +68,7 @@ struct InputFrame {
 
 class InputQueue {
 public:
-    /// The time of an event. A busy window learns of an event only later, so it knows only two bounds.
+    /// The time of an event. A busy window learns of an event only later, so it knows only two bounds on the time.
     struct Time {
         double earliest_s = 0.0, latest_s = 0.0;
     };

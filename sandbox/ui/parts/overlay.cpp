@@ -202,7 +202,7 @@ bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 col
     const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
                                    (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
     ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);
-    for (const Rect& taken : taken_)  // below the sentences at the top
+    for (const Rect& taken : taken_)  // move below the sentences at the top
         if (taken.contains(at)) at.y = taken.max.y + inset;
     const float size = 9.0F * scale_;
     const ImVec2 tip(at.x + way.x * size, at.y + way.y * size);

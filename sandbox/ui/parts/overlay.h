@@ -38,7 +38,7 @@ public:
     /// If a point is outside the picture, draws a labeled arrow toward it at the picture's edge. Returns whether it is
     /// outside.
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
-    /// Names the area around this line for lessons (widgets/targets.h).
+    /// Gives the area around this line the name by which lessons refer to it (widgets/targets.h).
     void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to);
     /// Draws a cross in a ring with a label on a plate, or an arrow at the edge if the point is outside the picture.
     void target(const glm::dvec3& point, const char* text, ImU32 color);

@@ -39,8 +39,8 @@ inline void behind(float width) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
-/// Draws a header that folds rarely used controls; opens it if one of `targets` is sought (widgets::IsSought). Returns
-/// whether it is open.
+/// Draws a foldable header for rarely used controls; opens it if one of `targets` is sought (widgets::IsSought).
+/// Returns whether it is open.
 inline bool details(const char* label, std::span<const char* const> targets = {}) {
     if (widgets::IsListing()) return true;
     if (widgets::IsSought(targets)) ImGui::SetNextItemOpen(true);
@@ -50,8 +50,8 @@ inline bool details(const char* label, std::span<const char* const> targets = {}
     return open;
 }
 
-/// Draws a quiet line that lessons know as `target`, or a plate if that target is covered. Returns whether the line is
-/// visible.
+/// Draws a line of muted text that lessons know as `target`, or a plate if that target is covered. Returns whether the
+/// line is visible.
 inline bool named_note(const char* target, const std::string& text) {
     const bool is_covered = widgets::IsCovered(target);
     if (is_covered)

@@ -17,7 +17,7 @@ void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 /// places the cursor.
 void view_header(const Rect& rect, const char* title);
 
-/// Draws a choice as words in a row, all quiet except the chosen one; draws a list instead if the row would extend past
+/// Draws a choice as words in a row, all muted except the chosen one; draws a list instead if the row would extend past
 /// `right`. Each word's tooltip is the explanation with the same index.
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right);
@@ -25,10 +25,10 @@ bool words(const char* id, int& index, std::span<const char* const> names, std::
 /// Whether these words fit in a row between the cursor and `right`.
 bool have_room(std::span<const char* const> names, float right);
 
-/// Draws a quiet note in the header, unless it would extend past `right`.
+/// Draws a note in muted text in the header, unless it would extend past `right`.
 void header_note(const char* text, float right);
 
-/// Draws a plate that keeps text legible over any picture, larger than the rectangle by the margin on each side.
+/// Draws a plate that keeps text legible over any picture. It extends beyond the rectangle by the margin on each side.
 void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px);
 
 /// A color of a view and its meaning.

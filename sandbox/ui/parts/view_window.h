@@ -1,4 +1,4 @@
-// The window of a view that only the user interface draws, and the message of a view that has nothing to show.
+// The window of a view that shows no rendered picture, and the message that a view draws if it has nothing to show.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ private:
     int counted_before_;  ///< number of scrolling windows before this one
 };
 
-/// Returns the height, in pixels, that a widgets::Note has in the available width.
+/// Returns the height in pixels of a widgets::Note with this text, wrapped to the available width.
 float note_height(const char* text);
 
-/// Draws a quiet sentence and records it for tests; does nothing if it is empty.
+/// Draws a sentence in muted text and records it for tests; does nothing if it is empty.
 void recorded_note(const std::string& sentence);
 
 /// Draws a sentence in the middle of the view and, unless `button` is null, a button below it; translates both. Returns

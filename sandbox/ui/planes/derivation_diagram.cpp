@@ -43,7 +43,8 @@ ShadowPlaces shadow_places(const ShadowDerivation& found, double farthest_world)
     return places;
 }
 
-/// Returns the points to fit into the figure. The ray is at least as long as for l_w = 1, up to `farthest_world`.
+/// Returns the points to fit into the figure. They include the ray at least as far as it runs for l_w = 1, but no
+/// farther than `farthest_world`.
 std::array<glm::dvec3, 4> shown_points(const ShadowDerivation& found, const ShadowPlaces& places,
                                        double farthest_world) {
     const glm::dvec3& p = found.point_world;

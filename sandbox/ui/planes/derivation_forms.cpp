@@ -12,8 +12,8 @@
 namespace viewing {
 namespace {
 
-/// One of the three forms. Its symbols are under its numbers, and its entries are linked to the same controls as those
-/// of S.
+/// One of the three forms. Its symbols are drawn under its numbers, and its entries are linked to the same controls as
+/// those of S.
 struct Form {
     const char* name;
     const glm::dmat4* matrix;             ///< null: undefined for this light and plane

@@ -9,8 +9,8 @@
 
 namespace viewing {
 
-/// Derives s = l + t (p − l) step by step for the followed point. Also draws a slider that takes l_w from a parallel
-/// light to a point light, and the three forms of S. Stops at the step in view.derivation_step.
+/// Derives s = l + t (p − l) step by step for the followed point, up to the step in view.derivation_step. Also draws a
+/// slider for l_w, which turns a parallel light into a point light, and the three forms of S.
 void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player);
 
 /// Derives q′ = q − 2 k n, expands it, and draws R.

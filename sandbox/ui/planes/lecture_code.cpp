@@ -24,8 +24,8 @@ using widgets::Role;
 struct Writing {
     ImFont* font;
     int columns;         ///< characters per row
-    bool names_array;    ///< "shadowMat[4] = …" or "[4] = …"
-    const char* before;  ///< precedes the number
+    bool names_array;    ///< true: "shadowMat[4] = …"; false: "[4] = …"
+    const char* before;  ///< text before the number
 };
 
 /// One function, ready to show.

@@ -63,8 +63,8 @@ bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
     return mirrored_in(params, way).reflection == reflection;
 }
 
-/// Draws a picture's name at its top and its numbers at its bottom, but only as many as leave enough of the picture
-/// visible; the tooltip shows them all.
+/// Draws a picture's name at the top and its numbers at the bottom, leaving out those that would cover too much of the
+/// picture; the tooltip shows them all.
 void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<const std::string> numbers) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     float room = 0.6F * place.height();

@@ -1,4 +1,4 @@
-// The mirror image made in four ways, side by side, with differences marked in red.
+// Four pictures of the mirror image, each made in a different way, with differences marked in red.
 #pragma once
 
 #include <array>

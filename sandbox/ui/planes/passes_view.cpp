@@ -50,7 +50,7 @@ Places places_in(const Rect& rect, double aspect) {
 
 /// Draws the step bar. Its steps are the passes, counted from 1; a frame that does not stop early is at the last step.
 /// Returns true when the step changed. In a narrow view, the bar has less height, which also makes its buttons
-/// narrower. If even that bar does not fit, clicks on passes still work.
+/// narrower. If even that does not fit, there is no bar, but clicks on passes still work.
 bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;

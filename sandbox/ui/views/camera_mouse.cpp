@@ -30,7 +30,7 @@ std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, I
     return found;
 }
 
-/// Of the frontmost triangle at a screen position, returns the vertex that is nearest to this position on screen.
+/// Finds the frontmost triangle at a screen position. Returns its vertex that is nearest to this position on screen.
 std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
     const std::optional<ObjectHit> under = object_at(overlay, scene, place);
     if (!under) return std::nullopt;

@@ -238,10 +238,10 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
         layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
     const float lists = scene_width + px(6.0F) + preset_width;
-    // Without this button, the page of lessons leads to the exercises.
+    // If this button does not fit, the start page still has one that opens the exercises.
     const bool has_exercises = !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
     if (has_exercises) buttons += exercises_room;
-    // Without these buttons, use Ctrl+Z and Ctrl+Shift+Z.
+    // If these buttons do not fit, Ctrl+Z and Ctrl+Shift+Z still work.
     const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;
     if (has_undo) buttons += undo;
     const float room = layout.top_bar.width() - px(20.0F) - buttons;

@@ -10,7 +10,8 @@
 
 namespace viewing {
 
-/// The user's choice; empty: fold the caption if its sentence would take up too much of the picture.
+/// Whether the user has folded the caption. If empty, it is folded whenever its sentence would take up too much of the
+/// picture.
 using CaptionFold = std::optional<bool>;
 
 struct Caption {

@@ -23,7 +23,7 @@ class FileDialog {
 public:
     enum class Purpose { open, save, save_step, open_answers, save_answers };
     void show(Purpose purpose);
-    /// For files other than states: `use` receives the chosen file.
+    /// Receives the chosen file when the purpose is open_answers or save_answers.
     using Use = std::function<void(const std::filesystem::path& file)>;
     void show(Purpose purpose, const std::string& name, Use use);
     /// Draws the dialog while it is open. Opens or saves through the session, whose message reports the outcome.

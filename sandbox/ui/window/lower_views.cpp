@@ -77,7 +77,7 @@ void tree_legend(float right) {
     }
 }
 
-/// Draws the light's view: the picture with a sentence.
+/// Draws the view from the light, with a sentence over the picture.
 void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
     picture_item("light view", rect, picture);
     const char* whole =

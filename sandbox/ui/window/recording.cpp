@@ -160,7 +160,7 @@ public:
         return box;
     }
 
-    /// Returns the gradient of a rectangle of two triangles, if two opposite sides have a single color each.
+    /// Returns the gradient of a rectangle of two triangles, if each of two opposite sides has a single color.
     std::optional<Shade> shade() const {
         if (places_.size() != 4) return std::nullopt;
         const DrawingBox box = this->box();

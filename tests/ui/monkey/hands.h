@@ -1,6 +1,7 @@
-// The monkey's hands. From a seed, they choose actions that a user could perform, mostly on an item: with mouse, wheel,
-// keys, text, window size, dropped files and the clipboard. monkey.cpp performs the actions without a window and
-// observes their effect in the same program; monkey_window performs them on a real window. Read monkey.cpp next.
+// The monkey's hands. From a seed, they choose actions that a user could perform, mostly on an item. They use the
+// mouse, the wheel, keys and the clipboard, type text, resize the window, and drop files. monkey.cpp performs the
+// actions without a window and observes their effect in the same program; monkey_window performs them on a real window.
+// Read monkey.cpp next.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Cures for depth fighting: the new near distance, and the cures of a scene.
+// Cures for depth fighting: the new near distance, and which cures a scene is offered.
 #include "frame/depth/cures.h"
 
 #include "state/presets.h"

@@ -63,7 +63,7 @@ TEST(ShadowDerivation, IsInThePlaneOnTheRayAndDividesItByT) {
         const glm::dvec3 s = *found.shadow_world;
         const double size = 1.0 + glm::length(s) + glm::length(found.light_world);
         EXPECT_NEAR(glm::dot(glm::dvec3(plane), s) + plane.w, 0.0, 1e-12 * size);
-        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p toward the light, point or parallel
+        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p toward a point or parallel light
         EXPECT_NEAR(glm::length(glm::cross(s - p, glm::normalize(towards))), 0.0, 1e-11 * size);
         if (!found.parallel_light && found.ray == ShadowRay::regular) {
             EXPECT_NEAR(found.t, found.light_to_shadow / found.light_to_point, 1e-11 * size);
@@ -119,7 +119,7 @@ TEST(ShadowDerivation, DefinesAndReportsEverySpecialCase) {
     }
 }
 
-/// Takes the clipper's view: compares the sign of w with that of Π·L.
+/// Decides as a clipper does, by comparing the sign of w with that of Π·L.
 TEST(ShadowDerivation, AntiShadowIsWhereWChangesSign) {
     Random random(seed + 1);
     for (int i = 0; i < 300; ++i) {

@@ -294,7 +294,7 @@ TEST(DeriveProblems, CasterBelowTheLightDespiteItsBounds) {
 TEST(DeriveProblems, ParallelLightHasNothingBeyondIt) {
     const Scene scene = scene_of({object("high", sphere_mesh(), {0, 600, 0})});
     for (const Problem& problem : problems_of(with_light_and_plane({2.6, 5.2, 2.2, 0}, {0, 1, 0, 0}), scene))
-        EXPECT_EQ(problem.group, "view") << problem.sentence;  // the box is above the picture
+        EXPECT_EQ(problem.group, "view") << problem.sentence;  // the sphere is too high to be in the picture
 }
 
 TEST(DeriveProblems, OverridesAreUsedAndReported) {

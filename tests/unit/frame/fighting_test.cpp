@@ -73,7 +73,7 @@ TEST(FightingPairs, KnowWhichSquareIsOnTop) {
     EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
-/// With C uploaded as V, the picture and its fighting are those of a camera at the negated position.
+/// With C uploaded as V and no rotation, the picture and its fighting are those of a camera at the negated position.
 TEST(PairPredictions, UseTheUploadedMatrix) {
     const Scene scene = scene_of({turned(square(0.0), {0.0, 90.0, 0.0}), turned(square(0.006), {0.0, 90.0, 0.0})});
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);

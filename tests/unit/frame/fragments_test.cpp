@@ -249,7 +249,7 @@ TEST(Fragments, MatchARayInTheWorld) {
             const auto hit = intersect_triangle(ray, corners);
             if (!hit) continue;
             const double eye_z = (derived.view_from_world * glm::dvec4(ray.at(hit->t), 1.0)).z;
-            if (-eye_z <= params.projection.far) expected.push_back(eye_z);  // the ray starts at near
+            if (-eye_z <= params.projection.far) expected.push_back(eye_z);  // the ray starts at the near plane
         }
         const std::vector<Fragment> found = fragments_of(params, scene, pixel);
         ASSERT_EQ(found.size(), expected.size()) << "seed " << seed << " trial " << trial;

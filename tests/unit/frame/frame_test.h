@@ -160,8 +160,8 @@ inline const std::vector<Member<FramePlan>>& plan_members() {
     return members;
 }
 
-/// Returns the members that must be copied from `b` to `a` to make both equal: "frame.samples", "Shadow.stencil", or
-/// "frame.passes" if the names of the passes differ.
+/// Returns the members that must be copied from `b` to `a` to make both equal, such as "frame.samples" and
+/// "Shadow.stencil". If the names of the passes differ, the result includes "frame.passes".
 inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b) {
     std::set<std::string> differing;
     FramePlan changed = a;

@@ -67,7 +67,8 @@ TEST(HeatMap, IsPositiveAndFiniteForAnyLens) {
 }
 
 TEST(HeatMap, NoGapIsWideEnoughJustBehindNear) {
-    // At four bits, the first codes span a wide range, so just behind near, no surface in front has another code.
+    // At four bits, the first codes span a wide range, so a surface just behind the near plane has the same code as any
+    // surface in front of it.
     const HeatMap map = map_of({"projection.near=1", "projection.far=100", "depth.format=d4"});
     for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(map.onset_at(z), z - 1.0) << z;
 }

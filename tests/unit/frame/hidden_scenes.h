@@ -10,7 +10,7 @@ namespace viewing::testing {
 
 inline constexpr glm::ivec2 hidden_px(48, 36);
 
-/// Makes flat triangles: every polygon becomes a fan.
+/// Makes a mesh of flat triangles, in which every polygon becomes a fan.
 inline Mesh mesh_of(std::span<const Polygon> polygons) {
     Mesh mesh;
     for (const Polygon& polygon : polygons) {
@@ -36,7 +36,8 @@ inline Scene random_scene(Random& random) {
     return scene;
 }
 
-/// Returns a state that looks at the origin from a random place, one in five from inside the scene.
+/// Returns a state whose camera looks at a point near the origin from a random place, in one case of five from inside
+/// the scene.
 inline Params random_view(Random& random) {
     Params params;
     const double distance = random.number(0, 1) < 0.2 ? random.number(0.2, 1.5) : random.number(4.0, 9.0);

@@ -162,7 +162,7 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
 }
 
 /// Returns false if rounding would decide. Otherwise, sets `meets_it` to whether the ray hits the polygon, judged by
-/// where it meets the polygon's plane and on which side of every edge.
+/// where the ray meets the polygon's plane and on which side of each edge that point is.
 bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it) {
     const double slope = glm::dot(glm::dvec3(polygon.plane), ray.direction);
     if (std::abs(slope) < 1e-9) return false;

@@ -113,7 +113,7 @@ TEST(HiddenOrders, MatchThePictureOfRayCasting) {
 }
 
 /// Returns whether GL culls the triangle, by the sign of its area on the screen (OpenGL 3.3, section 3.6.1). The
-/// triangle must be in front of the near plane.
+/// triangle must be beyond the near plane.
 bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -139,7 +139,7 @@ TEST(HiddenCulling, MatchesTheScreenAndTheMirror) {
         Random random(seed + run);
         const Scene scene = random_scene(random);
         Params params = random_view(random);
-        params.camera.position *= 6.0 / glm::length(params.camera.position);  // all in front of the near plane
+        params.camera.position *= 6.0 / glm::length(params.camera.position);  // puts everything beyond the near plane
         params.cull = {true, static_cast<CullFace>(run % 3), static_cast<FrontFace>(run / 3 % 2)};
         params.reflection.flip_winding = run % 5 != 0;
         params.planes.front().equation = glm::dvec4(random.direction(), 2.6);

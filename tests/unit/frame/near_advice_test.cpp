@@ -12,7 +12,7 @@ namespace {
 using testing::object;
 using testing::scene_of;
 
-/// Looks from the origin along −z, with the plane out of view.
+/// Returns a state whose camera looks from the origin along −z, with the plane out of view.
 Params looking_from(double near, double far = 100.0) {
     Params params;
     params.camera.position = {0.0, 0.0, 0.0};

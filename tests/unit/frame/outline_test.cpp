@@ -13,7 +13,7 @@ using testing::object;
 const glm::dvec4 level(0, 1, 0, 0);
 
 /// Intersects the line from the light through a point with the plane by solving n·(l + t (p − l)) + d = 0; empty if the
-/// point is not between light and plane.
+/// point is not between the light and the plane.
 std::optional<glm::dvec3> shadow_of(const glm::dvec3& point, const glm::dvec4& plane, const glm::dvec4& light) {
     const glm::dvec3 n(plane), way = light.w == 0.0 ? -glm::dvec3(light) : point - glm::dvec3(light) / light.w;
     const double side = glm::dot(plane, light) > 0.0 ? 1.0 : -1.0;
@@ -67,7 +67,7 @@ TEST(Outline, IgnoresPartsNotBetweenLightAndPlane) {
     EXPECT_TRUE(shadow_outline(high, level, {0, 5, 0, 1}).empty());
     EXPECT_TRUE(shadow_outline(low, level, {0, 5, 0, 1}).empty());
     EXPECT_EQ(shadow_outline(low, level, {0.4, -7, 0.3, 1}).size(), 4U) << "a light below acts on its own side";
-    // A box that crosses the plane through the light: the upper half casts no shadow.
+    // The box crosses the horizontal plane through the light. The part above that plane casts no shadow.
     for (const OutlineVertex& corner : shadow_outline(object("tall", box_mesh(), {3, 2, 0}), level, {0, 2.5, 0, 1}))
         EXPECT_LT(corner.vertex_world.y, 2.5);
     SceneObject nothing = high;

@@ -19,8 +19,8 @@ using testing::scene_of;
 
 constexpr glm::ivec2 sizes[] = {{64, 48}, {426, 520}, {800, 600}, {1187, 611}, {1920, 1080}};
 
-/// Looks from the origin along −z. Of the three boxes below, one sticks out from behind another, and the third is on
-/// the right.
+/// Returns a state whose camera looks from the origin along −z. Of the three boxes below, one sticks out from behind
+/// another, and the third is on the right.
 Params looking() {
     return params_with({"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "shadow.enabled=false",
                         "reflection.enabled=false", "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});

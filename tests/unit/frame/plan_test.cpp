@@ -468,7 +468,7 @@ TEST(PlanMirror, DepthIsLimitedByStencilAndImageCount) {
     const std::string three = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
     EXPECT_EQ(depth({}), 1);
     EXPECT_EQ(depth({"reflection.enabled=false"}), 0);
-    EXPECT_EQ(depth({two, "reflection.bounces=16"}), 13);   // 4 bits: 15 values for 2 planes and 13 mirrors
+    EXPECT_EQ(depth({two, "reflection.bounces=16"}), 13);   // 4 bits: 15 values for 2 planes and 13 mirrors in a row
     EXPECT_EQ(depth({three, "reflection.bounces=16"}), 4);  // 3 (1 + 2 + 4 + 8) = 45 images; 93 at the next depth
     EXPECT_EQ(depth({two, "reflection.bounces=5", "visibility.method=painter"}), 1);
 }

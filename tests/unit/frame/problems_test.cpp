@@ -1,4 +1,4 @@
-// Every switch that breaks shadows or mirrors explains itself where its effect is visible, and nowhere else.
+// Every switch that breaks shadows or mirrors is explained where its effect is visible, and nowhere else.
 #include "frame/problems.h"
 
 #include <algorithm>
@@ -391,10 +391,10 @@ TEST(Problems, BrokenPictureIsReportedOnThePicture) {
         const std::vector<Problem> problems = problems_with(settings, high_scene());
         return std::ranges::count(problems, true, &Problem::breaks_picture);
     };
-    EXPECT_EQ(breaks({}), 0);  // a tower above the light is not a broken switch
+    EXPECT_EQ(breaks({}), 0);  // the tower above the light is not the effect of a switch
     EXPECT_EQ(breaks({"light.position=[3,-4,2,1]"}), 0);
     EXPECT_EQ(breaks({"shadow.offset=none"}), 1);
-    EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // between point and parallel
+    EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // between a point light and a parallel one
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.01]"}), 1);
     EXPECT_EQ(breaks({"reflection.reflect_light=false", "shadow.stencil_once=false"}), 2);
 }

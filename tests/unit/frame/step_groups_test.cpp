@@ -23,7 +23,7 @@ class StepGroups : public ::testing::Test {
 protected:
     StepGroups() {
         params.visibility.raster = glm::ivec2(11, 7);
-        // Follow the pixel that is painted most often. Which one that is depends on the scene, and so on the order in
+        // Follow the pixel that is painted most often. It differs between compilers: the scene depends on the order in
         // which a compiler evaluates the calls for random numbers.
         const auto drawn = at(VisibilityMethod::painter, -1);
         const auto& written = drawn->written_per_pixel;

@@ -283,7 +283,7 @@ TEST(Teapot, IsSymmetricLeftAndRight) {
 }
 
 TEST(Teapot, NormalsAreUnitAndAgreeWithTheWinding) {
-    for (const int n : {10, 33, 64}) {  // coarser ones cut off the lip of the spout
+    for (const int n : {10, 33, 64}) {  // coarser meshes cut off the lip of the spout
         const Mesh mesh = teapot_mesh(n);
         for (const glm::vec3& normal : mesh.normals) {
             ASSERT_NEAR(glm::length(normal), 1, 1e-5);

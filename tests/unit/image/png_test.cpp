@@ -141,7 +141,7 @@ TEST_F(PngFiles, EveryKindReadsAsRgba8) {
                {std::string("\x10\x20\x30\x00", 4), "\x50\x60\x70\xFF"});
     check({"grey alpha, interlaced", pixels({16, 16, 16, 32, 48, 48, 48, 0, 80, 80, 80, 96, 112, 112, 112, 255})});
 
-    // 0x0190 is 1.56 of 255, which must be rounded, not truncated.
+    // In 8 bits, 0x0190 would be 1.56, which must be rounded, not truncated.
     write_kind(path, {16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE},
                {std::string("\xFF\xFF\x00\x00\x80\x80\x01\x90\x00\x00\x00\x00", 12),
                 std::string("\x00\x00\xFE\xFE\x00\x01\x12\x12\x34\x34\x56\x56", 12)});

@@ -56,7 +56,7 @@ TEST(Portable, AnEdgeMovedByAPixelIsFoundAtEveryAngle) {
     for (int angle = 0; angle < 180; angle += 7)
         for (const int samples : {1, 2, 4}) {
             SCOPED_TRACE(std::to_string(angle) + "°, samples a side " + std::to_string(samples));
-            // Move by a pixel along the axis closest to the edge's normal.
+            // Move the edge by a pixel along the axis closest to its normal.
             const double along = std::max(std::abs(std::cos(angle * 0.017453292519943295)),
                                           std::abs(std::sin(angle * 0.017453292519943295)));
             const CompareReport found = compare_images(half_plane(angle, 0.2, samples),
@@ -90,7 +90,7 @@ TEST(Portable, FlatPartsAreHeldToTheThreshold) {
 TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
     const Image flat = drawn_edge(64, 64, [](double, double) { return 50.0; });
     for (const int length : {4, 5}) {
-        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal, whose pixels connect at corners
+        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal, whose pixels touch at corners
             return x - 20 == y - 20 && x > 20 && x < 20 + length ? 90.0 : 50.0;
         });
         const CompareReport found = compare_images(dots, flat, portable_options);

@@ -1,5 +1,5 @@
-// Tests expressions that compute whatever Lua can. Random values, most of them hostile, end within the limits with a
-// value or one sentence, and no disguise hides a word from the check.
+// Tests expressions that compute whatever Lua can. Random expressions, most of them hostile, must end within the limits
+// with a value or one sentence, and no disguise may hide a word from the check.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

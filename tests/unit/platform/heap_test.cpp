@@ -74,7 +74,7 @@ int ended_by_a_slow_one() {
     if (mapping_line(end - (3U << 20), "VmFlags").find(" hg ") != std::string::npos) return 1;
     for (std::uintptr_t page = end - (32U << 20); page < end; page += 1U << 20)
         if (mapping_line(page, "VmFlags").find(" hg ") != std::string::npos) return 0;
-    return 2;  // no large page was tried
+    return 2;  // no large page was requested
 }
 
 int blocks_from_it() {

@@ -27,7 +27,7 @@ constexpr const char *number_id = "E06-radians", *matrix_id = "E16-shadow-matrix
                      *order_id = "E08-bsp-order";
 const Student anna{"viewing-2026", "32201234", "김학생"}, ben{"viewing-2026", "32201235", "Ben"};
 
-/// Makes a matrix, list, goal or number step, depending on its id; the correct number is 7.
+/// Makes a matrix, list, goal or number step, depending on its id; the correct answer to a number step is 7.
 LessonStep step_of(const std::string& id) {
     LessonStep step;
     step.id = id;
@@ -99,7 +99,7 @@ protected:
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
     }
-    /// Updates until the file has the draft; a disk may be slow.
+    /// Updates until the draft is in the file, which takes a while on a slow disk.
     void wait_until_written(ExerciseDesk& desk, const Student& student, const std::vector<double>& draft) {
         const auto is_there = [&] {
             const Result<HandIn> read = load_hand_in(file_of(student));
@@ -333,7 +333,7 @@ TEST_F(ExerciseDeskTest, ReachedGoalComesBackUnchanged) {
         desk->follow(run, with_light(run.step().start.params, 3.0), true, 3.0);
         run.take(right());
         desk->record(run, right(), with_light(run.step().start.params, 4.0));
-        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // revealed: this change is only play
+        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // ignored: already revealed
         finish(*desk);
     }
     const auto desk = desk_of(anna);

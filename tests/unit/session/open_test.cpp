@@ -1,4 +1,4 @@
-// Opening, pasting and saving on a background thread: the previous state stays until the new one is there, and input
+// Opening, pasting and saving on a background thread: the previous state stays until the new one is ready, and input
 // that cannot be read changes nothing.
 #include <fcntl.h>
 #include <gtest/gtest.h>

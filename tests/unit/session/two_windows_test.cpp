@@ -71,8 +71,8 @@ private:
 /// A window that writes consecutive numbers, starting at `first`.
 using Window = std::function<void(int first, const std::function<void(int)>& tell)>;
 
-/// Runs two windows at a time, kills each now and then, and returns the numbers reported as written, at least `wanted`
-/// of them.
+/// Runs two windows at a time, kills and replaces each after a random number of writes, and returns the numbers that
+/// they reported as written, at least `wanted` of them.
 std::set<int> written_by_two(const Window& window, int wanted, unsigned seed) {
     constexpr int most_by_one = 1'000'000;
     std::mt19937 random(seed);
@@ -122,7 +122,8 @@ protected:
     const unsigned seed = 20261126;
 };
 
-/// Expects to find every answer that two windows reported in `writes` writes.
+/// Runs two windows until they have reported at least `writes` answers, and expects to find each of these in the file
+/// exactly once.
 void TwoWindows::expect_all_answers(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::array ids{"E01", "E02", "E03", "E04", "E05"};
@@ -152,7 +153,8 @@ void TwoWindows::expect_all_answers(int writes) const {
     for (const int number : told) EXPECT_EQ(count[number], 1) << "the answer " << number;
 }
 
-/// Expects to find every finished step that two windows reported in `writes` writes.
+/// Runs two windows until they have reported at least `writes` finished steps, and expects to find each of these in the
+/// file.
 void TwoWindows::expect_all_steps(int writes) const {
     SCOPED_TRACE("seed " + std::to_string(seed));
     constexpr int lessons = 5, steps = 150;

@@ -1,4 +1,4 @@
-// Reading and writing state files: defaults, order, exactness, scenes, the `params` command.
+// Reading and writing state files: defaults, order, exactness, scenes, and the `params` command.
 #include "state/file/json.h"
 
 #include <gtest/gtest.h>

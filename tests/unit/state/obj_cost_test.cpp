@@ -95,8 +95,8 @@ TEST(ObjCost, ConcaveFacesAreCoveredOnceWithinThePromisedTests) {
     }
 }
 
-/// Returns a comb with close valleys and one distant reflex corner, so that a grid over all reflex corners has all
-/// valleys in one cell.
+/// Returns a comb with closely spaced valleys and one distant reflex corner, so that a grid over all reflex corners has
+/// all valleys in one cell.
 std::vector<glm::dvec3> stubborn(int teeth) {
     const double far_away = 1e9;
     std::vector<glm::dvec3> polygon = {{0.0, -1.0, 0.0},

@@ -151,7 +151,7 @@ TEST(ObjNormals, RoundTubePointsAwayFromItsAxis) {
     EXPECT_LT(largest_bend_deg(edged), 0.1);
 }
 
-// A pyramid with many sides. Around its tip, each side is smooth with the next one, so all share one normal.
+// A pyramid with many sides. Around its tip, each side joins the next one smoothly, so all share one normal.
 TEST(ObjNormals, AreJoinedAcrossEdgesAroundATip) {
     std::ostringstream text;
     text << "v 0 2 0\n";

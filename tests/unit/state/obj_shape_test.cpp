@@ -75,7 +75,7 @@ Text random_solid(std::mt19937& random, const glm::dvec3& offset, double scale) 
     return text;
 }
 
-/// Expects each vertex of the mesh to be where the text has it, in the order of the fan.
+/// Expects each vertex of the mesh to be where the text puts it, in the order of the fan.
 void expect_places(const Mesh& mesh, const Text& text, double within) {
     const std::vector<glm::dvec3> places = centered(text);
     ASSERT_EQ(mesh.indices.size(), 30U);

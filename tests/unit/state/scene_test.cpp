@@ -312,7 +312,7 @@ TEST(Presets, FollowTheLectureTopicByTopic) {
         if (topics.empty() || preset.group != topics.back()) topics.push_back(preset.group);
     EXPECT_EQ(topics, (std::vector<std::string>{"", "Camera", "Hidden surfaces", "Depth buffer", "Depth fighting",
                                                 "Shadow", "Mirror", "Planes and lights"}));
-    // lecture.json names each preset once and nothing else: a missing one would come after the last topic.
+    // lecture.json must name each preset once and nothing else. A preset missing there would come after the last topic.
     const std::string order = *read_text_file(assets_directory() / "lecture.json");
     std::size_t at = 0;
     for (const NamedFile& preset : all) {

@@ -1,4 +1,4 @@
-// --set PATH=VALUE.
+// Settings given as --set PATH=VALUE: their order, paths and values, and the errors of invalid ones.
 #include <gtest/gtest.h>
 
 #include "state/file/json.h"

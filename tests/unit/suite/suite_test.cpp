@@ -90,7 +90,7 @@ TEST(Shards, HaveEachEntryOnceAndEqualTimes) {
     }
 }
 
-/// A program that plays the worker: it reads "entry": N and behaves as N says.
+/// Provides a script that plays the worker: it reads "entry": N and behaves as N says.
 class Workers : public testing::Test {
 protected:
     void SetUp() override {

@@ -28,7 +28,7 @@ struct Seams {
     std::int64_t wrong = 0;  ///< wrong pixels away from edges
 };
 
-/// Sums over nine views of 480 × 270 pixels from the front.
+/// Adds up the holes and wrong pixels in nine views of 480 × 270 pixels from the front.
 Seams seams_of(const std::vector<Polygon>& polygons, double relative_epsilon, int subpixel_bits) {
     constexpr int width = 480, height = 270;
     const RayScene rays{polygons};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kinds{CurvedKind::sphere, CurvedKind::cylinder, CurvedKind::cone, CurvedKind::torus};
 
-/// Returns a value that is negative inside, positive outside.
+/// Returns a value that is negative inside the shape and positive outside it.
 double outside_by(CurvedKind kind, const glm::dvec3& p) {
     const double radius = std::hypot(p.x, p.z);
     switch (kind) {
@@ -53,7 +53,7 @@ TEST(IntersectCurved, ByHand) {
     expect_hits(CurvedKind::cylinder, {{1.5, 5, 0}, {0, -1, 0}}, {});
     expect_hits(CurvedKind::cylinder, {{5, 0.5, 0}, {-1, 0, 0}}, {4, 6});
     expect_hits(CurvedKind::cylinder, {{5, 1.5, 0}, {-1, 0, 0}}, {});
-    expect_hits(CurvedKind::cylinder, {{-2, 1.5, 0}, {1, -1, 0}}, {1, 2.5});  // in through side, out through base
+    expect_hits(CurvedKind::cylinder, {{-2, 1.5, 0}, {1, -1, 0}}, {1, 2.5});  // in at the side, out at the base
     expect_hits(CurvedKind::cone, {{0, 5, 0}, {0, -1, 0}}, {4, 6});           // through the tip
     expect_hits(CurvedKind::cone, {{0.5, 5, 0}, {0, -1, 0}}, {5, 6});
     expect_hits(CurvedKind::cone, {{5, 0, 0}, {-1, 0, 0}}, {4.5, 5.5});

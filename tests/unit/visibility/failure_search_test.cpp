@@ -35,7 +35,8 @@ std::int64_t wrong_pixels(std::span<const Polygon> polygons, const Orbit& orbit,
     return difference(reference, painted).different;
 }
 
-/// Returns a slanted wall and a small card in front of or behind it. The key fails for them from some view in front.
+/// Returns a slanted wall and a small card in front of or behind it. In some view from the front, the key sorts them
+/// wrongly.
 std::vector<Polygon> scene_for(PainterKey key) {
     std::vector<Polygon> polygons;
     add(polygons, {{-2, -1, 2}, {2, -1, -3}, {2, 1, -3}, {-2, 1, 2}});
@@ -79,7 +80,8 @@ TEST(FailureSearch, FoundViewsAlsoFailOnRandomScenes) {
         if (found.wrong_pixels > 10) {
             EXPECT_GT(wrong_pixels(polygons, orbit, found, key), 0);
         }
-        // No view of an independent scan is much worse than the one found.
+        // The search must find nearly the worst view: in an independent scan, no view may have many more wrong pixels.
+        // The scan's pictures have four times as many pixels.
         FailureView other = found;
         for (int i = 0; i < 12; ++i) {
             other.view = {start.yaw_deg + 30.0 * i, start.pitch_deg};

@@ -1,4 +1,4 @@
-// Pairs of polygons of which one hides the other, checked by rays through many points of the picture. Also tests orders
+// Pairs of polygons in which one hides the other, checked by rays through many points of the picture. Also tests orders
 // and cycles of whole polygons.
 #include "visibility/hiding.h"
 
@@ -42,8 +42,8 @@ Sight sight_through(const Viewpoint& viewpoint, double x, double y) {
     return {at(-1.0), glm::normalize(at(1.0) - at(-1.0))};
 }
 
-/// Projects the part of a polygon in front of the eye and the near plane, and returns its corners counterclockwise on
-/// the screen.
+/// Projects the part of a polygon that is in front of the eye and beyond the near plane, and returns its corners
+/// counterclockwise on the screen.
 std::vector<glm::dvec2> on_screen(const Polygon& polygon, const Viewpoint& viewpoint) {
     std::vector<glm::dvec4> corners;
     for (const glm::dvec3& vertex : polygon.vertices)
@@ -104,7 +104,7 @@ bool some_ray_sees(const Polygon& back, const Polygon& front, const Viewpoint& v
     return false;
 }
 
-/// Returns the hiding pairs that a grid of rays sees, each with its number of rays.
+/// Returns the hiding pairs that a grid of rays sees, each with the number of rays that see it.
 std::map<HidingPair, int> seen_pairs(const std::vector<Polygon>& polygons, const Viewpoint& viewpoint) {
     constexpr int side = 60;
     std::map<HidingPair, int> pairs;

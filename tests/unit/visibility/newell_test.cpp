@@ -1,4 +1,4 @@
-// Newell's sort: the ladder test by test, cycles, budgets, degenerate input.
+// Newell's sort: the ladder test by test, cycles, budgets, and degenerate input.
 #include "visibility/newell.h"
 
 #include <gtest/gtest.h>

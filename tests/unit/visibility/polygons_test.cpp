@@ -1,4 +1,4 @@
-// Polygons: creation, rejection, measures, cuts.
+// Polygons: creation, rejection, measures, and cuts.
 #include "visibility/polygons.h"
 
 #include <gtest/gtest.h>

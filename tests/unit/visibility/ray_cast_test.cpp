@@ -1,4 +1,4 @@
-// Rays against triangles: the hierarchy compared with brute force, pictures, replay, counters.
+// Rays against triangles: the hierarchy, compared with brute force. Also tests pictures, replay and counters.
 #include "visibility/ray_cast.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-/// Returns all hits that geometry's own intersection finds, nearest first.
+/// Returns all hits that intersect_triangle() finds, nearest first.
 std::vector<RayHit> brute_force(std::span<const Polygon> polygons, const Ray& ray) {
     std::vector<RayHit> hits;
     for (std::size_t i = 0; i < polygons.size(); ++i) {

@@ -1,4 +1,4 @@
-// Scenes for the hidden-surface tests: random interpenetrating polygons, cycles, cameras. Failures print the seed.
+// Scenes for the hidden-surface tests: random interpenetrating polygons, cycles, and cameras. Failures print the seed.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ inline Viewpoint viewpoint_at(const glm::dvec3& eye, const glm::dvec3& target, c
     return {view_from_world(world_from_view(eye, angles_looking_at(eye, target))), clip_from_view(lens, aspect)};
 }
 
-/// Looks straight down −z, from z = 10 or, in perspective, from z = 7.
+/// Returns a viewpoint that looks along −z, from z = 7 in perspective and from z = 10 in orthographic projection.
 inline Viewpoint viewpoint_on_z(bool orthographic = false) {
     return viewpoint_at({0, 0, orthographic ? 10 : 7}, {0, 0, 0}, {.orthographic = orthographic});
 }
@@ -64,7 +64,7 @@ inline std::vector<Polygon> cyclic_bars() {
     return bars;
 }
 
-/// Returns triangles that interpenetrate, in some scenes also boxes, cones and bars in a cycle.
+/// Returns triangles that interpenetrate, and in some scenes also boxes, cones, or bars in a cycle.
 inline std::vector<Polygon> random_polygons(Random& random) {
     std::vector<Polygon> polygons;
     const int triangles = whole_number(random, 2, 24);

@@ -127,7 +127,7 @@ TEST(Rasterize, ReportsEachFragmentOfAWatchedPixel) {
 }
 
 TEST(Rasterize, MeshesAreWatertight) {
-    // Every pixel inside a convex closed mesh has a front and a back face.
+    // Every pixel that a convex closed mesh covers is drawn twice: by a front face and by a back face.
     SCOPED_TRACE(seed);
     Random random(seed);
     const Mesh mesh = sphere_mesh(40, 20);
