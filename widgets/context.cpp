@@ -161,7 +161,8 @@ bool IsEntryLit(Links own, Links links) {
 }
 
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
-    constexpr float delay_s = 0.5F;
+    const Context& context = CurrentContext();
+    const float delay_s = context.is_on_stage ? 0.2F : 0.5F;
     const ImGuiIO& io = ImGui::GetIO();
     Editing& editing = CurrentContext().editing;
     if (!hovered) return false;
@@ -172,17 +173,24 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     if (!same_item && editing.tooltip_frame == frame) return false;
     if (!same_item || editing.tooltip_frame < frame - 1) {
         editing.tooltip_of = item;
-        editing.tooltip_time_s = 0.0F;
+        editing.tooltip_time_s = editing.tooltip_rest_s = 0.0F;
         editing.tooltip_muted = false;
     } else if (editing.tooltip_frame < frame) {
         const bool moves = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
         const bool is_shown = editing.tooltip_time_s >= delay_s;
         editing.tooltip_time_s = moves && !is_shown ? 0.0F : editing.tooltip_time_s + io.DeltaTime;
+        editing.tooltip_rest_s = moves ? 0.0F : editing.tooltip_rest_s + io.DeltaTime;
     }
     editing.tooltip_frame = frame;
     const bool typing = io.WantTextInput && ImGui::IsAnyItemActive();
     editing.tooltip_muted |= ImGui::IsAnyMouseDown() || typing;
     if (editing.tooltip_muted) return false;
+    // A pointer that lies still on stage must not cover anything.
+    constexpr float longest_rest_s = 1.0F;
+    if (context.is_on_stage) {
+        if (editing.tooltip_rest_s >= longest_rest_s) return false;
+        AskForRedraw(longest_rest_s - editing.tooltip_rest_s);
+    }
     if (editing.tooltip_time_s >= delay_s) {
         // ImGui hides a new window in its first frame, so the tooltip needs more frames to appear.
         constexpr int frames_to_appear = 3;

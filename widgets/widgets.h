@@ -90,9 +90,10 @@ struct Editing {
     ImVec4 tooltip_of{-1.0F, -1.0F, -1.0F, -1.0F};  ///< rectangle of the item under the resting pointer
     int tooltip_frame = 0;
     float tooltip_time_s = 0.0F;
-    bool tooltip_muted = false;  ///< the item was clicked: no tooltip until the pointer leaves it
-    ImVec2 tooltip_size;         ///< of the shown tooltip
-    int tooltip_frames_due = 0;  ///< frames since the tooltip became due
+    float tooltip_rest_s = 0.0F;  ///< since the pointer last moved over it
+    bool tooltip_muted = false;   ///< the item was clicked: no tooltip until the pointer leaves it
+    ImVec2 tooltip_size;          ///< of the shown tooltip
+    int tooltip_frames_due = 0;   ///< frames since the tooltip became due
     float redraw_in_s = -1.0F;
 };
 
@@ -118,8 +119,9 @@ struct Context {
     Editing editing;
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
-    bool printed = false;  ///< for a printed figure, where nothing should look pressable
-    std::string offered;   ///< advice that an empty view shows in this frame
+    bool is_on_stage = false;  ///< before an audience: a tooltip ends when the pointer rests
+    bool printed = false;      ///< for a printed figure, where nothing should look pressable
+    std::string offered;       ///< advice that an empty view shows in this frame
     /// Over all scrolling windows in this frame: the smallest visible share of a window's content, the largest used
     /// share of a window's height, and the number of windows.
     float seen_share = 1.0F, used_share = 0.0F;

@@ -224,6 +224,23 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     }
 }
 
+/// A pointer left over a control covers nothing; a tooltip appears while it moves there, and ends with the motion.
+TEST(OnStage, TooltipsEndWhenThePointerRests) {
+    const auto has_tooltip = [](const Desk& desk) {
+        return std::ranges::any_of(desk.recorded(),
+                                   [](const RecordedItem& item) { return item.label.ends_with("tooltip"); });
+    };
+    for (const bool presents : {false, true}) {
+        Desk desk({1280, 720});
+        begin(desk, lesson_of("depth-fighting"), 0, presents);
+        desk.ui.hover("projection/z-near");
+        for (int frame = 0; frame < 10; ++frame) desk.ui.frame(0.06F);
+        EXPECT_TRUE(has_tooltip(desk)) << presents;
+        for (int frame = 0; frame < 20; ++frame) desk.ui.frame(0.06F);
+        EXPECT_EQ(has_tooltip(desk), !presents) << "after a rest of more than a second";
+    }
+}
+
 TEST(OnStage, F6CyclesThroughTheThemes) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("lens"), 0, true);

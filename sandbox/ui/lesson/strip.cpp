@@ -262,10 +262,10 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
     wishes.check = draw_answers(run, style, width);
     if (!look.presents && needs_check(step.ask.kind)) {
         const bool is_open = !run.is_revealed();
-        wishes.check = widgets::Button("Check", is_open, marked("the answer is already shown")) || wishes.check;
+        wishes.check = widgets::Button("Check", is_open, "") || wishes.check;
         if (step.ask.rows > 1) {
             ImGui::SameLine(0.0F, px(button_gap));
-            wishes.paste = widgets::Button("Paste", is_open, marked("the answer is already shown"));
+            wishes.paste = widgets::Button("Paste", is_open, "");
             widgets::Tooltip("Paste",
                              "Pastes the numbers from the clipboard row by row; accepts NumPy, MATLAB and plain text.");
         }

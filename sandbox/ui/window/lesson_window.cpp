@@ -62,7 +62,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
     follow_exercises(session);
     presenter.update(input, guide, session);
-    arrangement.presents = presenter.is_on();
+    arrangement.presents = widgets.is_on_stage = presenter.is_on();
     LessonRun* const run = guide.run();
     if (!run || !guide.is_shown()) {
         if (std::exchange(leads_, false)) {
