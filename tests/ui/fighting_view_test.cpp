@@ -155,6 +155,22 @@ TEST_F(FightingView, SaysWhatIsStillBeingCounted) {
     EXPECT_TRUE(says("back / front quad at 84: 25.0%")) << "the old counts, grayed out";
 }
 
+/// A lesson's frame around a column must not be around nothing.
+TEST_F(FightingView, KeepsTheColumnThatALessonNames) {
+    make_report();
+    const auto is_found = [this](const std::string& name) {
+        return std::ranges::find(context.targets.found, name, &widgets::Targets::Found::name) !=
+               context.targets.found.end();
+    };
+    for (const char* name : {"column:fighting.step", "column:fighting.gap", "column:fighting.predicted"})
+        for (float width = 330.0F; width <= 700.0F; width += 37.0F) {
+            rect = {{20, 20}, {20 + width, 250}};
+            context.targets.highlighted = {name};
+            ui.frames(3);
+            EXPECT_TRUE(is_found(name)) << name << " at " << width;
+        }
+}
+
 TEST_F(FightingView, DropsColumnsWhenNarrowButKeepsTheCounts) {
     make_report();
     for (const float width : {180.0F, 230.0F, 300.0F, 420.0F, 620.0F, 900.0F}) {

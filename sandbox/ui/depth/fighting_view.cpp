@@ -126,7 +126,13 @@ std::vector<PairRow> rows_of(const FightingReport& report) {
 
 using FightingWidths = ColumnWidths<fighting_columns>;
 
-/// Returns the column widths. If space is short, drops the names first: the distance still identifies the row.
+/// Whether a lesson's step names the column.
+bool is_named(FightingColumn column) {
+    return widgets::IsHighlighted(columns[column].target) || is_covered(column);
+}
+
+/// Returns the column widths. If space is short, drops the names first, because the distance still identifies the row,
+/// and columns that a lesson names last.
 FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     FightingWidths widths{};
@@ -137,8 +143,9 @@ FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
     widths[counted] = std::max(widths[counted], width_of("100.0%", fonts.small_number)) + px(bar_room);
-    for (const FightingColumn left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
-        if (widths.sum() > room) widths[left_out] = 0.0F;
+    for (const bool drops_named : {false, true})
+        for (const FightingColumn left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
+            if (widths.sum() > room && is_named(left_out) == drops_named) widths[left_out] = 0.0F;
     return widths;
 }
 

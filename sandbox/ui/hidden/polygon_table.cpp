@@ -30,7 +30,6 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     : links_(links), has_tree_(result.tree != nullptr), has_detail_(*detail != '\0') {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), px(cell_padding)});
-    ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
     is_open_ = ImGui::BeginTable(id, has_detail_ ? 3 : 2, ImGuiTableFlags_ScrollY, size);
     if (!is_open_) return;
     const float number_width = ImGui::CalcTextSize(std::to_string(count).c_str()).x + px(8.0F);
@@ -39,7 +38,16 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     ImGui::TableSetupColumn(widgets::LabelText(marked("polygon")).c_str(), ImGuiTableColumnFlags_WidthStretch);
     if (has_detail_) ImGui::TableSetupColumn(widgets::LabelText(detail).c_str(), ImGuiTableColumnFlags_WidthFixed);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    ImGui::TableHeadersRow();
+    // Not TableHeadersRow(): it cuts a title that is a fraction of a pixel wider than its column. Nor a row with that
+    // flag, whose texts do not widen columns.
+    ImGui::TableNextRow(0, row_height());
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, palette().view_ground);
+    ImGui::TableSetColumnIndex(1);
+    ImGui::TextUnformatted(tr("polygon"));
+    if (has_detail_) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(tr(detail));  // at the left: this gives the column its width
+    }
     ImGui::PopStyleColor();
 }
 
@@ -48,7 +56,6 @@ PolygonTable::~PolygonTable() {
         widgets::CountScrolled();
         ImGui::EndTable();
     }
-    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopFont();
 }

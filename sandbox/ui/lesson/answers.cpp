@@ -165,6 +165,20 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     return given;
 }
 
+/// Draws the fields of a question that nobody answers on stage: a zero in them could be taken for the answer.
+void draw_unanswered(const Ask& ask) {
+    if (ask.kind == AskKind::matrix && ask.rows == 4) {
+        const float width = std::min(ImGui::GetContentRegionAvail().x, px(widest_matrix));
+        return widgets::Plate("answer", {width, 4.0F * ImGui::GetFrameHeight()});
+    }
+    const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), columns = numbers_in_a_row(ask);
+    for (std::size_t place = 0; place < count; ++place) {
+        if (place % columns != 0) ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+        widgets::Plate(("answer " + std::to_string(place + 1)).c_str(),
+                       {px(number_width) - ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetFrameHeight()});
+    }
+}
+
 /// Frames the last item as the right answer, as choices are framed.
 void frame_right_answer() {
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().plane, px(4.0F), 0,
@@ -176,6 +190,7 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
     const bool shows_model = style.shows_right && run.model() && !run.model()->numbers.empty();
     Answer model = shows_model ? *run.model() : Answer{};
     Answer& answer = shows_model ? model : run.answer();
+    if (style.presents && !shows_model) return draw_unanswered(ask);
     answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
     const std::vector<double> before = answer.numbers;
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
