@@ -86,9 +86,9 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
     // Reserve the same height whether or not the symbols are shown, so that it stays the same when editing starts.
     // Without the symbols that it has elsewhere, a matrix also gives up the space around its numbers.
-    const bool hides_symbols = !style.cells.empty() && std::ranges::all_of(style.cells, [](const MatrixCell& cell) {
-        return *cell.symbol == '\0';
-    });
+    const bool hides_symbols =
+        !style.cells.empty() && std::all_of(style.cells.begin(), style.cells.end(),
+                                            [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
     const float shown_height =
         number.size + (hides_symbols ? Px(5) : Px(9)) + (has_symbols ? symbol.size * 1.1F : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);

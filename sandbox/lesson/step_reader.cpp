@@ -339,10 +339,9 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
     step.id = name_at(object, "id", where);
     const Where inside{where.prefix + "step " + excerpt(step.id) + ": ", ""};
     step.start = read_start(object, folder, presets, inside);
-    if (has(object, "layout")) {
-        step.names_lower_left = has(object["layout"], "lower_left");
-        step.names_lower_right = has(object["layout"], "lower_right");
-    }
+    // A step without a layout, such as one saved in the window, shows both.
+    step.names_lower_left = !has(object, "layout") || has(object["layout"], "lower_left");
+    step.names_lower_right = !has(object, "layout") || has(object["layout"], "lower_right");
     step.target = read_target(object, inside);
     step.say = text_at(object, "say", inside, true);
     step.cover = targets_at(object, "cover", inside);

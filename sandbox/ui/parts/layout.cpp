@@ -97,27 +97,23 @@ void place_column(const std::vector<StagePart>& parts, const Rect& column, float
 /// else that the step names, from the top: views, matrices, controls. The column is as narrow as its parts allow.
 void lay_out_stage(Layout& layout, const Rect& area, float scale, const Arrangement& arrangement) {
     const Telling& telling = arrangement.telling;
-    const float gap = 10.0F * scale, unbounded = 1e6F;
+    const float gap = 10.0F * scale;
+    constexpr float endless = 1e6F;
     std::vector<StagePart> parts;
     if (arrangement.maximized == ViewName::none) {
-        if (arrangement.stage.left)
-            parts.push_back({&layout.lower_left, arrangement.stage.least_left, unbounded, true});
+        if (arrangement.stage.left) parts.push_back({&layout.lower_left, arrangement.stage.least_left, endless, true});
         if (arrangement.stage.right)
-            parts.push_back({&layout.lower_right, arrangement.stage.least_right, unbounded, true});
+            parts.push_back({&layout.lower_right, arrangement.stage.least_right, endless, true});
         layout.lower_in_column = !parts.empty();
     }
-    if (!arrangement.matrices_folded && arrangement.maximized != ViewName::matrices) {
-        constexpr float width = 430.0F;
-        const bool are_listed = telling.matrices > 0;
-        parts.push_back({&layout.matrices,
-                         {width, are_listed ? telling.short_matrices : 250.0F},
-                         are_listed ? telling.tall_matrices : unbounded,
-                         false});
-    }
-    if (!arrangement.panel_folded) {
-        const float whole = telling.control_rows > 0 ? height_of_controls(telling, 1.0F) : unbounded;
+    const bool has_matrices =
+        telling.matrices > 0 && !arrangement.matrices_folded && arrangement.maximized != ViewName::matrices;
+    if (has_matrices)
+        parts.push_back({&layout.matrices, {430.0F, telling.short_matrices}, telling.tall_matrices, false});
+    if (telling.control_rows > 0 && !arrangement.panel_folded) {
+        const float height = height_of_controls(telling, 1.0F);
         const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;
-        parts.push_back({&layout.panel, {width, std::min(whole, 250.0F)}, whole, false});
+        parts.push_back({&layout.panel, {width, height}, height, false});
     }
 
     float hero_right = area.max.x;

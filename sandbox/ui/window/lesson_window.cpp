@@ -35,8 +35,9 @@ std::vector<std::string> named_in(const LessonStep& step) {
 }
 
 bool is_any(const std::vector<std::string>& names, std::initializer_list<std::string_view> parts) {
-    return std::ranges::any_of(names, [&](const std::string& name) {
-        return std::ranges::any_of(parts, [&](std::string_view part) { return name.find(part) != std::string::npos; });
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](std::string_view part) { return name.find(part) != std::string::npos; });
     });
 }
 
@@ -92,7 +93,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     if (stage.asks) {
         stage.cover = step.cover;
         // Tooltips hide their formulas while a question is open; entries of matrices, only if the step says so.
-        if (std::ranges::count(step.cover, "formulas") > 0) stage.cover.emplace_back("symbols");
+        if (std::count(step.cover.begin(), step.cover.end(), "formulas") > 0) stage.cover.emplace_back("symbols");
         const bool may_change_all = step.ask.kind == AskKind::goal && step.ask.allow.empty();
         if (!may_change_all) views.movable = step.start.params.view.layout.controls;
         if (views.movable) views.movable->insert(views.movable->end(), step.ask.allow.begin(), step.ask.allow.end());

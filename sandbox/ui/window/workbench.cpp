@@ -40,8 +40,10 @@ Arrangement Workbench::arranged(const Session& session) const {
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
     if (!arrangement.bare) arrange(now, session.params);
     const std::vector<std::string>& controls = session.params.view.layout.controls;
-    const bool lists_lamps = std::ranges::count(controls, "camera.navigation") > 0;
-    if (!controls.empty() && !lists_lamps && std::ranges::count(stage.highlight, "lamps") > 0)
+    const auto has = [](const std::vector<std::string>& names, const char* name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!controls.empty() && !has(controls, "camera.navigation") && has(stage.highlight, "lamps"))
         now.telling.control_rows += rows_of_lamps;
     const auto shows_code = [&](ViewName view, Slot slot) {
         return now.maximized == view && topic_of(session.params, slot) == Topic::lecture_code;
