@@ -102,7 +102,9 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     show_only_named(step);
     arrangement.stage.left = step.names_lower_left;
     arrangement.stage.right = step.names_lower_right;
-    if (step.target) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
+    // A point that the answer begins to follow has its own mark.
+    const bool is_followed_now = !stage.asks && step.revealed.follow && !step.start.params.follow;
+    if (step.target && !is_followed_now) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
 
 bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
