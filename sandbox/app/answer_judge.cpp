@@ -104,8 +104,9 @@ bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
         run.model() = right(question, renderer_);
         return true;
     }
-    if (const std::optional<Result<Answer>> done = model_task_.take()) {
-        run.model() = *done && is_model_of(run) ? **done : Answer{};
+    // The result may be that of a step that has been left meanwhile.
+    if (const std::optional<Result<Answer>> done = model_task_.take(); done && is_model_of(run)) {
+        run.model() = *done ? **done : Answer{};
         return true;
     }
     if (!model_task_.is_running()) {

@@ -26,6 +26,8 @@ public:
     };
     /// Call once a frame. Returns whether the lesson strip has changed.
     bool update(Workbench& workbench, Session& session, const Moment& moment);
+    /// Whether a right answer is being computed in the background.
+    bool computes_model() const { return model_task_.is_running(); }
 
 private:
     /// A question, and the answer or the state to judge.

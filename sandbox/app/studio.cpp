@@ -202,7 +202,8 @@ double Studio::next_redraw_in_s() const {
     const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind ||
                       session.params != drawn_.params || is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
-                       inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking;
+                       inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking ||
+                       judge_.computes_model();
     if (busy || works) return busy ? 0.0 : 0.05;
     const double recorded_s = workbench.recorder.seconds();
     double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));

@@ -8,6 +8,7 @@
 #include "app/studio.h"
 #include "gl/gl_test.h"
 #include "lesson/exercise.h"
+#include "lesson/judge.h"
 #include "platform/file.h"
 #include "report/grading.h"
 #include "report/state_numbers.h"
@@ -119,6 +120,34 @@ TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     EXPECT_LE(studio_->redraw_in_s(), 0.3) << "these frames took no time of the window's";
     EXPECT_TRUE(exercises.finish());
     std::filesystem::remove_all(folder);
+}
+
+class AnswerJudgeSlowTest : public AnswerJudgeTest {};
+
+/// A revealed question shows its right answer, also if another one was left while its own was still being measured.
+TEST_F(AnswerJudgeSlowTest, RevealedQuestionsGetTheirRightAnswer) {
+    Guide& guide = studio_->workbench.guide;
+    const auto reveal = [&](const Lesson& lesson, std::size_t step) {
+        guide.begin(lesson, step, studio_->session);
+        frames_until([&] { return !studio_->session.loading_fraction(); });
+        guide.reveal(studio_->session);
+    };
+    const auto has_model = [&] { return guide.run()->model().has_value(); };
+    const Result<Lesson> camera = load_lesson("view-is-the-inverse");
+    ASSERT_TRUE(camera) << camera.error();
+    reveal(*camera, 1);
+    ASSERT_TRUE(frames_until(has_model));
+    EXPECT_EQ(guide.run()->model()->numbers, (std::vector<double>{-2, -1, -10}));
+
+    const Result<Lesson> rays = load_lesson("rays"), sides = load_lesson("two-sides");
+    ASSERT_TRUE(rays && sides);
+    ASSERT_TRUE(is_measured(rays->steps[0].ask) && is_measured(sides->steps[1].ask));
+    reveal(*rays, 0);
+    frames_until([] { return true; });
+    EXPECT_FALSE(has_model()) << "it is being measured";
+    reveal(*sides, 1);
+    ASSERT_TRUE(frames_until(has_model));
+    EXPECT_EQ(guide.run()->model()->numbers, std::vector<double>{2012}) << "not the rays'";
 }
 
 /// An offscreen picture does not wait for the judge: its strip shows the verdict in its first frames.
