@@ -104,7 +104,8 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     arrangement.stage.right = step.names_lower_right;
     // A point that the answer begins to follow has its own mark.
     const bool is_followed_now = !stage.asks && step.revealed.follow && !step.start.params.follow;
-    if (step.target && !is_followed_now) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
+    if (step.target && !is_followed_now)
+        stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
 
 bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
