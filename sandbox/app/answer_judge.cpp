@@ -35,8 +35,12 @@ Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Param
 
 }  // namespace
 
+bool AnswerJudge::Question::is_at(const LessonRun& run) const {
+    return lesson == run.shared_lesson() && step == run.index();
+}
+
 bool AnswerJudge::Question::is_of(const LessonRun& run, const Params& now) const {
-    if (lesson != run.shared_lesson() || step != run.index()) return false;
+    if (!is_at(run)) return false;
     return params ? *params == now : answer == run.answer();
 }
 
@@ -105,7 +109,7 @@ bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
         return true;
     }
     // The result may be that of a step that has been left meanwhile.
-    if (const std::optional<Result<Answer>> done = model_task_.take(); done && is_model_of(run)) {
+    if (const std::optional<Result<Answer>> done = model_task_.take(); done && model_of_.is_at(run)) {
         run.model() = *done ? **done : Answer{};
         return true;
     }
@@ -118,10 +122,6 @@ bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
         });
     }
     return false;
-}
-
-bool AnswerJudge::is_model_of(const LessonRun& run) const {
-    return model_of_.lesson == run.shared_lesson() && model_of_.step == run.index();
 }
 
 void AnswerJudge::give_up() {

@@ -36,12 +36,12 @@ private:
         std::size_t step = 0;
         Answer answer;                 ///< empty for a goal
         std::optional<Params> params;  ///< only for a goal
+        bool is_at(const LessonRun& run) const;
         bool is_of(const LessonRun& run, const Params& now) const;
     };
     /// Computes the right answer of a typed question that has been revealed, in the background if it is measured.
     /// Returns whether it has just become known.
     bool show_model(LessonRun& run, Session& session, bool may_wait);
-    bool is_model_of(const LessonRun& run) const;
     /// Drops the judgment in progress, so that the next check starts a new one.
     void give_up();
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float bar_room = 30.0F;  ///< design pixels
 
-enum FightingColumn { names, distance, gap, step, onset, predicted, trembling_mean, counted, pixels, fighting_columns };
+enum FightingColumn { names, distance, gap, step, onset, predicted, jittered_mean, counted, pixels, fighting_columns };
 
 struct ColumnText {
     const char *title, *explanation;
@@ -102,7 +102,7 @@ bool is_covered(FightingColumn column) {
 
 /// Whether any count is covered. If one is, the others must be covered too, since each of them would give it away.
 bool is_count_covered() {
-    return is_covered(counted) || is_covered(pixels) || is_covered(trembling_mean);
+    return is_covered(counted) || is_covered(pixels) || is_covered(jittered_mean);
 }
 
 /// Hides covered values, and the colors that would give them away.
@@ -144,7 +144,7 @@ FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     }
     widths[counted] = std::max(widths[counted], width_of("100.0%", fonts.small_number)) + px(bar_room);
     for (const bool drops_named : {false, true})
-        for (const FightingColumn left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
+        for (const FightingColumn left_out : {names, pixels, step, gap, predicted, jittered_mean, onset})
             if (widths.sum() > room && is_named(left_out) == drops_named) widths[left_out] = 0.0F;
     return widths;
 }
@@ -164,7 +164,7 @@ void draw_bar(float share, ImU32 color) {
 
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
     if (is_behind) return palette().quiet;
-    if (column == counted || column == pixels || column == trembling_mean)
+    if (column == counted || column == pixels || column == jittered_mean)
         return row.fights ? palette().trouble : palette().text;
     if (column == onset && row.is_below_onset) return palette().trouble;
     return palette().text;

@@ -58,17 +58,16 @@ void place_column(const std::vector<StagePart>& parts, const Rect& column, float
     }
     const float available = std::max(column.height() - fixed, 0.0F);
     // A view can be lower and still be read; a matrix or a control would be cut.
-    const float lowest_view = 96.0F * scale;
+    const auto spare_of = [scale](const StagePart& part) {
+        constexpr float lowest_view = 96.0F;
+        return part.has_header ? std::max(part.least.y - lowest_view, 0.0F) * scale : 0.0F;
+    };
     float spare = 0.0F;
-    for (const StagePart& part : parts)
-        spare += part.has_header ? std::max(part.least.y * scale - lowest_view, 0.0F) : 0.0F;
+    for (const StagePart& part : parts) spare += spare_of(part);
     const float taken = spare > 0.0F ? std::clamp((least - available) / spare, 0.0F, 1.0F) : 0.0F;
     const float shrink = std::min(1.0F, available / std::max(least - taken * spare, 1.0F));
     std::vector<float> heights;
-    for (const StagePart& part : parts) {
-        const float whole = part.least.y * scale;
-        heights.push_back(shrink * (part.has_header ? whole - taken * std::max(whole - lowest_view, 0.0F) : whole));
-    }
+    for (const StagePart& part : parts) heights.push_back(shrink * (part.least.y * scale - taken * spare_of(part)));
     float rest = available - std::accumulate(heights.begin(), heights.end(), 0.0F);
     for (std::size_t round = 0; round < parts.size() && rest > 1.0F; ++round) {
         const auto can_grow = [&](std::size_t i) { return heights[i] < parts[i].most_height * scale; };

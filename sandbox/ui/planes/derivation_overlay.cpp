@@ -72,12 +72,6 @@ void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDeriva
     height(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
 }
 
-/// Marks the correct place of an image that a mistake, or a matrix typed by hand, puts elsewhere.
-void ghost(Overlay& overlay, const glm::dvec3& correct, const char* text, ImU32 color) {
-    overlay.ring(correct, color, 6.0F);
-    overlay.label(correct, tr(text), color);
-}
-
 /// Returns the place where a matrix sends a point, unless it is `correct` or at infinity.
 std::optional<glm::dvec3> sent_elsewhere(const glm::dmat4& matrix, const glm::dvec3& point, const glm::dvec3& correct) {
     const glm::dvec4 sent = matrix * glm::dvec4(point, 1.0);
@@ -98,7 +92,9 @@ void mirror_overlay(Overlay& overlay, const DerivedPlane& plane, const MirrorDer
         overlay.dashed(found.foot_world, *image, colors.mirror);
         overlay.dot(*image, colors.mirror);
         overlay.label(*image, "q′", colors.mirror);
-        return ghost(overlay, found.mirrored_world, marked("where q′ belongs"), colors.mirror);
+        overlay.ring(found.mirrored_world, colors.mirror, 6.0F);
+        overlay.label(found.mirrored_world, tr("where q′ belongs"), colors.mirror);
+        return;
     }
     overlay.dashed(found.foot_world, found.mirrored_world, colors.mirror);
     overlay.dot(found.mirrored_world, colors.mirror);

@@ -45,18 +45,16 @@ bool is_any(const std::vector<std::string>& names, std::initializer_list<std::st
 
 /// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
 void Workbench::show_only_named(const LessonStep& step) {
-    const bool is_on_stage = presenter.is_on();
+    views.marks_lights = views.marks_plane = views.marks_derivation = !presenter.is_on();
+    if (!presenter.is_on()) return;
     const std::vector<std::string> names = named_in(step);
-    const Params& start = step.start.params;
-    views.marks_lights = !is_on_stage || start.follow.has_value() ||
-                         is_any(names, {"light", "matrix:S", "matrix:follow", "shadow_derivation", "lecture_code"});
+    const bool follows = step.start.params.follow.has_value();
+    views.marks_lights =
+        follows || is_any(names, {"light", "matrix:S", "matrix:follow", "shadow_derivation", "lecture_code"});
     views.marks_plane =
-        !is_on_stage || start.follow.has_value() ||
-        is_any(names, {"plane.", "matrix:S", "matrix:R", "matrix:follow", "derivation", "lecture_code"});
-    views.marks_derivation = !is_on_stage;
+        follows || is_any(names, {"plane.", "matrix:S", "matrix:R", "matrix:follow", "derivation", "lecture_code"});
     constexpr double written_for = 1.6;
-    const bool names_lens = is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"});
-    stage.least_aspect = is_on_stage && !names_lens ? written_for : 0.0;
+    if (!is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"})) stage.least_aspect = written_for;
 }
 
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {
