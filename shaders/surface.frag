@@ -180,7 +180,7 @@ vec3 lit_color(vec3 surface_albedo) {
 #endif
 #endif
 
-    float ambient = 0.23 + 0.07 * dot(normal, sky_world);
+    float ambient = AMBIENT_LIGHT + SKY_LIGHT * dot(normal, sky_world);
 #if SHADING == SHADING_UNLIT
     return surface_albedo * ambient;
 #else
@@ -189,10 +189,10 @@ vec3 lit_color(vec3 surface_albedo) {
         vec4 position = lights_relative[light];
         vec3 to_light = normalize(position.xyz - position.w * position_relative);
         float diffuse = max(dot(normal, to_light), 0.0);
-        lit += surface_albedo * (0.78 * light_strength * diffuse);
+        lit += surface_albedo * (DIFFUSE_LIGHT * light_strength * diffuse);
 #if !defined(IS_PATCH) || defined(HAS_GLOSS)
         float shine = pow48(max(dot(normal, normalize(to_light + normalize(eye))), 0.0));
-        lit += diffuse > 0.0 ? 0.16 * light_strength * shine : 0.0;
+        lit += diffuse > 0.0 ? HIGHLIGHT_LIGHT * light_strength * shine : 0.0;
 #endif
     }
     return lit;

@@ -1,4 +1,5 @@
 // inspect: reads one pixel back from the buffers, and lists every surface drawn there.
+#include <array>
 #include <iostream>
 #include <sstream>
 
@@ -11,6 +12,7 @@
 #include "frame/pinned_pixel.h"
 #include "platform/text_file.h"
 #include "report/pixel_as_json.h"
+#include "report/why_report.h"
 
 namespace viewing {
 namespace {
@@ -40,15 +42,22 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
     std::vector<std::string> pixel_texts;
-    std::optional<std::string> file, size_text, device_text;
+    std::optional<std::string> file, size_text, device_text, format;
+    bool explains = false;
     options.group("Pixel");
     options.texts("--pixel", "X,Y", pixel_texts,
                   "The pixel; 0,0 is the top left; repeatable; default: the state's view.pin or view.pixel");
     options.text("--pixels", "FILE|-", file, "Adds the pixels of a file, one X,Y per line, after --pixel");
     options.text("--size", "WxH", size_text, size_help);
     add_device_option(options, device_text);
+    options.group("Explanation");
+    options.flag("--why", explains, "Explains the color instead: all passes, mirrors and lights, and the fix for what is wrong");
+    options.text("--format", "FORMAT", format, "json (default) or, with --why, text");
     if (!options.parse(arguments)) return ExitStatus::done;
 
+    static constexpr std::array formats{"json", "text"};
+    const bool is_text = choice_option(options, "--format", format.value_or("json"), formats) == 1;
+    if (is_text && !explains) options.refuse("--format text needs --why");
     const glm::ivec2 size_px = size_option(options, size_text);
     if (file == "-" && state_arguments.as_typed() == "-")
         options.refuse("--pixels and STATE cannot both be standard input");
@@ -66,6 +75,18 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
         pixels.push_back(pixel_option(options, pixel_of_state(state.params, derived, scene, size_px), size_px));
     refuse_beyond_budget(state.params, derived, scene, size_px);
     Headless headless(device_option(options, device_text));
+    if (explains) {
+        const std::vector<Why> all =
+            headless.drawn(explained_pixels(headless.renderer(), state.params, scene, pixels, size_px));
+        Json list = Json::array();
+        std::string text;
+        for (const Why& one : all) {
+            list.push_back(why_as_json(one));
+            text += why_as_text(one);
+        }
+        print(is_text ? text : print_document(is_list ? list : list.front()) + "\n");
+        return ExitStatus::done;
+    }
     const Json list = headless.drawn(pixels_as_json(headless.renderer(), state.params, scene, pixels, size_px));
     print(print_document(is_list ? list : list.front()) + "\n");
     return ExitStatus::done;
@@ -75,7 +96,7 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
 
 constinit const Command inspect_command{
     "inspect",
-    "[STATE] [--set PATH=VALUE]… --pixel X,Y… [--pixels FILE] [--size WxH] [--device N|auto]",
+    "[STATE] [--set PATH=VALUE]… --pixel X,Y… [--pixels FILE] [--why] [--size WxH] [--device N|auto]",
     "prints color, depth, stencil, object and all fragments at one pixel, as JSON",
     "Draws the camera view without multisampling and reads back one pixel, or several: then it prints an array. The "
     "color is that of snapshot --view camera --samples 0, so it depends on view.shows; the other values describe the "
@@ -89,9 +110,13 @@ constinit const Command inspect_command{
     "is compared with) and \"rounding\" (surfaces so close that the rounding of GL decides, not the codes) appear only "
     "if true. Mirror image and shadows are left out. \"raster\" appears only if visibility.raster makes a picture of "
     "few large pixels: its size and the pixel of it that this one shows, whose center the fragments then refer to; "
-    "null beside the picture.",
+    "null beside the picture. With --why, the command instead explains the color: everything on the ray, each pass with "
+    "its tests and what it writes, the path from mirror to mirror, each light and what is in its way, and every problem "
+    "whose fix changes this pixel. \"predicted\" is the color computed from this explanation, \"read_back\" the one in "
+    "the buffer.",
     "inspect --pixel 640,360\n"
     "inspect --pixel 640,360 --pixel 100,50\n"
+    "inspect shadow-false --pixel 640,500 --why --format text\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
     "023489",
     run_inspect};

@@ -9,6 +9,7 @@
 
 #include "frame/ground.h"
 #include "frame/plan_parts.h"
+#include "frame/say.h"
 #include "text/numbers.h"
 
 namespace viewing {
@@ -115,7 +116,7 @@ glm::dvec4 color_of(const Color& color, double alpha) {
 }
 
 bool Level::mirrors(std::size_t index) const {
-    return plane(index).mirrors && mirrors_met < deepest && eye_side(index) != 0.0 &&
+    return plane(index).mirrors && bounces() < deepest && eye_side(index) != 0.0 &&
            (is_real() || params.reflection.stencil);
 }
 
@@ -146,8 +147,8 @@ int Level::region_of(std::size_t index) const {
 }
 
 std::string Level::placed(std::string name) const {
-    if (mirrors_name.empty()) return name;
-    return say("{pass} in mirror {mirrors}", "pass"_a = name, "mirrors"_a = mirrors_name);
+    if (is_real() || derived.planes.size() == 1) return name;
+    return say("{pass} in mirror {mirrors}", "pass"_a = name, "mirrors"_a = numbers_name(mirrors_met));
 }
 
 Pass Level::pass(std::string name, std::string reason, Subject subject) const {
@@ -156,12 +157,15 @@ Pass Level::pass(std::string name, std::string reason, Subject subject) const {
     made.reason = std::move(reason);
     made.subject = subject;
     made.is_mirror_image = !is_real();
+    made.mirrors_met = mirrors_met;
     made.matrices = matrices;
     made.world_from_scene = world_from_scene;
     made.clip_from_world = clip_from_view * view_from_world;
     made.view_from_world = view_from_world;
     made.eye_world = eye_world;
     made.lights_world = lights_world;
+    made.lights.resize(lights_world.size());
+    std::iota(made.lights.begin(), made.lights.end(), std::size_t{0});
     made.light_strength = 1.0 / static_cast<double>(lights_world.size());
     made.sky_world = sky_world;
     const bool gl_test = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
@@ -199,9 +203,12 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
                : tr("draws the plane and marks it in the stencil buffer as a shadow receiver"),
         plane);
     pass.lights_world.clear();
-    for (const std::size_t light : lights)
-        if (level.plane(plane).shadows[light].reaches(level.eye_side(plane)))
-            pass.lights_world.push_back(level.lights_world[light]);
+    pass.lights.clear();
+    for (const std::size_t light : lights) {
+        if (!level.plane(plane).shadows[light].reaches(level.eye_side(plane))) continue;
+        pass.lights_world.push_back(level.lights_world[light]);
+        pass.lights.push_back(light);
+    }
     pass.shading = pass.lights_world.empty() ? Shading::unlit : Shading::lit;
     if (blends) {
         pass.blend = Blend::alpha;
@@ -224,7 +231,7 @@ void add_world(std::vector<Pass>& passes, Level level) {
         level.is_fresh = false;
     }
     for (std::size_t plane = 0; plane < planes_drawn.size(); ++plane) {
-        if (level.mirror == plane || is_hidden(level, plane)) continue;
+        if ((!level.is_real() && level.mirrors_met.back() == plane) || is_hidden(level, plane)) continue;
         add_plane(passes, level, plane);
         level.is_fresh = false;
     }

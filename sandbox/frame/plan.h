@@ -62,6 +62,7 @@ struct Pass {
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
     bool is_mirror_image = false;        ///< also true if the pass draws only part of one
+    std::vector<std::size_t> mirrors_met;  ///< planes, in the order in which the line of sight meets them
     std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
@@ -72,6 +73,7 @@ struct Pass {
     bool forces_sign = false;           ///< negates vertices that world_from_scene gives a negative w
     bool has_gloss = false;             ///< patches only
     std::vector<glm::dvec4> lights_world{{0.0, 1.0, 0.0, 0.0}};  ///< the lights that illuminate it: at most four
+    std::vector<std::size_t> lights{0};                          ///< which lights of the state they are
     double light_strength = 1.0;                                 ///< of each light
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};                    ///< w = 0: parallel view rays, from this direction
     glm::dvec3 sky_world{0.0, 1.0, 0.0};                         ///< direction of the strongest ambient light
@@ -123,6 +125,10 @@ struct FramePlan {
     /// Returns whether the logarithm is computed only at the vertices. In between, GL interpolates it linearly, so the
     /// depth there is not logarithmic.
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
+    /// Returns the hidden-surface method's result that a pass draws.
+    const std::shared_ptr<const HiddenDrawing>& drawing_of(const Pass& pass) const {
+        return pass.is_mirror_image ? hidden.mirrored : hidden.camera;
+    }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 
     /// Compares every member; hidden-surface pictures are equal only if they are the same object.
@@ -182,6 +188,13 @@ void count_overdraw(FramePlan& frame);
 /// has none that overlaps near … far, the range of the scene's bounds and the first plane's patch. Both distances are
 /// clamped to near and far.
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene);
+
+/// The scale of a depth picture: gray = (value − first) · slope, where the value is an eye distance or a window depth.
+struct GrayScale {
+    double first, slope;
+};
+/// Returns the scale of the plan; a range of zero width gives a step from black to white.
+GrayScale gray_scale(const FramePlan& plan);
 
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);

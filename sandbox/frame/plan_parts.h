@@ -25,7 +25,6 @@ struct Level {
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_scene{1.0};     ///< the product of the mirrors' R; I if the camera is mirrored
     glm::dmat4 scene_from_world{1.0};     ///< the product of the true mirror matrices, even if R was replaced
-    std::string mirrors_name{};           ///< "2, 1": the mirrors on the way, in order; empty for a single plane
     std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if the camera is mirrored
     std::string mirror_symbols{};         ///< " R₂ R₁": the mirrors on the way, in order
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel view rays, from this direction
@@ -33,16 +32,16 @@ struct Level {
     glm::dvec3 sky_world = sky_scene;
     bool flips_winding = false;
     int deepest = 0;  ///< reflection_depth()
-    int mirrors_met = 0;
     int region = 0;                       ///< the stencil's low bits where the level is drawn; 0 for level 0
-    std::optional<std::size_t> mirror{};  ///< the last mirror on the way
+    std::vector<std::size_t> mirrors_met{};  ///< the mirrors on the way, in order
     std::optional<ClipPlane> clip{};      ///< in scene space: keeps everything in front of the last mirror
     bool is_fresh = true;                 ///< nothing has been drawn here yet
 
     const DerivedPlane& plane(std::size_t index) const { return derived.planes[index]; }
     double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }
     glm::dvec4 plane_towards_eye(std::size_t index) const { return plane_facing(plane(index).unit_plane, eye_scene); }
-    bool is_real() const { return mirrors_met == 0; }
+    bool is_real() const { return mirrors_met.empty(); }
+    int bounces() const { return static_cast<int>(mirrors_met.size()); }
     /// Return the uploaded matrix in the lecture's letters, numbered if there are several: "R₂"; "Rᵀ" if it is filled
     /// as in the lecture's code; "(−S₁₂)" for plane 1 and light 2, with the sign that makes w positive.
     std::string mirror_symbol(std::size_t plane_index) const;

@@ -74,9 +74,12 @@ void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
                   "parallel light",
                   "w"_a = figures(light.w, 3), "light"_a = index + 1, "x"_a = coordinate(0), "y"_a = coordinate(1),
                   "z"_a = coordinate(2));
-    const bool passes_for_parallel = light.w <= 0.25;
-    tell.broken(passes_for_parallel, sentence);
-    tell(!passes_for_parallel, sentence);
+    const bool passes_for_parallel = light.w <= 0.25, is_first = index == 0;
+    const std::string parallel = is_first ? fmt::format("light.position=[{},{},{},0]", format_number(light.x),
+                                                        format_number(light.y), format_number(light.z))
+                                          : "";
+    tell.broken(passes_for_parallel, sentence, parallel);
+    tell(!passes_for_parallel, sentence, parallel);
 }
 
 void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

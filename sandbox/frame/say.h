@@ -16,9 +16,9 @@ class Sayer {
 public:
     Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
 
-    /// Adds a fact that the user should know.
-    void operator()(bool is_so, std::string sentence) {
-        if (is_so) problems_.push_back({std::move(sentence), group_});
+    /// Adds a fact that the user should know, and the setting that changes it; "" if there is none.
+    void operator()(bool is_so, std::string sentence, std::string changed_by = "") {
+        if (is_so) problems_.push_back({std::move(sentence), group_, false, std::move(changed_by)});
     }
     /// Adds the reason why a switch breaks the picture. `mended_by` is the fix: a field whose default value fixes it,
     /// or else a complete setting; "" if there is none.

@@ -14,4 +14,10 @@ namespace viewing {
 Result<Image> camera_picture(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
                              std::optional<Color> background = std::nullopt);
 
+/// Returns a pixel's color; (0, 0) is top left.
+inline Color color_at(const Image& picture, glm::ivec2 pixel) {
+    const std::uint8_t* at = picture.row(pixel.y) + 4 * static_cast<std::size_t>(pixel.x);
+    return {at[0], at[1], at[2]};
+}
+
 }  // namespace viewing

@@ -1,30 +1,8 @@
 #include "render/present.h"
 
-#include <algorithm>
-
 #include "render/pass_state.h"
 
 namespace viewing {
-namespace {
-
-/// gray = (value − first) · slope, where the value is an eye distance or a window depth.
-struct GreyScale {
-    float first, slope;
-};
-
-/// Returns the scale of the plan; a range of zero width gives a step from black to white.
-GreyScale gray_scale(const FramePlan& plan) {
-    const auto value_at = [&](double distance) {
-        return plan.depth_scale == DepthScale::linear ? distance
-                                                      : window_depth(plan.lens, plan.depth_mapping, distance);
-    };
-    const double first = value_at(plan.shown_range.x), width = value_at(plan.shown_range.y) - first;
-    constexpr double steepest = 1e30;  // fits a float
-    return {static_cast<float>(first),
-            static_cast<float>(width == 0.0 ? steepest : std::clamp(1.0 / width, -steepest, steepest))};
-}
-
-}  // namespace
 
 void Fullscreen::draw(const ShaderProgram& program) const {
     program.use();
@@ -65,9 +43,9 @@ Status Presenter::depth(const FramePlan& plan, const gl::Target& from, const gl:
     program.linear_scale.set(plan.depth_scale == DepthScale::linear);
     program.orthographic.set(plan.lens.orthographic);
     program.near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
-    const GreyScale scale = gray_scale(plan);
-    program.shown_first.set(scale.first);
-    program.shown_slope.set(scale.slope);
+    const GrayScale scale = gray_scale(plan);
+    program.shown_first.set(static_cast<float>(scale.first));
+    program.shown_slope.set(static_cast<float>(scale.slope));
     program.shows_bands.set(plan.depth_colors == DepthColors::bands);
     program.bands.set_first(srgb(depth_bands));
     program.cleared.set(plan.clear_depth_value);

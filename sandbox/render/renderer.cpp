@@ -27,10 +27,6 @@ gl::DepthKind kind_of(DepthFormat format) {
     return format == DepthFormat::d32f ? gl::DepthKind::d32f_s8 : gl::DepthKind::d24_s8;
 }
 
-const std::shared_ptr<const HiddenDrawing>& drawing_of(const FramePlan& plan, const Pass& pass) {
-    return pass.is_mirror_image ? plan.hidden.mirrored : plan.hidden.camera;
-}
-
 }  // namespace
 
 struct Renderer::Implementation {
@@ -91,7 +87,7 @@ void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pas
 }
 
 void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
-    const std::shared_ptr<const HiddenDrawing>& hidden = drawing_of(frame.plan, pass);
+    const std::shared_ptr<const HiddenDrawing>& hidden = frame.plan.drawing_of(pass);
     const GpuDrawing& drawing = drawings.of(hidden);
     set_placement(program, frame, pass, glm::dmat4(1.0));
     for (const HiddenDrawing::Run& run : hidden->runs) {
@@ -101,7 +97,7 @@ void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass&
 }
 
 void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
-    const std::shared_ptr<const HiddenDrawing>& hidden = drawing_of(frame.plan, pass);
+    const std::shared_ptr<const HiddenDrawing>& hidden = frame.plan.drawing_of(pass);
     drawings.of(hidden).bind_textures();
     program.picture_share.set(hidden->share);
     int unit = 0;

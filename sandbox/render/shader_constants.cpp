@@ -1,7 +1,10 @@
 #include "render/shader_constants.h"
 
+#include <fmt/format.h>
+
 #include "frame/depth/depth_colors.h"
 #include "frame/ground.h"
+#include "frame/lighting.h"
 #include "frame/plan.h"
 #include "render/programs.h"
 
@@ -10,7 +13,7 @@ namespace {
 
 template <typename Value>
 constexpr ShaderConstant constant(const char* name, Value value) {
-    return {name, static_cast<int>(value)};
+    return {name, static_cast<double>(value)};
 }
 
 constexpr ShaderConstant constants[] = {
@@ -36,6 +39,11 @@ constexpr ShaderConstant constants[] = {
 
     constant("MAPPING_REVERSED", DepthMapping::reversed),
     constant("MAPPING_LOGARITHMIC", DepthMapping::logarithmic),
+
+    constant("AMBIENT_LIGHT", ambient_light),
+    constant("SKY_LIGHT", sky_light),
+    constant("DIFFUSE_LIGHT", diffuse_light),
+    constant("HIGHLIGHT_LIGHT", highlight_light),
 
     constant("CLIP_PLANES", most_clip_planes),
     constant("PATCH_TONES", patch_tone_count),
@@ -68,7 +76,7 @@ const std::string& shader_constant_lines() {
     static const std::string lines = [] {
         std::string made;
         for (const ShaderConstant& each : constants)
-            made += std::string("#define ") + each.name + " " + std::to_string(each.value) + "\n";
+            made += fmt::format("#define {} {}\n", each.name, each.value);
         return made;
     }();
     return lines;

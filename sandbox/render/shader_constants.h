@@ -9,7 +9,7 @@ namespace viewing {
 
 struct ShaderConstant {
     const char* name;
-    int value;
+    double value;
 };
 std::span<const ShaderConstant> shader_constants();
 

@@ -66,12 +66,6 @@ Result<std::optional<Image>> picture_of_its_own(Renderer& renderer, Params param
     return std::optional<Image>(*std::move(picture));
 }
 
-Color color_at(const Image& picture, glm::ivec2 pixel) {
-    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.width) +
-                         static_cast<std::size_t>(pixel.x));
-    return {picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]};
-}
-
 }  // namespace
 
 Result<Json> pixels_as_json(Renderer& renderer, const Params& state, const Scene& scene,

@@ -9,7 +9,7 @@
 #include "ui/depth/cell_layout.h"
 #include "ui/depth/cell_view.h"
 #include "ui/depth/draw_steps.h"
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/depth/pixel_view.h"
 #include "ui/window/theme.h"
 

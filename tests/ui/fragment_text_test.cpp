@@ -1,6 +1,6 @@
 // The texts of the pixel view and the cell view, without drawing them: the outcome of each test in words, the numbers
 // in cells, and the steps.
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 
 #include <gtest/gtest.h>
 

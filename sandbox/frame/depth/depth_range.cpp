@@ -1,4 +1,4 @@
-// Finds the range of eye distances that gives a depth picture contrast.
+// Finds the range of eye distances that gives a depth picture contrast, and its scale of grays.
 #include <algorithm>
 
 #include "frame/plan.h"
@@ -21,6 +21,16 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
               corner & 4 ? bounds.max.z : bounds.min.z});
     range = glm::clamp(range, projection.near, projection.far);
     return range.x < range.y ? range : glm::dvec2(projection.near, projection.far);
+}
+
+GrayScale gray_scale(const FramePlan& plan) {
+    const auto value_at = [&](double distance) {
+        return plan.depth_scale == DepthScale::linear ? distance
+                                                      : window_depth(plan.lens, plan.depth_mapping, distance);
+    };
+    const double first = value_at(plan.shown_range.x), width = value_at(plan.shown_range.y) - first;
+    constexpr double steepest = 1e30;  // fits a float
+    return {first, width == 0.0 ? steepest : std::clamp(1.0 / width, -steepest, steepest)};
 }
 
 }  // namespace viewing

@@ -77,7 +77,49 @@ double as_clip_range_keeps(const FramePlan& plan, double depth) {
     return static_cast<double>(0.5F * z_ndc + 0.5F);
 }
 
+/// Returns the sums of the corners' clip z and w with these weights.
+glm::dvec2 clip_zw(const ProjectedTriangle& triangle, const glm::dvec3& weights) {
+    glm::dvec2 zw(0.0);
+    for (std::size_t i = 0; i < triangle.size(); ++i)
+        zw += weights[static_cast<int>(i)] * glm::dvec2(triangle[i].z, triangle[i].w);
+    return zw;
+}
+
 }  // namespace
+
+double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights) {
+    glm::dvec2 zw(0.0);
+    for (std::size_t i = 0; i < triangle.size(); ++i)
+        zw += weights[static_cast<int>(i)] * glm::dvec2(triangle[i].view_z, triangle[i].view_w);
+    return -zw.x / zw.y;
+}
+
+double projected_depth(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights) {
+    if (plan.depth_mapping == DepthMapping::logarithmic && !plan.logarithm_per_vertex)
+        return window_depth(plan.lens, plan.depth_mapping, std::max(projected_distance(triangle, weights), 1e-30));
+    const glm::dvec2 zw = clip_zw(triangle, weights);
+    return plan.clip_zero_to_one ? zw.x / zw.y : 0.5 * zw.x / zw.y + 0.5;
+}
+
+bool is_in_clip_range(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights) {
+    const glm::dvec2 zw = clip_zw(triangle, weights);
+    return zw.y > 0.0 && zw.x <= zw.y && zw.x >= (plan.clip_zero_to_one ? 0.0 : -zw.y);
+}
+
+double projected_depth_of(const FramePlan& plan, const PixelTriangle& seen, const ProjectedTriangle& triangle,
+                          const PixelHit& hit, const DepthOffset& offset, const glm::dvec2& neighbors_px) {
+    const double here = projected_depth(plan, triangle, hit.weights);
+    double depth = as_clip_range_keeps(plan, here);
+    if (offset.factor != 0.0) {
+        double steepest = 0.0;
+        for (const glm::dvec2 beside_px : {glm::dvec2(neighbors_px.x, 0.0), glm::dvec2(0.0, neighbors_px.y)})
+            steepest = std::max(steepest,
+                                std::abs(projected_depth(plan, triangle, weights_beside(seen, beside_px)) - here));
+        depth += offset.factor * steepest;
+    }
+    if (offset.units != 0.0) depth += offset.units * unit_of(plan, seen);
+    return std::clamp(depth, 0.0, 1.0) + 0.0;
+}
 
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit) {
     if (!plan.has_logarithm_per_vertex()) return hit.distance >= plan.lens.near && hit.distance <= plan.lens.far;

@@ -8,6 +8,27 @@
 
 namespace viewing {
 
+/// What a triangle's corner becomes under a pass's matrices. Mirror images and shadows may have a near plane of their own,
+/// and S is projective: then the eye distance alone does not determine the depth.
+struct ProjectedCorner {
+    double z = 0.0, w = 1.0;            ///< of clip space
+    double view_z = 0.0, view_w = 1.0;  ///< of view space, before the division by view_w
+};
+using ProjectedTriangle = std::array<ProjectedCorner, 3>;
+
+/// Returns the depth that GL interpolates at the point with these weights, before an offset and without clamping.
+double projected_depth(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights);
+
+/// Returns the eye distance there. The sign is that of a point behind the eye if it is negative.
+double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights);
+
+/// Returns whether GL keeps the point with these weights: it is before the eye, and between near and far.
+bool is_in_clip_range(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights);
+
+/// Returns the window depth of a projected triangle with the offset, as depth_of() does for the camera's own matrices.
+double projected_depth_of(const FramePlan& plan, const PixelTriangle& seen, const ProjectedTriangle& triangle,
+                          const PixelHit& hit, const DepthOffset& offset, const glm::dvec2& neighbors_px);
+
 /// Returns whether GL keeps the hit, that is, whether it lies between near and far. With a logarithm per vertex, the
 /// interpolated depth decides this.
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit);

@@ -23,6 +23,7 @@ struct Met {
     PixelHit hit;
     glm::dvec3 point_scene;  ///< world space
     DepthOffset offset;
+    std::optional<ProjectedTriangle> projected;  ///< if the camera's lens alone does not determine its depth
 };
 
 /// Finds everything that one pass draws over one pixel.
@@ -31,7 +32,13 @@ public:
     /// `clip_from_world`: the pass's matrix, or the one for the part of the view that has `size_px` pixels.
     Meeting(const FramePlan& plan, const Pass& pass, const glm::dmat4& clip_from_world, glm::ivec2 pixel,
             glm::ivec2 size_px)
-        : plan_(plan), pass_(pass), clip_from_world_(clip_from_world), pixel_(pixel), size_px_(size_px) {}
+        : plan_(plan),
+          pass_(pass),
+          clip_from_world_(clip_from_world),
+          pixel_(pixel),
+          size_px_(size_px),
+          is_projected_(pass.is_mirror_image || pass.subject == Subject::backdrop ||
+                        pass.world_from_scene != glm::dmat4(1.0)) {}
 
     /// `drawn`: how many of the mesh's triangles to draw.
     void mesh(int object, const Mesh& mesh, int drawn, const BoxTree& triangles, const glm::dmat4& world_from_model,
@@ -44,7 +51,11 @@ public:
             for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.positions[mesh.indices[3 * std::size_t{place} + k]];
             triangle(object, place, view, corners, world_from_model, offset);
         };
-        triangles.each([&](const Bounds& box) { return view.may_meet(box); }, meet);
+        const glm::dvec4 w_of_model = glm::transpose(pass_.world_from_scene * world_from_model)[3];
+        const auto may_meet = [&](const Bounds& box) {
+            return view.may_meet(box) || (pass_.forces_sign && crosses(w_of_model, box));
+        };
+        triangles.each(may_meet, meet);
         std::sort(found.begin() + before, found.end(), [](const Met& a, const Met& b) { return a.place < b.place; });
     }
 
@@ -61,29 +72,65 @@ public:
     std::vector<Met> found;
 
 private:
+    /// Whether the plane cuts the box: a triangle there may have corners on both sides of w = 0. If the sign of w is
+    /// forced, such a triangle covers pixels that none of its points project to.
+    static bool crosses(const glm::dvec4& plane, const Bounds& box) {
+        const double middle = glm::dot(plane, glm::dvec4(box.center(), 1.0));
+        return std::abs(middle) <= glm::dot(glm::abs(glm::dvec3(plane)), box.size() * 0.5);
+    }
+
     PixelView view_of(const glm::dmat4& world_from_model) const {
-        return {clip_from_world_ * world_from_model, pass_.view_from_world * world_from_model, pixel_, size_px_};
+        const glm::dmat4 placed_from_model = pass_.world_from_scene * world_from_model;
+        return {clip_from_world_ * placed_from_model, pass_.view_from_world * placed_from_model, pixel_, size_px_};
+    }
+
+    /// Returns what the pass's matrices make of a corner. Negates it in `seen` too if the pass forces the sign of w.
+    ProjectedCorner projected(PixelCorner& seen, const glm::dvec3& corner, const glm::dmat4& world_from_space) const {
+        const glm::dvec4 placed = pass_.world_from_scene * world_from_space * glm::dvec4(corner, 1.0);
+        const glm::dvec4 clip = clip_from_world_ * placed, view = pass_.view_from_world * placed;
+        ProjectedCorner made{clip.z, clip.w, view.z, view.w};
+        if (plan_.has_logarithm_per_vertex())
+            made.z = clip.w * (2.0 * window_depth(plan_.lens, DepthMapping::logarithmic,
+                                                  std::max(-view.z / view.w, 1e-30)) -
+                               1.0);
+        if (pass_.forces_sign && placed.w < 0.0) {
+            seen.offset_px = -seen.offset_px;
+            seen.w = -seen.w;
+            made.z = -made.z;
+            made.w = -made.w;
+        }
+        return made;
     }
 
     void triangle(int object, std::size_t place, const PixelView& view, const std::array<glm::dvec3, 3>& corners,
                   const glm::dmat4& world_from_space, const DepthOffset& offset) {
-        const PixelTriangle seen{view.corner(corners[0]), view.corner(corners[1]), view.corner(corners[2])};
-        const std::optional<PixelHit> met = hit(seen);
-        if (!met || !is_in_depth_range(plan_, seen, *met)) return;
+        PixelTriangle seen{view.corner(corners[0]), view.corner(corners[1]), view.corner(corners[2])};
+        std::optional<ProjectedTriangle> projection;
+        if (is_projected_) {
+            projection.emplace();
+            for (std::size_t i = 0; i < 3; ++i) (*projection)[i] = projected(seen[i], corners[i], world_from_space);
+        }
+        std::optional<PixelHit> met = hit(seen);
+        if (!met) return;
+        if (projection ? !is_in_clip_range(plan_, *projection, met->weights) : !is_in_depth_range(plan_, seen, *met))
+            return;
+        if (projection) met->distance = projected_distance(*projection, met->weights);
         const glm::dvec3 point =
             met->weights.x * corners[0] + met->weights.y * corners[1] + met->weights.z * corners[2];
-        found.push_back({object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset});
+        found.push_back({object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset,
+                         std::move(projection)});
     }
 
     const FramePlan& plan_;
     const Pass& pass_;
     const glm::dmat4 clip_from_world_;
     const glm::ivec2 pixel_, size_px_;
+    const bool is_projected_;
 };
 
 /// Returns the picture of a software method that a pass shows pixel by pixel; null if GL draws.
 const HiddenDrawing* picture_of(const FramePlan& plan, const Pass& pass) {
-    return pass.subject == Subject::pixels ? plan.hidden.camera.get() : nullptr;
+    return pass.subject == Subject::pixels ? plan.drawing_of(pass).get() : nullptr;
 }
 
 std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::ivec2 pixel, glm::ivec2 size_px) {
@@ -132,12 +179,15 @@ public:
     void clear_stencil() { stencil_ = 0; }
 
     /// Tests a surface and writes the values that the pass writes. A surface that GL never gets does not pass.
-    Fragment send(const Pass& pass, const Met& met, bool gl_gets_it) {
+    /// With `flips`, the depth comparison has the opposite outcome.
+    Fragment send(const Pass& pass, const Met& met, bool gl_gets_it, bool flips) {
         Fragment made;
         made.object_index = met.object;
         made.triangle = static_cast<int>(met.place);
         made.eye_z = -met.hit.distance;
-        made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbors_px_);
+        made.window_depth = met.projected ? projected_depth_of(plan_, met.triangle, *met.projected, met.hit,
+                                                               met.offset, neighbors_px_)
+                                          : depth_of(plan_, met.triangle, met.hit, met.offset, neighbors_px_);
         made.depth_error = depth_error(plan_, met.triangle, met.hit, met.offset, neighbors_px_, size_px_);
         made.stored = code_of(made.window_depth, precision_);
         made.within = stored_within(made.window_depth, made.depth_error, precision_);
@@ -154,15 +204,46 @@ public:
         const bool by_stencil =
             !pass.stencil.test || compare(pass.stencil.func, reference & read_bits, stencil_ & read_bits);
         made.stencil_fails = !by_stencil;
-        const bool by_depth = !pass.depth.test || compare(pass.depth.func, made.stored, depth_);
+        const bool by_depth = (!pass.depth.test || compare(pass.depth.func, made.stored, depth_)) != flips;
+        made.decided_by_rounding = flips;
         made.passes = gl_gets_it && !made.culled && by_stencil && by_depth;
         made.drawn = made.passes && pass.color_write;
+        made.weights = met.hit.weights;
+        made.point_scene = met.point_scene;
+        made.stencil_before = static_cast<int>(stencil_);
         if (made.passes && pass.depth.test && pass.depth.write) depth_ = made.stored;
-        if (made.passes && pass.stencil.test && pass.stencil.on_pass == StencilOp::replace) stencil_ = reference;
+        if (made.passes && pass.stencil.test) stencil_ = stencil_after(pass.stencil, reference);
+        made.stencil_after = static_cast<int>(stencil_);
+        made.depth_after = depth_;
         return made;
     }
 
 private:
+    std::uint32_t stencil_after(const StencilState& state, std::uint32_t reference) const {
+        std::uint32_t value = stencil_;
+        switch (state.on_pass) {
+            case StencilOp::keep:
+                break;
+            case StencilOp::replace:
+                value = reference;
+                break;
+            case StencilOp::increment:
+                value = std::min(stencil_ + 1, 255U);
+                break;
+            case StencilOp::decrement:
+                value = stencil_ > 0 ? stencil_ - 1 : 0;
+                break;
+            case StencilOp::invert:
+                value = ~stencil_;
+                break;
+            case StencilOp::zero:
+                value = 0;
+                break;
+        }
+        const auto written = static_cast<std::uint32_t>(state.write_bits);
+        return (stencil_ & ~written) | (value & written);
+    }
+
     std::uint32_t reference_of(const Pass& pass, const Met& met) const {
         const bool is_own = pass.marks_objects && met.object >= 0;
         return static_cast<std::uint32_t>(is_own ? plan_.mark_of(static_cast<std::size_t>(met.object))
@@ -216,17 +297,21 @@ std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met
 }
 
 /// Sends the surfaces of one frame, starting with a cleared stencil.
-std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& buffers) {
+std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& buffers, bool lists_all,
+                               std::span<const std::size_t> as_rounded) {
     std::vector<Fragment> fragments;
     buffers.clear_stencil();
     for (const Batch& batch : batches) {
         if (clears_marks(*batch.pass)) buffers.clear_stencil();
         for (std::size_t i = 0; i < batch.found.size(); ++i) {
-            if (is_cut_off(*batch.pass, batch.found[i].point_scene)) continue;
-            const bool is_sent = batch.pass->subject != Subject::pixels || batch.only == i;
-            Fragment fragment = buffers.send(*batch.pass, batch.found[i], is_sent);
+            const bool cut_off = is_cut_off(*batch.pass, batch.found[i].point_scene);
+            if (cut_off && !lists_all) continue;
+            const bool is_sent = !cut_off && (batch.pass->subject != Subject::pixels || batch.only == i);
+            const bool flips = std::find(as_rounded.begin(), as_rounded.end(), fragments.size()) != as_rounded.end();
+            Fragment fragment = buffers.send(*batch.pass, batch.found[i], is_sent, flips);
             fragment.pass = batch.number;
-            if (!is_mask(*batch.pass)) fragments.push_back(std::move(fragment));
+            fragment.cut_off = cut_off;
+            if (lists_all || !is_mask(*batch.pass)) fragments.push_back(std::move(fragment));
         }
     }
     return fragments;
@@ -239,6 +324,17 @@ FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
 }
 
 std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const {
+    return replayed(plan, pixel, size_px, Scope::surfaces, {});
+}
+
+std::vector<Fragment> FragmentFinder::everything_at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
+                                                    std::span<const std::size_t> as_rounded) const {
+    return replayed(plan, pixel, size_px, Scope::everything, as_rounded);
+}
+
+std::vector<Fragment> FragmentFinder::replayed(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
+                                               Scope scope, std::span<const std::size_t> as_rounded) const {
+    const bool lists_all = scope == Scope::everything;
     static const Mesh quad = quad_mesh();
     static const BoxTree quad_tree = BoxTree::of_triangles(quad);
     std::vector<Batch> batches;
@@ -249,22 +345,25 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
         const Pass& pass = plan.passes[number];
         int call = next_call;
         next_call += call_count(pass, scene_);
+        if (pass.subject == Subject::difference) continue;
         if (clears_marks(pass)) {
             batches.push_back({number, &pass, {}, std::nullopt});
             continue;
         }
-        if (!is_mask(pass) && !shows_surfaces(pass)) continue;
+        if (!lists_all && !is_mask(pass) && !shows_surfaces(pass)) continue;
         Meeting meeting = meeting_of(plan, pass, pixel, size_px);
         const auto meet = [&](int object, const Mesh& mesh, const BoxTree& triangles,
                               const glm::dmat4& world_from_model, const DepthOffset& offset) {
             const int drawn = triangles_drawn(plan.limit, call++, static_cast<int>(mesh.triangle_count()));
             meeting.mesh(object, mesh, drawn, triangles, world_from_model, offset);
         };
-        if (pass.subject == Subject::patch) {
-            if (!is_mask(pass) && !patches.insert(pass.plane).second) continue;
+        if (pass.subject == Subject::backdrop) {
+            meet(no_object, quad, quad_tree, glm::dmat4(1.0), {});
+        } else if (pass.subject == Subject::patch) {
+            if (!lists_all && !is_mask(pass) && !patches.insert(pass.plane).second) continue;
             meet(-1 - static_cast<int>(pass.plane), quad, quad_tree, plan.patches[pass.plane].world_from_patch(), {});
         } else if (pass.subject == Subject::ordered) {
-            meeting.ordered(plan.hidden.camera->triangles);
+            meeting.ordered(plan.drawing_of(pass)->triangles);
         } else {
             for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
                 const SceneObject& object = scene_.objects[i];
@@ -278,13 +377,14 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     }
 
     PixelBuffers buffers(plan, pixel, size_px);
-    if (!plan.clears_depth()) send_all(batches, buffers);
-    std::vector<Fragment> fragments = send_all(batches, buffers);
+    if (!plan.clears_depth()) send_all(batches, buffers, lists_all, {});
+    std::vector<Fragment> fragments = send_all(batches, buffers, lists_all, as_rounded);
     for (Fragment& fragment : fragments) fragment.object = name_of(fragment.object_index);
     return fragments;
 }
 
 std::string FragmentFinder::name_of(int object) const {
+    if (object == no_object) return "";
     return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object))
                       : scene_.objects[static_cast<std::size_t>(object)].description.name;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +14,13 @@
 
 namespace viewing {
 
+/// The object index of a pass that fills the picture.
+inline constexpr int no_object = std::numeric_limits<int>::min();
+
 struct Fragment {
     std::string object;         ///< "plane" for the patch
     std::size_t pass = 0;       ///< index in FramePlan::passes
-    int object_index = -1;      ///< in the scene; −1 − i: the patch of plane i
+    int object_index = -1;      ///< in the scene; −1 − i: the patch of plane i; no_object: a square over the picture
     int triangle = 0;           ///< index in the object's mesh, or in a method's order
     double eye_z = 0.0;         ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, with a decal's offset, before rounding to a code
@@ -34,6 +39,12 @@ struct Fragment {
     std::uint32_t compared_with = 0;   ///< the code in the buffer when it is drawn
     bool stencil_fails = false;        ///< its pass's stencil test rejects it
     bool decided_by_rounding = false;  ///< GL's decision contradicts these codes: see reconcile()
+
+    glm::dvec3 weights{0.0};         ///< of the triangle's corners, sum 1
+    glm::dvec3 point_scene{0.0};     ///< in world space, before the pass's S or R
+    bool cut_off = false;            ///< a clip plane of the pass rejects it: only everything_at() lists it
+    int stencil_before = 0, stencil_after = 0;
+    std::uint32_t depth_after = 0;   ///< the code in the buffer after it
 };
 
 /// Keeps a scene's triangles in box trees for fast repeated queries; make one finder per scene.
@@ -53,7 +64,20 @@ public:
     /// method finds one surface per pixel in software, only that surface passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
+    /// Returns the fragments of all passes: mirror images, shadows, masks and squares over the picture, too, and those
+    /// that a clip plane rejects. The stencil and the depth are those of the whole frame. `as_rounded` lists fragments,
+    /// by index in the result, whose depth comparison has the opposite outcome, because GL's rounding decides it.
+    std::vector<Fragment> everything_at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
+                                        std::span<const std::size_t> as_rounded = {}) const;
+
+    const Scene& scene() const { return scene_; }
+    /// The box tree over an object's triangles.
+    const BoxTree& triangles_of(std::size_t object) const { return *trees_[object]; }
+
 private:
+    enum class Scope { surfaces, everything };
+    std::vector<Fragment> replayed(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px, Scope scope,
+                                   std::span<const std::size_t> as_rounded) const;
     std::string name_of(int object) const;
 
     Scene scene_;

@@ -284,7 +284,8 @@ void say_bounces(Sayer& tell, const Params& params, const Derived& derived, cons
     if (depth == 1) {
         tell.broken(
             is_endless,
-            tr("mirrors facing each other reflect endlessly: a mirror seen in a mirror is drawn without its image"));
+            tr("mirrors facing each other reflect endlessly: a mirror seen in a mirror is drawn without its image"),
+            "reflection.bounces=8");
         tell(!is_endless && most < most_followed, say("a line of sight hits up to {count} mirrors in a row: a mirror "
                                                       "seen in a mirror is drawn without its image",
                                                       "count"_a = most));

@@ -42,11 +42,11 @@ void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
 void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
     // The mistake is an aspect ratio of 1, whatever the picture's is.
-    if (!params.reflection.same_projection && inside.mirrors_met == 1)
+    if (!params.reflection.same_projection && inside.bounces() == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
     inside.view_from_world = flip() * inside.view_from_world * mirrored_world_from_world;
-    inside.matrices = (inside.mirrors_met % 2 == 1 ? "F P F V" : "P V") + inside.mirror_symbols;
+    inside.matrices = (inside.bounces() % 2 == 1 ? "F P F V" : "P V") + inside.mirror_symbols;
     inside.eye_world = inside.eye_scene;
     if (params.reflection.reflect_light) return;
     for (glm::dvec4& light : inside.lights_world) light = mirrored_world_from_world * light;
@@ -79,10 +79,7 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     const DerivedPlane& plane = outside.plane(mirror);
     const glm::dmat4 true_mirror = mirror_matrix(plane.unit_plane);
     Level inside = outside;
-    inside.mirror = mirror;
-    inside.mirrors_met += 1;
-    if (outside.derived.planes.size() > 1)
-        inside.mirrors_name += (outside.is_real() ? "" : ", ") + std::to_string(mirror + 1);
+    inside.mirrors_met.push_back(mirror);
     inside.mirror_symbols += " " + outside.mirror_symbol(mirror);
     inside.region = outside.region_of(mirror);
     inside.flips_winding = !outside.flips_winding;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "text/catalogue.h"
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 
 namespace viewing {
 namespace {

@@ -8,7 +8,7 @@
 #include "ui/depth/cell_layout.h"
 #include "ui/depth/cell_text.h"
 #include "ui/depth/draw_steps.h"
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 #include "ui/parts/view_window.h"

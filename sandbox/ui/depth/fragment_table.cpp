@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/depth/pixel_numbers.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"

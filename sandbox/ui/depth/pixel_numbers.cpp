@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "text/catalogue.h"
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 
 namespace viewing {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/depth/fragment_text.h"
+#include "frame/depth/fragment_text.h"
 
 #include <bit>
 #include <cstdio>

@@ -1,0 +1,55 @@
+// Everything that happened at one pixel, in drawing order: what each pass sends there, which tests it passes, and what
+// its color becomes. The color at the end is predicted from the chain, not read back. Read why.h next, which turns the
+// chain into sentences.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frame/why/surface_color.h"
+
+namespace viewing {
+
+/// One fragment and its effect on the pixel.
+struct Touch {
+    Fragment fragment;
+    SurfaceColor color;   ///< if it paints
+    bool paints = false;  ///< passes all tests and writes color
+    Color after;          ///< the pixel's color after it
+    double share = 0.0;   ///< of the final color, 0 … 1: the rest has been painted over
+};
+
+struct PixelChain {
+    glm::ivec2 pixel{0};  ///< (0, 0) is top left
+    Color background;
+    double background_share = 1.0;  ///< of the final color
+    std::vector<Touch> touches;     ///< in drawing order
+    int stencil = 0;                ///< at the end
+    bool has_depth = false;         ///< something wrote depth
+    std::uint32_t stored = 0;       ///< the code at the end
+    Color color;                    ///< the scene's color at the end
+
+    /// Returns the last touch that paints a surface of the real world; null for the background.
+    const Touch* surface(const FramePlan& plan) const;
+};
+
+/// Replays the frame at a pixel without multisampling. `plan` must belong to the finder's scene.
+PixelChain pixel_chain(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px);
+
+/// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may have
+/// the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact depths.
+PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px,
+                            const Color& read_back);
+
+/// Whether two colors differ by at most one level per channel, which the rounding of blending explains.
+bool is_same_color(const Color& a, const Color& b);
+
+/// Returns the color that the picture shows there for view.shows: the chain's own, or that of its depth, stencil or
+/// count. None for heat maps and differences, whose colors are not computed.
+std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& chain);
+
+/// What a pass is for.
+enum class PassRole { objects, patch, shadow, mask, backdrop };
+PassRole role_of(const Pass& pass);
+
+}  // namespace viewing

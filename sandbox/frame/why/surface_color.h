@@ -1,0 +1,34 @@
+// Computes the color that a pass gives to a surface at one pixel, as the fragment shader does, with the share of each
+// light. Read shaders/surface.frag for the formula.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "frame/depth/fragments.h"
+
+namespace viewing {
+
+/// What one light adds to a surface.
+struct LightShare {
+    std::size_t light = 0;         ///< index in Derived::lights_world
+    double cosine = 0.0;           ///< n · l̂, both unit vectors; not positive: the surface faces away
+    glm::dvec3 adds_linear{0.0};   ///< linear light: diffuse and highlight
+    double highlight = 0.0;        ///< the highlight's part of it
+};
+
+struct SurfaceColor {
+    glm::dvec3 srgb{0.0};  ///< 0 … 1, as the pass sends it to blending
+    double alpha = 1.0;
+    glm::dvec3 albedo_linear{0.0};   ///< lit and unlit shading only, like all that follows
+    glm::dvec3 ambient_linear{0.0};  ///< what ambient light adds
+    std::vector<LightShare> lights;
+};
+
+/// Returns the color of a fragment that everything_at() found at this pixel. Heat maps are not computed: black.
+SurfaceColor surface_color(const FramePlan& plan, const Scene& scene, const Fragment& fragment, glm::ivec2 pixel,
+                           glm::ivec2 size_px);
+
+glm::dvec3 srgb_from_linear(const glm::dvec3& linear);
+
+}  // namespace viewing

@@ -1,0 +1,118 @@
+#include "frame/why/why.h"
+
+#include <algorithm>
+#include <array>
+
+#include "frame/depth/fragment_text.h"
+#include "frame/draw_calls.h"
+#include "frame/say.h"
+#include "state/file/json.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// Returns the picture's color at the pixel after a setting; none if the setting cannot be tried on this scene.
+std::optional<Color> color_with(const WhyQuestion& question, const std::string& setting) {
+    const Result<Params> fixed = apply_settings(question.params, std::vector<std::string>{setting});
+    if (!fixed || fixed->scene != question.params.scene || fixed->coplanar != question.params.coplanar)
+        return std::nullopt;
+    const bool needs_method = !is_drawn_by_gl_alone(fixed->visibility.method);
+    if (needs_method && !question.solve) return std::nullopt;
+    const Derived derived = derive(*fixed, question.finder.scene(), question.viewport);
+    const FramePlan frame = plan(*fixed, derived, needs_method ? question.solve(*fixed, derived) : HiddenPictures{});
+    const PixelChain chain = pixel_chain(frame, question.finder, question.pixel, question.viewport.size_px);
+    return predicted_color(frame, chain);
+}
+
+/// Names each problem whose fix changes this very pixel.
+void add_fault_rows(Why& made, const WhyQuestion& question) {
+    if (!made.predicted) return;
+    for (const Problem& problem : question.problems) {
+        if (problem.mended_by.empty()) continue;
+        const std::optional<Color> fixed = color_with(question, problem.mended_by);
+        if (!fixed || is_same_color(*fixed, *made.predicted)) continue;
+        made.rows.push_back({.kind = WhyRow::Kind::fault,
+                             .title = tr("Wrong here"),
+                             .sentence = problem.sentence + ".",
+                             .after = fixed,
+                             .fix = problem.mended_by});
+    }
+}
+
+/// Says what is seen, whether light is missing, and what shares the color.
+std::string sentence_of(const Why& made, const WhyQuestion& question) {
+    const Touch* surface = made.chain.surface(question.plan);
+    const std::vector<const Touch*> images = images_of(made, question.plan);
+    const Touch* image = images.empty() ? nullptr : images.front();
+    if (!surface && !image) return tr("Nothing is drawn here: this is the background.");
+    const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
+    std::vector<std::string> casters;
+    for (const Touch& touch : made.chain.touches) {
+        const Pass& pass = question.plan.passes[touch.fragment.pass];
+        const bool is_shadow = role_of(pass) == PassRole::shadow && pass.mirrors_met.empty() && touch.fragment.passes;
+        const std::string name = surface_name(question, touch.fragment.object_index);
+        if (is_shadow && surface && surface->fragment.object_index == -1 - static_cast<int>(pass.plane) &&
+            std::find(casters.begin(), casters.end(), name) == casters.end())
+            casters.push_back(name);
+    }
+    std::string said = casters.empty()
+                           ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
+                           : say("Seen here: {surface}, in the shadow of {casters}.",
+                                 "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
+    if (image && surface)
+        said += " " + say("{share} of the color is the mirror image of {object}.",
+                          "share"_a = percent(image->share, 0),
+                          "object"_a = surface_name(question, image->fragment.object_index));
+    const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
+                                    [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
+    if (fault != made.rows.end()) said += " " + say("Wrong here: {fault}", "fault"_a = fault->sentence);
+    return said;
+}
+
+}  // namespace
+
+std::vector<const Touch*> images_of(const Why& made, const FramePlan& plan) {
+    std::vector<const Touch*> images;
+    for (const Touch& touch : made.chain.touches) {
+        const Pass& pass = plan.passes[touch.fragment.pass];
+        const PassRole role = role_of(pass);
+        if (pass.is_mirror_image && (role == PassRole::objects || role == PassRole::patch) && touch.share > least_share)
+            images.push_back(&touch);
+    }
+    std::stable_sort(images.begin(), images.end(), [](const Touch* a, const Touch* b) { return a->share > b->share; });
+    return images;
+}
+
+Why why(const WhyQuestion& question) {
+    Why made;
+    made.chain = pixel_chain(question.plan, question.finder, question.pixel, question.viewport.size_px);
+    made.predicted = predicted_color(question.plan, made.chain);
+    made.read_back = question.read_back;
+    if (made.predicted && question.read_back && !is_same_color(*made.predicted, *question.read_back)) {
+        PixelChain other = chain_as_rounded(question.plan, question.finder, question.pixel, question.viewport.size_px,
+                                            *question.read_back);
+        const std::optional<Color> color = predicted_color(question.plan, other);
+        if (color && is_same_color(*color, *question.read_back)) {
+            made.chain = std::move(other);
+            made.predicted = color;
+            made.by_rounding = true;
+        }
+    }
+    made.has_mirror = !images_of(made, question.plan).empty();
+    made.has_shadow =
+        std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
+            return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;
+        });
+    add_ray_row(made, question);
+    add_pass_rows(made, question);
+    add_mirror_rows(made, question);
+    add_light_rows(made, question);
+    add_fault_rows(made, question);
+    add_sample_row(made, question);
+    add_sum_row(made, question);
+    made.sentence = sentence_of(made, question);
+    return made;
+}
+
+}  // namespace viewing

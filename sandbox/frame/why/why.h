@@ -1,0 +1,80 @@
+// "Why this pixel?": the chain of a pixel in sentences, in the order in which it happened, with the lines to draw in the
+// views. Every sentence is computed from the replayed frame. Read pixel_chain.h first.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frame/problems.h"
+#include "frame/why/casters.h"
+
+namespace viewing {
+
+struct WhyRow {
+    enum class Kind { ray, pass, mirror, light, fault, samples, sum };
+    Kind kind = Kind::ray;
+    std::string title = "";           ///< "Pass 3, Mirror image"; translated
+    std::string sentence = "";        ///< translated
+    std::optional<Color> after = {};  ///< the pixel's color after it
+    int pass = -1;                    ///< index in FramePlan::passes; −1: no pass
+    bool is_quiet = false;            ///< changes nothing
+    std::string fix = "";             ///< the setting that removes it; "" if none
+};
+
+/// A line of the explanation in world space, drawn in the views.
+struct WhyLine {
+    enum class Kind { sight, light, cut_light, image };
+    Kind kind = Kind::sight;
+    glm::dvec3 from_world{0.0}, to_world{0.0};
+    std::string label = "";  ///< at the end; translated
+    std::size_t row = 0;     ///< the row that it belongs to
+};
+
+struct Why {
+    std::string sentence;  ///< what is seen there, in one or two sentences
+    std::vector<WhyRow> rows;
+    std::vector<WhyLine> lines;
+    PixelChain chain;
+    std::optional<Color> predicted;  ///< none: this picture's colors are not computed
+    std::optional<Color> read_back;  ///< the question's
+    bool by_rounding = false;        ///< the prediction follows GL where two depths differ by less than rounding
+    bool has_shadow = false, has_mirror = false;  ///< a shadow or a mirror image is part of the color
+};
+
+/// What an explanation needs. `plan` must be plan(params, derived), and the finder must hold the scene.
+struct WhyQuestion {
+    const Params& params;
+    const Derived& derived;
+    const FramePlan& plan;
+    const FragmentFinder& finder;
+    const Viewport& viewport;
+    std::span<const Problem> problems;  ///< of this state: each fix is tried at the pixel
+    glm::ivec2 pixel;                   ///< inside the picture
+    std::optional<Color> read_back{};   ///< the color in the buffer, if it is known
+    /// Runs the hidden-surface method for another state; without it, fixes of the method are not tried.
+    std::function<HiddenPictures(const Params&, const Derived&)> solve{};
+};
+Why why(const WhyQuestion& question);
+
+// The parts of why(): why_rows.cpp.
+
+/// Returns "the plane", "plane 2", or the object's translated name.
+std::string surface_name(const WhyQuestion& question, int object_index);
+std::string point_text(const glm::dvec3& point);
+
+void add_ray_row(Why& made, const WhyQuestion& question);
+void add_pass_rows(Why& made, const WhyQuestion& question);
+void add_mirror_rows(Why& made, const WhyQuestion& question);
+void add_light_rows(Why& made, const WhyQuestion& question);
+void add_sample_row(Why& made, const WhyQuestion& question);
+void add_sum_row(Why& made, const WhyQuestion& question);
+
+/// A smaller share of the color, one level of 255, is not said.
+inline constexpr double least_share = 0.004;
+
+/// Returns the surfaces in mirrors that are part of the color, the greatest share first.
+std::vector<const Touch*> images_of(const Why& made, const FramePlan& plan);
+
+}  // namespace viewing

@@ -1,0 +1,451 @@
+// The rows of an explanation: the ray, the passes, the mirrors, the lights, the samples and the sum. Part of why.h.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "frame/depth/fragment_text.h"
+#include "frame/draw_calls.h"
+#include "frame/say.h"
+#include "frame/why/why.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+bool is_surface(const Pass& pass) {
+    const PassRole role = role_of(pass);
+    return role == PassRole::objects || role == PassRole::patch;
+}
+
+/// Returns "R₂ R₁" for the mirrors on the way.
+std::string mirror_product(const WhyQuestion& question, const Pass& pass) {
+    if (question.derived.planes.size() == 1) return "R";
+    std::string product;
+    for (const std::size_t mirror : pass.mirrors_met)
+        product += (product.empty() ? "R" : " R") + lowered_text({mirror + 1});
+    return product;
+}
+
+std::string light_title(std::size_t light, std::size_t count) {
+    return count == 1 ? tr("Light") : say("Light {light}", "light"_a = light + 1);
+}
+
+std::string name_of_light(const WhyQuestion& question, std::size_t light) {
+    return light_name(light, question.derived.lights_world.size());
+}
+
+DepthPrecision precision(const WhyQuestion& question) {
+    return precision_of(question.plan.depth_format);
+}
+
+/// Returns the true matrix that maps the scene to its image behind these mirrors.
+glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_t>& mirrors_met) {
+    glm::dmat4 made(1.0);
+    for (const std::size_t mirror : mirrors_met) made = made * derived.planes[mirror].mirrored_world_from_world;
+    return made;
+}
+
+/// Says what a fragment does in its pass: the tests with their numbers, and what it writes.
+std::string outcome(const WhyQuestion& question, const Touch& touch) {
+    const Fragment& fragment = touch.fragment;
+    const Pass& pass = question.plan.passes[fragment.pass];
+    const std::string name = surface_name(question, fragment.object_index);
+    if (fragment.cut_off) return say("{surface} is cut off by a clip plane", "surface"_a = name);
+    if (!fragment.is_sent) return say("the method found another surface before {surface}", "surface"_a = name);
+    if (fragment.culled)
+        return fragment.front_facing ? say("{surface} is culled: it shows its front face", "surface"_a = name)
+                                     : say("{surface} is culled: it shows its back face", "surface"_a = name);
+    if (fragment.stencil_fails)
+        return say("{surface}: the stencil value {value} does not match {reference}, so nothing is drawn",
+                   "surface"_a = name, "value"_a = fragment.stencil_before,
+                   "reference"_a = pass.marks_objects && fragment.object_index >= 0
+                                       ? question.plan.mark_of(static_cast<std::size_t>(fragment.object_index))
+                                       : pass.stencil.reference);
+    const TestText text = test_text(fragment, precision(question));
+    const std::string test = text.compare.empty() ? text.result : text.compare + ", " + text.result;
+    std::string said = say("{surface}: {test}", "surface"_a = name, "test"_a = test);
+    if (fragment.passes && fragment.stencil_after != fragment.stencil_before)
+        said += ", " + say("stencil {before} → {after}", "before"_a = fragment.stencil_before,
+                           "after"_a = fragment.stencil_after);
+    if (touch.paints && pass.blend == Blend::alpha)
+        said += ", " + say("covers {share} of the color", "share"_a = percent(touch.color.alpha, 0));
+    return said;
+}
+
+/// Lists the fragments of one pass, most of those that change nothing only as a count.
+std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*>& touches) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> said;
+    std::size_t left = 0;
+    for (const Touch* touch : touches) {
+        const bool changes = touch->fragment.passes;
+        const std::string text = outcome(question, *touch);
+        if (std::find(said.begin(), said.end(), text) != said.end()) continue;
+        if (said.size() < most || changes)
+            said.push_back(text);
+        else
+            ++left;
+    }
+    std::string all;
+    for (const std::string& one : said) all += (all.empty() ? "" : "; ") + one;
+    if (left > 0)
+        all += "; " + say_count(static_cast<std::int64_t>(left), "one more changes nothing", "{count} more change nothing");
+    return all + ".";
+}
+
+/// Says how a light reaches a surface of an object, or what it adds to a patch that no shadow darkens.
+std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
+    const std::string name = name_of_light(question, light);
+    const auto share = std::find_if(surface.color.lights.begin(), surface.color.lights.end(),
+                                    [&](const LightShare& one) { return one.light == light; });
+    if (share == surface.color.lights.end())
+        return say("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
+    if (share->cosine <= 0.0)
+        return say("n·ℓ̂ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
+                   "cosine"_a = number_text(share->cosine, 2));
+    const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
+    double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
+    for (const LightShare& one : surface.color.lights)
+        all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
+    return say("n·ℓ̂ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
+               "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
+}
+
+/// Says which shadow passes darken the pixel for one light, and which caster's point S carries there.
+std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
+                            std::size_t light) {
+    const Touch& first = *shadow.first;
+    const CastShadow& cast = question.derived.planes[plane].shadows[light];
+    const glm::dvec3& p = first.fragment.point_scene;
+    const glm::dvec4 s = cast.shadowed_world_from_world * glm::dvec4(p, 1.0);
+    const std::string caster = surface_name(question, first.fragment.object_index),
+                      name = name_of_light(question, light);
+    std::string said;
+    switch (place_of(question.derived.planes[plane], cast, p)) {
+        case CasterPlace::behind_plane:
+            said = say("{caster} lies behind the plane at p = {p} and darkens this pixel all the same: a false shadow.",
+                       "caster"_a = caster, "p"_a = point_text(p));
+            break;
+        case CasterPlace::beyond_light:
+            said = say("{caster} lies beyond {light} at p = {p} and darkens this pixel all the same: an anti-shadow.",
+                       "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
+            break;
+        case CasterPlace::between:
+            said = say("{light} does not arrive: {caster} is in its way at p = {p}.", "light"_a = name,
+                       "caster"_a = caster, "p"_a = point_text(p));
+    }
+    if (s.w != 0.0)
+        said += " " + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w),
+                          "w"_a = number_text(s.w, 2));
+    const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
+    said += " ";
+    if (is_missing_light)
+        said += tr("The stencil marks it, and the plane is drawn without this light.");
+    else
+        said += say_count(shadow.passing, "The shadow is blended over it once.",
+                          "The shadow is blended over it {count} times.");
+    return said;
+}
+
+/// Says why a pixel in the way of the light shows no shadow.
+std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
+                               std::size_t plane, std::size_t light) {
+    const std::string name = name_of_light(question, light);
+    if (shadow.rejected)
+        return say("{caster} is in the way of {light}, but its shadow fails the depth test here: {test}.",
+                   "caster"_a = caster, "light"_a = name,
+                   "test"_a = test_text(shadow.rejected->fragment, precision(question)).whole());
+    if (!question.params.shadow.enabled)
+        return say("{caster} is in the way of {light}, but no shadows are drawn.", "caster"_a = caster,
+                   "light"_a = name);
+    if (!question.derived.planes[plane].receives_shadow)
+        return say("{caster} is in the way of {light}, but this plane receives no shadow.", "caster"_a = caster,
+                   "light"_a = name);
+    return say("{caster} is in the way of {light}, but no pass draws its shadow here.", "caster"_a = caster,
+               "light"_a = name);
+}
+
+struct PathPoint {
+    glm::dvec3 world;
+    std::size_t mirror;
+};
+
+/// Returns where the line of sight to an image meets each mirror on its way.
+std::vector<PathPoint> path_of(const Derived& derived, const std::vector<std::size_t>& mirrors_met,
+                               const glm::dvec3& eye, const glm::dvec3& point_scene) {
+    std::vector<PathPoint> path;
+    glm::dvec3 from = eye;
+    for (std::size_t i = 0; i < mirrors_met.size(); ++i) {
+        const std::vector<std::size_t> rest(mirrors_met.begin() + static_cast<std::ptrdiff_t>(i), mirrors_met.end());
+        const glm::dvec4 image = image_from_scene(derived, rest) * glm::dvec4(point_scene, 1.0);
+        const glm::dvec3 to = image.w != 0.0 ? glm::dvec3(image) / image.w : glm::dvec3(image);
+        const glm::dvec4& plane = derived.planes[mirrors_met[i]].unit_plane;
+        const double a = glm::dot(plane, glm::dvec4(from, 1.0)), b = glm::dot(plane, glm::dvec4(to, 1.0));
+        if (a == b) break;
+        const double t = a / (a - b);
+        if (t < 0.0 || t > 1.0) break;
+        from = from + t * (to - from);
+        path.push_back({from, mirrors_met[i]});
+    }
+    return path;
+}
+
+/// Returns the eye as the world behind the pass's mirrors sees it.
+glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
+    glm::dvec4 eye = question.derived.eye_world;
+    for (const std::size_t mirror : pass.mirrors_met) eye = mirror_matrix(question.derived.planes[mirror].unit_plane) * eye;
+    return eye;
+}
+
+/// Returns the point that the camera is at; for parallel view rays, a point far along the ray.
+glm::dvec3 eye_for(const Derived& derived, const glm::dvec3& point) {
+    const glm::dvec4& eye = derived.eye_world;
+    return eye.w != 0.0 ? glm::dvec3(eye) / eye.w : point + 100.0 * glm::dvec3(eye);
+}
+
+}  // namespace
+
+std::string surface_name(const WhyQuestion& question, int object_index) {
+    if (object_index == no_object) return tr("the whole picture");
+    if (object_index < 0)
+        return planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size());
+    return object_text(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
+}
+
+std::string point_text(const glm::dvec3& point) {
+    return "(" + number_text(point.x, 2) + ", " + number_text(point.y, 2) + ", " + number_text(point.z, 2) + ")";
+}
+
+void add_ray_row(Why& made, const WhyQuestion& question) {
+    std::vector<const Fragment*> met;
+    std::set<std::pair<int, int>> known;
+    for (const Touch& touch : made.chain.touches) {
+        const Fragment& one = touch.fragment;
+        const Pass& pass = question.plan.passes[one.pass];
+        if (pass.is_mirror_image || !is_surface(pass) || !known.insert({one.object_index, one.triangle}).second) continue;
+        met.push_back(&one);
+    }
+    std::stable_sort(met.begin(), met.end(), [](const auto* a, const auto* b) { return a->eye_z > b->eye_z; });
+    std::string said;
+    constexpr std::size_t most = 5;
+    for (std::size_t i = 0; i < std::min(met.size(), most); ++i) {
+        const Fragment& one = *met[i];
+        const std::string name = surface_name(question, one.object_index), z = number_text(-one.eye_z, 2);
+        said += said.empty() ? "" : ", ";
+        said += one.object_index < 0 ? say("{surface} at z = {z}", "surface"_a = name, "z"_a = z)
+                : one.front_facing   ? say("{surface} (front) at z = {z}", "surface"_a = name, "z"_a = z)
+                                     : say("{surface} (back) at z = {z}", "surface"_a = name, "z"_a = z);
+    }
+    if (met.size() > most)
+        said += ", " + say_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces");
+    made.rows.push_back({.kind = WhyRow::Kind::ray,
+                         .title = tr("Ray"),
+                         .sentence = said.empty() ? tr("The ray meets no surface.")
+                                                  : say("The ray meets, from near to far: {surfaces}.", "surfaces"_a = said),
+                         .is_quiet = met.empty()});
+    if (met.empty()) return;
+    made.lines.push_back({.kind = WhyLine::Kind::sight,
+                          .from_world = eye_for(question.derived, met.front()->point_scene),
+                          .to_world = met.front()->point_scene,
+                          .row = made.rows.size() - 1});
+}
+
+void add_pass_rows(Why& made, const WhyQuestion& question) {
+    const FramePlan& plan = question.plan;
+    int kept_out = 0;
+    for (std::size_t number = 0; number < plan.passes.size(); ++number) {
+        std::vector<const Touch*> touches;
+        for (const Touch& touch : made.chain.touches)
+            if (touch.fragment.pass == number) touches.push_back(&touch);
+        if (touches.empty()) continue;
+        const Pass& pass = plan.passes[number];
+        if (std::all_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->fragment.stencil_fails; })) {
+            ++kept_out;
+            continue;
+        }
+        const bool changes =
+            std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->fragment.passes; });
+        const bool paints = std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->paints; });
+        made.rows.push_back(
+            {.kind = WhyRow::Kind::pass,
+             .title = say("Pass {number}, {pass}", "number"_a = number + 1, "pass"_a = pass.name),
+             .sentence = outcomes(question, touches),
+             .after = paints ? std::optional(touches.back()->after) : std::nullopt,
+             .pass = static_cast<int>(number),
+             .is_quiet = !changes});
+    }
+    if (kept_out > 0)
+        made.rows.push_back({.kind = WhyRow::Kind::pass,
+                             .title = tr("Stencil"),
+                             .sentence = say_count(kept_out, "One more pass covers this pixel, but the stencil keeps it out.",
+                                                   "{count} more passes cover this pixel, but the stencil keeps them out."),
+                             .is_quiet = true});
+}
+
+namespace {
+
+void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) {
+    const Pass& pass = question.plan.passes[image->fragment.pass];
+    const glm::dvec3& q = image->fragment.point_scene;
+    const glm::dvec4 seen = image_from_scene(question.derived, pass.mirrors_met) * glm::dvec4(q, 1.0);
+    const glm::dvec3 image_world = seen.w != 0.0 ? glm::dvec3(seen) / seen.w : glm::dvec3(seen);
+    const glm::dvec3 eye = eye_for(question.derived, image_world);
+    const std::vector<PathPoint> path = path_of(question.derived, pass.mirrors_met, eye, q);
+    std::string way;
+    for (const PathPoint& point : path)
+        way += say("{plane} at {point}", "plane"_a = planes_name(std::array{point.mirror}, question.derived.planes.size()),
+                   "point"_a = point_text(point.world)) +
+               " → ";
+    const std::string object = surface_name(question, image->fragment.object_index);
+    made.rows.push_back({.kind = WhyRow::Kind::mirror,
+                         .title = tr("Mirror"),
+                         .sentence = say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.",
+                                         "way"_a = way, "object"_a = object, "q"_a = point_text(q),
+                                         "product"_a = mirror_product(question, pass), "image"_a = point_text(image_world)),
+                         .after = image->after});
+    const std::size_t row = made.rows.size() - 1;
+    glm::dvec3 from = eye;
+    for (const PathPoint& point : path) {
+        made.lines.push_back({WhyLine::Kind::sight, from, point.world, "", row});
+        from = point.world;
+    }
+    made.lines.push_back({WhyLine::Kind::sight, from, q, object, row});
+    if (!path.empty())
+        made.lines.push_back({WhyLine::Kind::image, path.front().world, image_world,
+                              say("image of {object}", "object"_a = object), row});
+}
+
+/// Adds a row for each light of a surface that is part of the color: in the real world or in a mirror.
+void add_lights(Why& made, const WhyQuestion& question, const Touch* surface) {
+    const Pass& pass = question.plan.passes[surface->fragment.pass];
+    if (pass.shading != Shading::lit && pass.shading != Shading::unlit) return;
+    const glm::dvec3& point = surface->fragment.point_scene;
+    const bool is_patch = surface->fragment.object_index < 0;
+    for (std::size_t light = 0; light < question.derived.lights_world.size(); ++light) {
+        const glm::dvec4& light_world = question.derived.lights_world[light];
+        const std::optional<Blocker> in_way = blocker(question.finder, point, light_world);
+        const std::string title = light_title(light, question.derived.lights_world.size());
+        WhyRow row{.kind = WhyRow::Kind::light,
+                   .title = pass.mirrors_met.empty() ? title : say("{light}, in the mirror", "light"_a = title)};
+        std::optional<glm::dvec3> caster;
+        std::string caster_name;
+        if (is_patch) {
+            const std::size_t plane = pass.plane;
+            const DerivedPlane& receiver = question.derived.planes[plane];
+            const bool reaches = receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
+            const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, plane, light, pass.mirrors_met);
+            if (shadow.first) {
+                row.sentence = shadow_sentence(question, shadow, plane, light);
+                row.after = shadow.first->after;
+                caster = shadow.first->fragment.point_scene;
+                caster_name = surface_name(question, shadow.first->fragment.object_index);
+            } else if (in_way && reaches) {
+                caster = in_way->point_world;
+                caster_name = surface_name(question, in_way->object_index);
+                row.sentence = no_shadow_sentence(question, caster_name, shadow, plane, light);
+            } else {
+                row.sentence = lit_sentence(question, *surface, light);
+            }
+        } else {
+            row.sentence = lit_sentence(question, *surface, light);
+            const bool faces = std::any_of(surface->color.lights.begin(), surface->color.lights.end(),
+                                           [&](const LightShare& one) { return one.light == light && one.cosine > 0.0; });
+            if (in_way && faces) {
+                caster_name = surface_name(question, in_way->object_index);
+                row.sentence += " " + say("{caster} is in its way, but planar shadows fall on planes only.",
+                                          "caster"_a = caster_name);
+                caster = in_way->point_world;
+            }
+        }
+        made.rows.push_back(row);
+        const glm::dvec3 to = light_world.w != 0.0
+                                  ? glm::dvec3(light_world) / light_world.w
+                                  : point + glm::normalize(glm::dvec3(light_world)) *
+                                                glm::length(question.finder.scene().bounds_world.size());
+        const std::size_t at = made.rows.size() - 1;
+        if (!caster) {
+            made.lines.push_back({WhyLine::Kind::light, to, point, "", at});
+            continue;
+        }
+        made.lines.push_back({WhyLine::Kind::light, to, *caster, "", at});
+        made.lines.push_back({WhyLine::Kind::cut_light, *caster, point, caster_name, at});
+    }
+}
+
+}  // namespace
+
+void add_mirror_rows(Why& made, const WhyQuestion& question) {
+    for (const Touch* image : images_of(made, question.plan)) add_mirror_row(made, question, image);
+}
+
+void add_light_rows(Why& made, const WhyQuestion& question) {
+    if (const Touch* surface = made.chain.surface(question.plan); surface && surface->share > least_share)
+        add_lights(made, question, surface);
+    for (const Touch* image : images_of(made, question.plan)) add_lights(made, question, image);
+}
+
+void add_sample_row(Why& made, const WhyQuestion& question) {
+    if (question.plan.samples == 0) return;
+    // The four places in a pixel where GL's usual pattern takes its samples, in eighths of a pixel, are centers of
+    // pixels of a picture four times as large.
+    static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
+    std::vector<std::pair<std::string, int>> seen;
+    for (const glm::ivec2& place : places) {
+        const PixelChain chain = pixel_chain(question.plan, question.finder, 4 * question.pixel + place,
+                                             4 * question.viewport.size_px);
+        const Touch* surface = chain.surface(question.plan);
+        const std::string name =
+            surface ? surface_name(question, surface->fragment.object_index) : tr("the background");
+        const auto known = std::find_if(seen.begin(), seen.end(), [&](const auto& one) { return one.first == name; });
+        if (known == seen.end())
+            seen.emplace_back(name, 1);
+        else
+            ++known->second;
+    }
+    if (seen.size() == 1) return;
+    std::vector<std::string> parts;
+    for (const auto& [name, count] : seen)
+        parts.push_back(say("{surface}: {count} of 4", "surface"_a = name, "count"_a = count));
+    made.rows.push_back({.kind = WhyRow::Kind::samples,
+                         .title = tr("Samples"),
+                         .sentence = say("With multisampling, several surfaces share this pixel: {surfaces}.",
+                                         "surfaces"_a = joined(parts))});
+}
+
+void add_sum_row(Why& made, const WhyQuestion& question) {
+    if (!made.predicted) return;
+    std::string sum;
+    const auto add = [&](double share, const glm::dvec3& srgb) {
+        if (share < least_share) return;
+        const glm::ivec3 level = glm::ivec3(glm::round(255.0 * srgb));
+        const std::string color = hex_color(static_cast<std::uint8_t>(level.r), static_cast<std::uint8_t>(level.g),
+                                            static_cast<std::uint8_t>(level.b));
+        sum += (sum.empty() ? "" : " + ") + (share > 0.996 ? color : number_text(share, 2) + " · " + color);
+    };
+    const Color& background = made.chain.background;
+    add(made.chain.background_share, glm::dvec3(background.r, background.g, background.b) / 255.0);
+    for (const Touch& touch : made.chain.touches) add(touch.share, touch.color.srgb);
+    const Color& color = *made.predicted;
+    const std::string result = hex_color(color.r, color.g, color.b);
+    const bool is_color = question.plan.shows != Shows::depth && question.plan.shows != Shows::stencil &&
+                          question.plan.shows != Shows::overdraw;
+    std::string said = !is_color || sum == result ? result : sum + " = " + result;
+    if (question.plan.shows == Shows::stencil)
+        said = say("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
+    if (question.plan.shows == Shows::depth)
+        said = made.chain.has_depth ? say("depth code {code} is shown as {color}",
+                                          "code"_a = code_text(made.chain.stored, precision(question)),
+                                          "color"_a = result)
+                                    : say("nothing wrote depth: shown as {color}", "color"_a = result);
+    if (question.read_back)
+        said += is_same_color(color, *question.read_back)
+                    ? (made.by_rounding ? std::string(", ") + tr("as read back; two depths are so close that rounding decides")
+                                        : std::string(", ") + tr("as read back"))
+                    : ", " + say("but {color} is read back",
+                                 "color"_a = hex_color(question.read_back->r, question.read_back->g,
+                                                       question.read_back->b));
+    made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
+}
+
+}  // namespace viewing

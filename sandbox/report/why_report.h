@@ -1,0 +1,25 @@
+// "Why this pixel?" for the command line: draws the camera's picture, reads a pixel back, and explains it, as JSON or
+// text. Read frame/why/why.h for the explanation.
+#pragma once
+
+#include <span>
+
+#include "frame/why/why.h"
+#include "render/renderer.h"
+#include "state/file/document.h"
+
+namespace viewing {
+
+/// Explains pixels of the picture without multisampling, counted from the top left; they must be inside it. The error
+/// comes from GL, or says that the scene is too large for its hidden-surface method.
+Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& params, const Scene& scene,
+                                          std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
+
+/// "predicted" is the color computed from the chain and null if this picture's colors are not computed; "read_back" is
+/// the color in the buffer.
+Json why_as_json(const Why& why);
+
+/// Returns the sentence, one line per row, and an empty line.
+std::string why_as_text(const Why& why);
+
+}  // namespace viewing

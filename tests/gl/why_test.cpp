@@ -1,0 +1,219 @@
+// The explanation of a pixel: the color that the chain predicts equals the one that GL draws, over presets and seeded
+// states with mistakes; and wherever a fix of a preset changes the picture, the explanation names that fix.
+// VIEWING_LONG_TESTS=N checks N times as many states.
+#include <array>
+#include <map>
+#include <random>
+
+#include "frame/hidden/hidden_views.h"
+#include "frame/why/why.h"
+#include "gl/gl_test.h"
+#include "platform/sanitized.h"
+#include "render/probe.h"
+#include "state/presets.h"
+#include "unit/state/random_params.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 why_px(192, 120);
+
+class WhyThisPixel : public testing::GlTest {
+protected:
+    struct Seen {
+        int equal = 0, unequal = 0, at_edges = 0, by_rounding = 0;
+        std::map<std::string, int> kinds;
+    };
+
+    static FramePlan plan_of(const Params& params, const Derived& derived, const Scene& scene) {
+        return plan(params, derived, solved(params, derived, scene));
+    }
+
+    /// Runs a hidden-surface method for a state that needs one.
+    static HiddenPictures solved(const Params& params, const Derived& derived, const Scene& scene) {
+        const auto question = hidden_question(params, derived, why_px);
+        if (!question) return {};
+        HiddenSurfaceSolver solver(scene);
+        return answer_hidden_question(solver, *question).pictures;
+    }
+
+    /// Returns the names of everything that touches a pixel, with the decisions: another text beside a pixel means an
+    /// edge.
+    static std::string touches_of(const PixelChain& chain) {
+        std::string text;
+        for (const Touch& touch : chain.touches)
+            text += std::to_string(touch.fragment.pass) + ":" + std::to_string(touch.fragment.object_index) +
+                    (touch.fragment.passes ? "+ " : "- ");
+        return text;
+    }
+
+    static void compare(const Params& state, const Scene& scene, std::mt19937& random, int pixels,
+                        const std::string& what, Seen& seen) {
+        Params params = state;
+        params.view.samples = 0;
+        const Derived derived = derive_for(params, scene, why_px);
+        const FramePlan frame = plan_of(params, derived, scene);
+        const Image picture = draw(frame, scene, why_px);
+        const FragmentFinder finder(scene);
+        for (int i = 0; i < pixels; ++i) {
+            const glm::ivec2 pixel(static_cast<int>(random() % why_px.x), static_cast<int>(random() % why_px.y));
+            const testing::Rgb read = testing::rgb_at(picture, pixel);
+            const PixelChain exact = pixel_chain(frame, finder, pixel, why_px);
+            const PixelChain chain =
+                chain_as_rounded(frame, finder, pixel, why_px,
+                                 {static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
+                                  static_cast<std::uint8_t>(read.b)});
+            const std::optional<Color> predicted = predicted_color(frame, chain), at_first = predicted_color(frame, exact);
+            if (!predicted) continue;
+            seen.by_rounding += *predicted == *at_first ? 0 : 1;
+            if (testing::worst_channel(read, {predicted->r, predicted->g, predicted->b}) <= 1) {
+                ++seen.equal;
+                continue;
+            }
+            bool at_edge = false;
+            for (const glm::ivec2 beside : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)}) {
+                const PixelChain there = pixel_chain(frame, finder, pixel + beside, why_px);
+                // The floor's pattern has edges, too.
+                const glm::ivec3 step(there.color.r - chain.color.r, there.color.g - chain.color.g,
+                                      there.color.b - chain.color.b);
+                at_edge = at_edge || touches_of(there) != touches_of(chain) || glm::any(glm::greaterThan(glm::abs(step), glm::ivec3(3)));
+            }
+            if (at_edge) {
+                ++seen.at_edges;
+                continue;
+            }
+            ++seen.unequal;
+            ++seen.kinds[what];
+            if (std::getenv("WHY_SAYS") && seen.kinds[what] < 4) {
+                std::string text = what + " (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ") read " +
+                                   std::to_string(read.r) + " " + std::to_string(read.g) + " " +
+                                   std::to_string(read.b) + " predicted " + std::to_string(predicted->r) + " " +
+                                   std::to_string(predicted->g) + " " + std::to_string(predicted->b);
+                for (const Touch& touch : chain.touches)
+                    text += "\n   " + frame.passes[touch.fragment.pass].name + " " + touch.fragment.object +
+                            (touch.fragment.culled ? " culled" : "") + (touch.fragment.cut_off ? " cut" : "") +
+                            (touch.fragment.stencil_fails ? " stencil" : "") + (touch.fragment.passes ? " passes" : "") +
+                            (touch.paints ? " paints" : "") + " depth " + std::to_string(touch.fragment.stored) +
+                            " against " + std::to_string(touch.fragment.compared_with) + " stencil " +
+                            std::to_string(touch.fragment.stencil_after) + " -> " + std::to_string(touch.after.r) +
+                            " " + std::to_string(touch.after.g) + " " + std::to_string(touch.after.b) + " z " +
+                            std::to_string(touch.fragment.eye_z);
+                std::puts(text.c_str());
+            }
+        }
+    }
+
+    /// At most one pixel in a thousand may differ, edges aside.
+    static void check(const Seen& seen) {
+        std::string kinds;
+        for (const auto& [kind, count] : seen.kinds) kinds += "\n  " + kind + ": " + std::to_string(count);
+        RecordProperty("equal", seen.equal);
+        RecordProperty("by_rounding", seen.by_rounding);
+        RecordProperty("at_edges", seen.at_edges);
+        EXPECT_LE(seen.unequal, 0.001 * seen.equal) << seen.equal << " equal, " << seen.unequal << " unequal:" << kinds;
+        EXPECT_LE(seen.at_edges, 0.02 * seen.equal);
+        EXPECT_LE(seen.by_rounding, 0.02 * seen.equal);
+    }
+
+    /// Takes the mistakes and styles of a random state, and keeps the preset's camera and scene so that something is
+    /// seen.
+    static Params random_room(const Params& base, unsigned seed) {
+        const Params wild = testing::RandomParams(seed).make();
+        Params room = base;
+        room.shadow = wild.shadow;
+        room.reflection = wild.reflection;
+        room.slips = wild.slips;
+        room.slips.degrees_as_radians = false;
+        room.depth = wild.depth;
+        room.depth.func = seed % 4 == 0 ? wild.depth.func : CompareFunc::less;
+        room.depth.buffer = room.depth.write = true;
+        room.cull = seed % 3 == 0 ? wild.cull : CullParams{};
+        room.visibility = VisibilityParams{};
+        room.view.shows = Shows::color;
+        std::mt19937 random(seed);
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        room.lights.resize(1 + random() % 4, LightParams{});
+        for (LightParams& light : room.lights)
+            light.position = {uniform(-6, 6), uniform(0.5, 9), uniform(-6, 6), random() % 3 == 0 ? 0.0 : 1.0};
+        room.planes.resize(1 + random() % 3, PlaneParams{});
+        for (std::size_t i = 1; i < room.planes.size(); ++i)
+            room.planes[i].equation = {i == 1 ? 1.0 : uniform(-0.3, 0.3), uniform(-0.2, 0.2), i == 1 ? 0.0 : 1.0,
+                                       uniform(2, 5)};
+        room.overrides = {};
+        room.view.plane = room.view.light = 1;
+        return room;
+    }
+};
+
+TEST_F(WhyThisPixel, PredictsTheColorsOfPresets) {
+    std::mt19937 random(3801);
+    Seen seen;
+    for (const NamedFile& preset : presets()) {
+        const auto [params, scene] = testing::preset_named(preset.name);
+        compare(params, scene, random, testing::trials(is_sanitized ? 10 : 100), preset.name, seen);
+    }
+    check(seen);
+}
+
+/// Rooms from the list of fields: planes, lights, bounces, styles, mistakes and depth formats at random.
+TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
+    constexpr unsigned first_seed = 3820;
+    Seen seen;
+    const std::vector<NamedFile> all = presets();
+    for (int room = 0; room < testing::trials(is_sanitized ? 6 : 60); ++room) {
+        const unsigned seed = first_seed + static_cast<unsigned>(room);
+        std::mt19937 random(seed);
+        const auto [base, scene] = testing::preset_named(all[random() % all.size()].name);
+        const Params params = random_room(base, seed);
+        compare(params, scene, random, 50, "seed " + std::to_string(seed), seen);
+    }
+    check(seen);
+}
+
+/// For each preset with a mistake: wherever its fix changes the picture, the explanation names that fix.
+TEST_F(WhyThisPixel, NamesTheMistakeWhereItChangesThePicture) {
+    std::mt19937 random(3850);
+    int tried = 0;
+    for (const NamedFile& preset : presets()) {
+        if (preset.mended_by.empty()) continue;
+        auto [params, scene] = testing::preset_named(preset.name);
+        params.view.samples = 0;
+        const Result<Params> fixed = apply_settings(params, std::vector<std::string>{preset.mended_by});
+        ASSERT_TRUE(fixed) << preset.name;
+        const Viewport viewport = renderer().viewport(why_px, params.depth.format);
+        const Derived derived = derive(params, scene, viewport), right = derive(*fixed, scene, viewport);
+        const FramePlan frame = plan_of(params, derived, scene);
+        const Image before = draw(frame, scene, why_px), after = draw(plan_of(*fixed, right, scene), scene, why_px);
+        const std::vector<Problem> problems = find_problems(params, derived, scene, frame);
+        const FragmentFinder finder(scene);
+        const auto solve = [&, &scene = scene](const Params& state, const Derived& numbers) {
+            return solved(state, numbers, scene);
+        };
+        std::vector<glm::ivec2> differing;
+        for (int y = 0; y < why_px.y; ++y)
+            for (int x = 0; x < why_px.x; ++x)
+                if (testing::worst_channel(testing::rgb_at(before, {x, y}), testing::rgb_at(after, {x, y})) > 8)
+                    differing.emplace_back(x, y);
+        ASSERT_FALSE(differing.empty()) << preset.name << " looks the same with " << preset.mended_by;
+        std::shuffle(differing.begin(), differing.end(), random);
+        differing.resize(std::min<std::size_t>(differing.size(), is_sanitized ? 5 : 40));
+        int named = 0;
+        for (const glm::ivec2& pixel : differing) {
+            const testing::Rgb read = testing::rgb_at(before, pixel);
+            const Color color{static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
+                              static_cast<std::uint8_t>(read.b)};
+            const Why explained = why({params, derived, frame, finder, viewport, problems, pixel, color, solve});
+            named += std::any_of(explained.rows.begin(), explained.rows.end(),
+                                 [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
+        }
+        ++tried;
+        EXPECT_GE(named, 0.95 * static_cast<double>(differing.size()))
+            << preset.name << ": " << named << " of " << differing.size() << " pixels name " << preset.mended_by;
+    }
+    EXPECT_GE(tried, 30);
+}
+
+}  // namespace
+}  // namespace viewing
