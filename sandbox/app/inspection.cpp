@@ -8,7 +8,8 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
     const Params& params = shown.params;
     DepthWishes wishes;
     const bool tells_pixel = is_shown(params, Topic::pixel), tells_cells = is_shown(params, Topic::cells);
-    if (tells_pixel || tells_cells || is_shown(params, Topic::precision)) {
+    const bool tells_why = is_shown(params, Topic::why);
+    if (tells_pixel || tells_cells || tells_why || is_shown(params, Topic::precision)) {
         wishes.pixel = shown.pinned.pixel;
         const bool is_pinned = params.view.pixel || params.view.pin;  // even if the pinned point is not visible
         if (const auto pointed = views.told_pixel; pointed && !is_pinned)
@@ -24,11 +25,28 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
     Status done = inspector_.update(renderer_, shown.inspected, session.scene(), session.scene_version(), shown.derived,
                                     shown.camera_px, wishes, at_once);
     reads_ = inspector_.is_following();
+    if (!tells_why || !inspector_.data().pixel)
+        why_.reset();
+    else if (!why_ || why_->chain.pixel != inspector_.data().pixel->pixel)
+        explain(shown, session);
     return done;
+}
+
+void Inspection::explain(const ShownFrame& shown, const Session& session) {
+    if (!finder_ || finder_version_ != session.scene_version())
+        finder_ = std::make_unique<FragmentFinder>(session.scene());
+    finder_version_ = session.scene_version();
+    const PixelReport& pixel = *inspector_.data().pixel;
+    const Shows shows = shown.params.view.shows;
+    const bool is_read = shows == Shows::color || shows == Shows::facing || shows == Shows::shadow_w;
+    const Viewport viewport = renderer_.viewport(shown.camera_px, shown.params.depth.format);
+    why_ = std::make_shared<const Why>(why({shown.params, shown.derived, shown.plan, *finder_, viewport, shown.problems,
+                                            pixel.pixel, is_read ? std::optional(pixel.color) : std::nullopt, {}}));
 }
 
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
     DepthData data = inspector_.data();
+    data.why = why_;
     tells_fighting_ = is_shown(shown.params, Topic::fighting);
     if (tells_fighting_)
         data.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(),

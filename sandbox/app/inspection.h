@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/shown_frame.h"
+#include "frame/why/why.h"
 #include "measure/depth_inspector.h"
 #include "measure/fighting_counter.h"
 #include "session/session.h"
@@ -14,7 +15,10 @@ public:
     explicit Inspection(Renderer& renderer) : renderer_(renderer) {}
 
     /// Forgets the values. Call when the pictures have changed.
-    void forget() { inspector_.forget(); }
+    void forget() {
+        inspector_.forget();
+        why_.reset();
+    }
 
     /// Reads the values that the views need from this frame. If `at_once`, waits for all of them.
     Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
@@ -37,7 +41,12 @@ public:
 
 private:
     Renderer& renderer_;
+    void explain(const ShownFrame& shown, const Session& session);
+
     DepthInspector inspector_;
+    std::shared_ptr<const Why> why_;  ///< of the inspector's pixel
+    std::unique_ptr<FragmentFinder> finder_;
+    int finder_version_ = -1;
     FightingCounter fighting_;
     bool tells_fighting_ = false;
     bool reads_ = false, follows_ = false;

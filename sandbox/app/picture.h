@@ -51,7 +51,8 @@ enum class PictureView {
     from_light,
     mirror_ways,
     lecture_code,
-    display_code
+    display_code,
+    why
 };
 /// In the order of PictureView.
 inline constexpr std::array picture_view_names{"window",
@@ -76,7 +77,8 @@ inline constexpr std::array picture_view_names{"window",
                                                "from_light",
                                                "mirror_ways",
                                                "lecture_code",
-                                               "display_code"};
+                                               "display_code",
+                                               "why"};
 
 struct PictureRequest {
     PictureView view = PictureView::window;

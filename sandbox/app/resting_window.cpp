@@ -160,7 +160,8 @@ Topic topic_of(PictureView view, const Params& params) {
                                     {PictureView::from_light, Topic::from_light},
                                     {PictureView::mirror_ways, Topic::mirror_ways},
                                     {PictureView::lecture_code, Topic::lecture_code},
-                                    {PictureView::display_code, Topic::display_code}};
+                                    {PictureView::display_code, Topic::display_code},
+                                    {PictureView::why, Topic::why}};
     if (view == PictureView::derivation)
         return is_shown(params, Topic::mirror_derivation) ? Topic::mirror_derivation : Topic::shadow_derivation;
     for (const Shown& shown : all)

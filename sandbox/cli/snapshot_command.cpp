@@ -56,7 +56,7 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
                  "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
                  "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code. A "
+                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
                  "view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,

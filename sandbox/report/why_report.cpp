@@ -3,7 +3,6 @@
 #include "measure/camera_picture.h"
 #include "measure/hidden_answers.h"
 #include "report/as_json.h"
-#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -75,21 +74,6 @@ Json why_as_json(const Why& why) {
             {"rounding", why.by_rounding},
             {"rows", std::move(rows)},
             {"fragments", std::move(touches)}};
-}
-
-std::string why_as_text(const Why& why) {
-    std::string text = say("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y);
-    if (why.read_back) text += " " + as_text(*why.read_back);
-    text += "\n" + why.sentence + "\n";
-    for (const WhyRow& row : why.rows) {
-        text += "  " + row.title + ": " + row.sentence;
-        if (row.kind == WhyRow::Kind::fault)
-            text += " " + say("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = as_text(*row.after));
-        else if (row.after && row.kind != WhyRow::Kind::sum)
-            text += " → " + as_text(*row.after);
-        text += "\n";
-    }
-    return text + "\n";
 }
 
 }  // namespace viewing

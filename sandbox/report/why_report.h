@@ -1,5 +1,5 @@
 // "Why this pixel?" for the command line: draws the camera's picture, reads a pixel back, and explains it, as JSON or
-// text. Read frame/why/why.h for the explanation.
+// text (why_as_text). Read frame/why/why.h for the explanation.
 #pragma once
 
 #include <span>
@@ -18,8 +18,5 @@ Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& para
 /// "predicted" is the color computed from the chain and null if this picture's colors are not computed; "read_back" is
 /// the color in the buffer.
 Json why_as_json(const Why& why);
-
-/// Returns the sentence, one line per row, and an empty line.
-std::string why_as_text(const Why& why);
 
 }  // namespace viewing

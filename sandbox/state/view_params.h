@@ -37,7 +37,8 @@ enum class Topic {
     lecture_code,
     mirror_ways,
     from_light,
-    display_code
+    display_code,
+    why
 };
 
 /// A second picture in the camera view.

@@ -12,6 +12,10 @@
 namespace viewing {
 namespace {
 
+std::string hex_of(const Color& color) {
+    return hex_color(color.r, color.g, color.b);
+}
+
 /// Returns the picture's color at the pixel after a setting; none if the setting cannot be tried on this scene.
 std::optional<Color> color_with(const WhyQuestion& question, const std::string& setting) {
     const Result<Params> fixed = apply_settings(question.params, std::vector<std::string>{setting});
@@ -113,6 +117,21 @@ Why why(const WhyQuestion& question) {
     add_sum_row(made, question);
     made.sentence = sentence_of(made, question);
     return made;
+}
+
+std::string why_as_text(const Why& why) {
+    std::string text = say("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y);
+    if (why.read_back) text += " " + hex_of(*why.read_back);
+    text += "\n" + why.sentence + "\n";
+    for (const WhyRow& row : why.rows) {
+        text += "  " + row.title + ": " + row.sentence;
+        if (row.kind == WhyRow::Kind::fault)
+            text += " " + say("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = hex_of(*row.after));
+        else if (row.after && row.kind != WhyRow::Kind::sum)
+            text += " → " + hex_of(*row.after);
+        text += "\n";
+    }
+    return text + "\n";
 }
 
 }  // namespace viewing

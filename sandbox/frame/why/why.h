@@ -58,6 +58,9 @@ struct WhyQuestion {
 };
 Why why(const WhyQuestion& question);
 
+/// Returns the sentence, one line per row, and an empty line.
+std::string why_as_text(const Why& why);
+
 // The parts of why(): why_rows.cpp.
 
 /// Returns "the plane", "plane 2", or the object's translated name.

@@ -102,13 +102,13 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
     if (share == surface.color.lights.end())
         return say("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
     if (share->cosine <= 0.0)
-        return say("n·ℓ̂ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
+        return say("n·ℓ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
                    "cosine"_a = number_text(share->cosine, 2));
     const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
     double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
     for (const LightShare& one : surface.color.lights)
         all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
-    return say("n·ℓ̂ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
+    return say("n·ℓ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
                "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 

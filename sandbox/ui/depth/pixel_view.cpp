@@ -6,6 +6,7 @@
 #include "text/catalogue.h"
 #include "ui/depth/fragment_table.h"
 #include "ui/depth/pixel_numbers.h"
+#include "ui/depth/pixel_parts.h"
 #include "ui/depth/pixel_words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
@@ -14,17 +15,6 @@
 namespace viewing {
 namespace {
 
-constexpr const char* follows = marked("follows the pointer; click to pin a pixel");
-
-bool is_pinned(const ViewParams& view) {
-    return view.pixel || view.pin;
-}
-
-void release(ViewParams& view) {
-    view.pixel.reset();
-    view.pin.reset();
-}
-
 struct ViewFonts {
     ImFont *text, *number;
 };
@@ -32,78 +22,6 @@ struct ViewFonts {
 ViewFonts fonts_of(bool is_large) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     return is_large ? ViewFonts{fonts.text, fonts.number} : ViewFonts{fonts.note, fonts.small_number};
-}
-
-/// Draws text on the header line, vertically centered.
-void headline_text(const std::string& text, ImFont* font, ImU32 color) {
-    ImGui::PushFont(font);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = px(20.0F), down = std::floor(0.5F * (height - ImGui::GetTextLineHeight()));
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    ImGui::GetWindowDrawList()->AddText({at.x, at.y + down}, color, text.c_str());
-    ImGui::Dummy({size.x, height});
-    widgets::Record(text.c_str());
-    ImGui::PopFont();
-}
-
-void color_swatch(const Color& color) {
-    const float side = px(14.0F);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 min(at.x, at.y + px(3.0F)), max(min.x + side, min.y + side);
-    ImGui::GetWindowDrawList()->AddRectFilled(min, max, IM_COL32(color.r, color.g, color.b, 255), px(2.0F));
-    ImGui::GetWindowDrawList()->AddRect(min, max, palette().border, px(2.0F));
-    ImGui::Dummy({side, px(20.0F)});
-}
-
-/// At the right end of the header line, draws a button that releases the pin or, if nothing is pinned, a note that the
-/// view follows the pointer. `room`: the width in pixels that the note may take.
-void pin_state(ViewParams& view, float right, float room) {
-    if (is_pinned(view)) {
-        const float width = ImGui::CalcTextSize(tr("Release")).x + 2.0F * px(8.0F);
-        ImGui::SameLine();
-        ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
-        if (widgets::SmallButton("Release")) release(view);
-        widgets::Tooltip("Release", "Releases the pinned pixel: this view follows the pointer again.");
-        return;
-    }
-    ImFont* font = widgets::CurrentContext().fonts.note;
-    const char* text = width_of(tr(follows), font) <= room ? tr(follows) : tr("live");
-    ImGui::SameLine();
-    ImGui::SetCursorScreenPos({right - width_of(text, font), ImGui::GetCursorScreenPos().y});
-    headline_text(text, font, palette().quiet);
-    widgets::Tooltip("Live", "This view follows the pointer. Click the camera view to pin a pixel.");
-}
-
-void headline(ViewParams& view, const PixelReport& pixel) {
-    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
-    const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
-    const std::string place = say("pixel ({x}, {y})", "x"_a = pixel.pixel.x, "y"_a = pixel.pixel.y);
-    const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", pixel.color.r, pixel.color.g, pixel.color.b);
-    const float state_width =
-        std::max(width_of(tr("Release"), fonts.text) + px(16.0F), width_of(tr("live"), fonts.note));
-
-    color_swatch(pixel.color);
-    ImGui::SameLine(0.0F, px(7.0F));
-    headline_text(place, fonts.text, palette().text);
-    ImGui::SameLine(0.0F, px(10.0F));
-    const std::string surface = surface_words(pixel);
-    const float wanted = width_of(surface, fonts.text), hex_width = width_of(hex, fonts.small_number);
-    const auto fits = [&](float width) { return ImGui::GetCursorScreenPos().x + width + state_width <= right; };
-    // When presenting, the surface matters more than the hex color.
-    const bool has_hex = fits(hex_width) && !(widgets::HasPlainTitles() && !fits(hex_width + wanted + px(18.0F)));
-    if (has_hex) {
-        headline_text(hex, fonts.small_number, palette().quiet);
-        ImGui::SameLine(0.0F, px(10.0F));
-    }
-    const float here = ImGui::GetCursorScreenPos().x;
-    const bool on_this_line = (has_hex || widgets::HasPlainTitles()) && fits(wanted + px(8.0F));
-    if (on_this_line) headline_text(surface, fonts.text, palette().text);
-    pin_state(view, right, right - here - (on_this_line ? wanted : 0.0F) - px(16.0F));
-    if (on_this_line) return;
-    ImGui::PushFont(fonts.text);
-    const std::string shown = widgets::Shortened(surface, right - left);
-    ImGui::PopFont();
-    headline_text(shown, fonts.text, palette().text);
 }
 
 /// Draws one number at the cursor: its name, its value and, if it fits, its unit.
@@ -179,7 +97,7 @@ void cover(PixelNumber& number) {
 
 /// Draws the numbers and the surfaces: side by side if they fit, otherwise one below the other.
 void draw_pixel(Session& session, const Derived& derived, const DepthData& data) {
-    headline(session.params.view, *data.pixel);
+    draw_pixel_headline(session.params.view, data.pixel->pixel, data.pixel->color, surface_words(*data.pixel));
     std::vector<PixelNumber> numbers = pixel_numbers(*data.pixel, session.params, derived);
     for (PixelNumber& number : numbers) cover(number);
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -207,7 +125,7 @@ void draw_pixel_view(Session& session, const Derived& derived, const DepthData& 
     if (pinned.why_none.empty())
         offer("Point at the camera view to see what a pixel stores; click to pin the pixel.");
     else if (offer(pinned.why_none.c_str(), "Release"))
-        release(session.params.view);
+        release_pixel(session.params.view);
 }
 
 }  // namespace viewing

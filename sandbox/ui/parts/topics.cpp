@@ -33,6 +33,10 @@ Slot telling_slot(const Params& params) {
     return is_usual ? Slot::left : Slot::right;
 }
 
+bool examines_pixel(const Params& params) {
+    return is_shown(params, Topic::pixel) || is_shown(params, Topic::cells) || is_shown(params, Topic::why);
+}
+
 bool is_shown(const Params& params, Topic topic) {
     return topic_of(params, Slot::left) == topic || topic_of(params, Slot::right) == topic;
 }
@@ -46,6 +50,7 @@ ImVec2 least_size_on_stage(Topic topic) {
         case Topic::display_code:
         case Topic::cells:
         case Topic::pixel:
+        case Topic::why:
             return {440.0F, 150.0F};
         case Topic::fighting:
             return {440.0F, 185.0F};
@@ -79,7 +84,8 @@ std::span<const char* const> topic_names() {
                                             marked("The lecture's code"),
                                             marked("Mirror, four ways"),
                                             marked("Seen from the light"),
-                                            marked("The lecture's display()")};
+                                            marked("The lecture's display()"),
+                                            marked("Why this pixel?")};
     return names;
 }
 

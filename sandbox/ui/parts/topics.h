@@ -26,6 +26,9 @@ Slot telling_slot(const Params& params);
 /// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
 
+/// Whether a lower view examines the pinned pixel: a click in the camera view then pins one.
+bool examines_pixel(const Params& params);
+
 /// The size in design pixels below which a topic's view is hard to read from the back row.
 ImVec2 least_size_on_stage(Topic topic);
 

@@ -120,6 +120,15 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
     }
     if (over && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle)))
         state.pan_distance = distance_at(overlay, session.scene(), derived, io.MousePos);
+    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) state.dragged_px = 0.0F;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right))
+        state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
+    const bool is_right_click = over && ImGui::IsMouseReleased(ImGuiMouseButton_Right) && state.dragged_px <= px(3.0F);
+    if (is_right_click && state.hovered_pixel && widgets::Offers("control:view.lower")) {
+        pin(session.params, state.pinned, *state.hovered_pixel);
+        if (!is_shown(session.params, Topic::why)) choose_topic(session.params, Slot::right, Topic::why);
+        state.lower = {Slot::right, session.params.view.lower_left, session.params.view.lower_right};
+    }
     if (ImGui::IsItemActive() &&
         (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
         motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) *
@@ -133,8 +142,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                 is_taken_apart(session.params.visibility) && !is_drawn_by_gl_alone(session.params.visibility.method);
             if (steps && state.method_pixel)
                 choose_pixel(session.params.visibility, *hidden.answer->camera, *state.method_pixel);
-            else if (state.hovered_pixel &&
-                     (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
+            else if (state.hovered_pixel && examines_pixel(session.params))
                 pin(session.params, state.pinned, *state.hovered_pixel);
             else
                 session.params.follow = vertex_at(overlay, session.scene(), io.MousePos);

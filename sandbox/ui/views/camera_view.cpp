@@ -276,6 +276,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
     if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
+    draw_why_overlay(state.why, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     if (has_handles) {
         if (state.marks_plane) draw_plane_handles(overlay, places, hovered);

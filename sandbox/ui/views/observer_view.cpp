@@ -75,6 +75,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
     draw_hidden_observer(state.hidden.links.now, hidden, overlay);
+    draw_why_overlay(state.why, overlay);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     draw_plane_handles(overlay, places, hovered);
     draw_light_handles(overlay, places, derived, hovered);

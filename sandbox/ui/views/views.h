@@ -19,6 +19,7 @@
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
 #include "ui/views/observer_parts.h"
+#include "ui/why/why_view.h"
 
 namespace viewing {
 
@@ -71,6 +72,7 @@ struct ViewState {
     glm::ivec2 cells{0};                    ///< the number of columns and rows that fit into the cell view
     LightRays light_rays;                   ///< of the observer's view
     std::optional<Stage::Target> target;    ///< the place that a lesson marks
+    WhyState why;
     PinnedPixel pinned;                     ///< the pixel that the state pins, in the camera's picture
 };
 

@@ -17,6 +17,7 @@
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
 #include "ui/views/views.h"
+#include "ui/why/why_view.h"
 
 namespace viewing {
 namespace {
@@ -46,8 +47,8 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
     widgets::Tooltip(
         "What this view shows",
         "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
-        "camera stays; the depth buffer and its analysis (histogram, precision, codes, one pixel, a block of pixels, "
-        "depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, and four "
+        "camera stays; why a pixel has its color; the depth buffer and its analysis (histogram, precision, codes, one "
+        "pixel, a block of pixels, depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, and four "
         "ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the tree, the "
         "drawing order and the growth of the cost.");
     ImGui::SameLine(0.0F, px(12.0F));
@@ -97,8 +98,7 @@ void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
     if (!state.hovered_pixel) return;
     state.told_pixel = state.hovered_pixel;
-    const bool pins = is_shown(params, Topic::pixel) || is_shown(params, Topic::cells);
-    if (pins && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, state.pinned, *state.hovered_pixel);
+    if (examines_pixel(params) && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, state.pinned, *state.hovered_pixel);
 }
 
 }  // namespace
@@ -174,6 +174,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
             return draw_light_view(derived, rect, picture);
         case Topic::display_code:
             return draw_display_code_view(session.params, derived, rect);
+        case Topic::why:
+            return draw_why_view(state.why, session, state.pinned, rect);
         default:
             break;
     }

@@ -1,0 +1,177 @@
+#include "ui/why/why_view.h"
+
+#include <algorithm>
+
+#include "state/file/json.h"
+#include "text/catalogue.h"
+#include "ui/depth/pixel_parts.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
+
+namespace viewing {
+namespace {
+
+ImU32 color_of_kind(WhyRow::Kind kind) {
+    switch (kind) {
+        case WhyRow::Kind::mirror:
+            return palette().mirror;
+        case WhyRow::Kind::light:
+            return palette().light;
+        case WhyRow::Kind::fault:
+            return palette().trouble;
+        case WhyRow::Kind::ray:
+            return palette().camera;
+        default:
+            return palette().accent;
+    }
+}
+
+struct RowPlace {
+    float title_width, swatch_side, width;
+};
+
+/// Draws the buttons that change what the camera's picture shows.
+void draw_buttons(Session& session, const Why& why) {
+    Params& params = session.params;
+    const auto toggle = [](const char* off, const char* on, bool& value, const char* tip) {
+        const char* label = value ? off : on;
+        if (!widgets::OffersButton(label)) return;
+        if (widgets::SmallButton(label)) value = !value;
+        widgets::Tooltip(label, tip);
+        ImGui::SameLine(0.0F, px(8.0F));
+    };
+    if (why.has_shadow || !params.shadow.enabled)
+        toggle("Without the shadow", "With the shadow", params.shadow.enabled,
+               "Draws the picture with or without its shadows.");
+    if (why.has_mirror || !params.reflection.enabled)
+        toggle("Without the mirror", "With the mirror", params.reflection.enabled,
+               "Draws the picture with or without its mirror images.");
+    if (params.view.pass >= 0 && widgets::OffersButton("Whole frame")) {
+        if (widgets::SmallButton("Whole frame")) params.view.pass = -1;
+        widgets::Tooltip("Whole frame", "Draws all passes again.");
+        ImGui::SameLine(0.0F, px(8.0F));
+    }
+    if (widgets::OffersButton("Copy as text")) {
+        if (widgets::SmallButton("Copy as text")) ImGui::SetClipboardText(why_as_text(why).c_str());
+        widgets::Tooltip("Copy as text", "Copies the explanation to the clipboard.");
+        ImGui::SameLine(0.0F, px(8.0F));
+    }
+    ImGui::NewLine();
+}
+
+/// Draws one row: its title, its sentence, and the color after it. Returns whether the pointer is over it.
+bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int number) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float text_left = place.title_width + px(10.0F),
+                text_width = std::max(place.width - text_left - place.swatch_side - px(8.0F), px(60.0F));
+    ImFont* font = context.fonts.text;
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9F, text_width, row.sentence.c_str());
+    const bool has_fix = !row.fix.empty() && widgets::OffersButton("Fix");
+    const float height = std::max(size.y, font->FontSize);
+    ImGui::PushID(number);
+    const bool stops = row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) &&
+                       widgets::Offers("control:view.pass");
+    const bool is_pressed = ImGui::InvisibleButton("row", {place.width, height});
+    const bool over = ImGui::IsItemHovered();
+    widgets::Record(("why: " + row.title).c_str());
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (over)
+        draw->AddRectFilled({at.x - px(4.0F), at.y - px(2.0F)}, {at.x + place.width, at.y + height + px(2.0F)},
+                            palette().field, px(3.0F));
+    if (stops) {
+        int& pass = session.params.view.pass;
+        if (is_pressed) pass = pass == row.pass ? -1 : row.pass;
+        widgets::Tooltip(row.title.c_str(), pass == row.pass ? marked("Click to draw the whole frame.")
+                                                             : marked("Click to stop the frame after this pass."));
+    }
+    const ImU32 ink = row.is_quiet ? palette().quiet : palette().text;
+    draw->AddText(font, font->FontSize, at, row.is_quiet ? palette().quiet : color_of_kind(row.kind), row.title.c_str(),
+                  nullptr, place.title_width);
+    draw->AddText(font, font->FontSize, {at.x + text_left, at.y}, ink, row.sentence.c_str(), nullptr, text_width);
+    if (row.after) {
+        const ImVec2 min(at.x + place.width - place.swatch_side, at.y + px(1.0F)),
+            max(min.x + place.swatch_side, min.y + place.swatch_side);
+        draw->AddRectFilled(min, max, IM_COL32(row.after->r, row.after->g, row.after->b, 255), px(3.0F));
+        draw->AddRect(min, max, palette().border, px(3.0F));
+    }
+    const float title_height =
+        font->CalcTextSizeA(font->FontSize, 1e9F, place.title_width, row.title.c_str()).y;
+    if (title_height > height) ImGui::Dummy({0.0F, title_height - height - ImGui::GetStyle().ItemSpacing.y});
+    if (has_fix) {
+        ImGui::SetCursorScreenPos({at.x + text_left, ImGui::GetCursorScreenPos().y});
+        if (widgets::SmallButton("Fix"))
+            if (const Result<Params> fixed = apply_settings(session.params, std::vector<std::string>{row.fix}))
+                session.params = *fixed;
+        widgets::Tooltip("Fix it", say("Sets {setting}. Ctrl+Z undoes the fix.", "setting"_a = row.fix).c_str());
+    }
+    ImGui::PopID();
+    return over;
+}
+
+/// Draws the pixel, its color, and the sentence.
+void draw_head(Session& session, const Why& why) {
+    const Color& color = why.read_back ? *why.read_back : why.predicted ? *why.predicted : why.chain.color;
+    draw_pixel_headline(session.params.view, why.chain.pixel, color, "");
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(why.sentence.c_str());
+    ImGui::PopTextWrapPos();
+    widgets::Record(why.sentence.c_str());
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned, const Rect& rect) {
+    const ViewWindow view("why view", rect);
+    const widgets::Group group("why");
+    state.hovered_row.reset();
+    if (!state.told) {
+        if (pinned.why_none.empty())
+            offer("Point at the camera view to see why a pixel has its color; click to pin the pixel.");
+        else if (offer(pinned.why_none.c_str(), "Release"))
+            release_pixel(session.params.view);
+        return;
+    }
+    const Why& why = *state.told;
+    draw_head(session, why);
+    ImGui::Dummy({0.0F, px(2.0F)});
+    ImGui::BeginChild("rows", ImGui::GetContentRegionAvail());
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImFont* font = widgets::CurrentContext().fonts.text;
+    const RowPlace place{std::min(px(150.0F), 0.3F * width), font->FontSize, width - px(6.0F)};
+    for (std::size_t i = 0; i < why.rows.size(); ++i)
+        if (draw_row(session, why.rows[i], place, static_cast<int>(i))) state.hovered_row = i;
+    ImGui::Dummy({0.0F, px(2.0F)});
+    draw_buttons(session, why);
+    widgets::CountScrolled();
+    ImGui::EndChild();
+}
+
+void draw_why_overlay(const WhyState& state, Overlay& overlay) {
+    if (!state.told) return;
+    for (const WhyLine& line : state.told->lines) {
+        if (state.hovered_row && line.row != *state.hovered_row) continue;
+        switch (line.kind) {
+            case WhyLine::Kind::sight:
+                overlay.line(line.from_world, line.to_world, palette().camera, 2.0F);
+                break;
+            case WhyLine::Kind::light:
+                overlay.line(line.from_world, line.to_world, palette().light, 2.0F);
+                break;
+            case WhyLine::Kind::cut_light:
+                overlay.dot(line.from_world, palette().light, 5.0F);
+                overlay.dashed(line.from_world, line.to_world, palette().light, 2.0F);
+                if (!line.label.empty()) overlay.label(line.from_world, line.label.c_str(), palette().light);
+                continue;
+            case WhyLine::Kind::image:
+                overlay.dashed(line.from_world, line.to_world, palette().mirror, 2.0F);
+                overlay.dot(line.to_world, palette().mirror, 5.0F);
+                break;
+        }
+        if (!line.label.empty()) overlay.label(line.to_world, line.label.c_str(), palette().mirror);
+    }
+}
+
+}  // namespace viewing
