@@ -49,6 +49,7 @@ std::vector<ExpressionName> all_names() {
          "one step of Newell's ladder, at visibility.step: test, action, and a and b with left, right, bottom, top, "
          "nearest, farthest"},
         {"pixel", NameKind::measured, "pixel(x, y)", "as `inspect` prints it, at 1280x720; (0, 0) is at the top left"},
+        {"why", NameKind::measured, "why(x, y)", "as `inspect --why` prints it, at 1280x720"},
     };
     names.insert(names.end(), std::begin(others), std::end(others));
     for (const MathematicsName& name : mathematics_names())

@@ -12,6 +12,7 @@
 #include "report/order_report.h"
 #include "report/pixel_as_json.h"
 #include "report/visibility_report.h"
+#include "report/why_report.h"
 #include "state/file/reader.h"
 #include "text/numbers.h"
 
@@ -66,11 +67,14 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
         return newell_step_as_json(now_, scene_, size_px);
     }
     if (!renderer_) return Error{name + " is measured in pictures, which are not available here"};
-    if (name == "pixel") {
+    if (name == "pixel" || name == "why") {
         const auto is_place = [](double at, int end) { return at == std::floor(at) && at >= 0.0 && at < end; };
         if (arguments.size() != 2 || !is_place(arguments[0], size_px.x) || !is_place(arguments[1], size_px.y))
-            return wants_arguments("pixel(x, y) with whole numbers below 1280 and 720");
-        return pixel_as_json(*renderer_, now_, scene_, glm::ivec2(arguments[0], arguments[1]), size_px);
+            return wants_arguments(name + "(x, y) with whole numbers below 1280 and 720");
+        const glm::ivec2 pixel(arguments[0], arguments[1]);
+        if (name == "pixel") return pixel_as_json(*renderer_, now_, scene_, pixel, size_px);
+        const Result<std::vector<Why>> explained = explained_pixels(*renderer_, now_, scene_, {&pixel, 1}, size_px);
+        return explained ? Result<Json>(why_as_json(explained->front())) : Result<Json>(Error{explained.error()});
     }
     if (!arguments.empty()) return wants_arguments(name + "()");
     if (name == "fighting") return fighting_as_json(*renderer_, now_, scene_, size_px, true);

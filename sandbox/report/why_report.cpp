@@ -67,11 +67,17 @@ Json why_as_json(const Why& why) {
         rows.push_back(std::move(json));
     }
     for (const Touch& touch : why.chain.touches) touches.push_back(touch_as_json(touch));
+    Json fixes = Json::array();
+    for (const WhyRow& row : why.rows)
+        if (!row.fix.empty()) fixes.push_back(row.fix);
     return {{"pixel", as_json(why.chain.pixel)},
             {"say", why.sentence},
             {"predicted", why.predicted ? Json(as_text(*why.predicted)) : Json()},
             {"read_back", why.read_back ? Json(as_text(*why.read_back)) : Json()},
             {"rounding", why.by_rounding},
+            {"surface", why.surface},
+            {"casters", why.casters},
+            {"fixes", std::move(fixes)},
             {"rows", std::move(rows)},
             {"fragments", std::move(touches)}};
 }

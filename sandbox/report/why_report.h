@@ -16,7 +16,7 @@ Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& para
                                           std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
 
 /// "predicted" is the color computed from the chain and null if this picture's colors are not computed; "read_back" is
-/// the color in the buffer.
+/// the color in the buffer. "surface" and "casters" are the names of the scene's objects, not translated.
 Json why_as_json(const Why& why);
 
 }  // namespace viewing

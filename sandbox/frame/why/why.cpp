@@ -44,6 +44,21 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
     }
 }
 
+/// Finds what is seen, and the casters of the shadows on it.
+void find_names(Why& made, const WhyQuestion& question) {
+    const Touch* surface = made.chain.surface(question.plan);
+    if (!surface) return;
+    made.surface = surface->fragment.object;
+    for (const Touch& touch : made.chain.touches) {
+        const Pass& pass = question.plan.passes[touch.fragment.pass];
+        const bool is_shadow = role_of(pass) == PassRole::shadow && pass.mirrors_met.empty() && touch.fragment.passes;
+        const std::string& name = touch.fragment.object;
+        if (is_shadow && surface->fragment.object_index == -1 - static_cast<int>(pass.plane) &&
+            std::find(made.casters.begin(), made.casters.end(), name) == made.casters.end())
+            made.casters.push_back(name);
+    }
+}
+
 /// Says what is seen, whether light is missing, and what shares the color.
 std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
@@ -52,14 +67,7 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
     if (!surface && !image) return tr("Nothing is drawn here: this is the background.");
     const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::vector<std::string> casters;
-    for (const Touch& touch : made.chain.touches) {
-        const Pass& pass = question.plan.passes[touch.fragment.pass];
-        const bool is_shadow = role_of(pass) == PassRole::shadow && pass.mirrors_met.empty() && touch.fragment.passes;
-        const std::string name = surface_name(question, touch.fragment.object_index);
-        if (is_shadow && surface && surface->fragment.object_index == -1 - static_cast<int>(pass.plane) &&
-            std::find(casters.begin(), casters.end(), name) == casters.end())
-            casters.push_back(name);
-    }
+    for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
     std::string said = casters.empty()
                            ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
                            : say("Seen here: {surface}, in the shadow of {casters}.",
@@ -115,6 +123,7 @@ Why why(const WhyQuestion& question) {
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);
+    find_names(made, question);
     made.sentence = sentence_of(made, question);
     return made;
 }

@@ -41,11 +41,11 @@ void draw_buttons(Session& session, const Why& why) {
         ImGui::SameLine(0.0F, px(8.0F));
     };
     if (why.has_shadow || !params.shadow.enabled)
-        toggle("Without the shadow", "With the shadow", params.shadow.enabled,
-               "Draws the picture with or without its shadows.");
+        toggle(marked("Without the shadow"), marked("With the shadow"), params.shadow.enabled,
+               marked("Draws the picture with or without its shadows."));
     if (why.has_mirror || !params.reflection.enabled)
-        toggle("Without the mirror", "With the mirror", params.reflection.enabled,
-               "Draws the picture with or without its mirror images.");
+        toggle(marked("Without the mirror"), marked("With the mirror"), params.reflection.enabled,
+               marked("Draws the picture with or without its mirror images."));
     if (params.view.pass >= 0 && widgets::OffersButton("Whole frame")) {
         if (widgets::SmallButton("Whole frame")) params.view.pass = -1;
         widgets::Tooltip("Whole frame", "Draws all passes again.");
