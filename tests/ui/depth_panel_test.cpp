@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "desk.h"
+#include "frame/why/why.h"
 
 namespace viewing::test {
 namespace {
@@ -122,6 +123,46 @@ TEST_F(DepthPanel, AClickPinsThePixelWhileAViewDescribesIt) {
     EXPECT_EQ(params.follow, std::nullopt);
     desk.click_at(place);
     EXPECT_EQ(params.view.pixel, std::nullopt);
+}
+
+TEST_F(DepthPanel, ARightClickAsksWhyAndADragDoesNot) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 place(rect.min.x + 60.0F, rect.max.y - 40.0F);
+    ui.move_to(place);
+    ui.press(ImGuiMouseButton_Right);
+    ui.move_to({place.x + 30.0F, place.y});
+    ui.release(ImGuiMouseButton_Right);
+    EXPECT_FALSE(is_shown(params, Topic::why));
+    EXPECT_EQ(params.view.pixel, std::nullopt);
+    const glm::ivec2 pixel(60, static_cast<int>(rect.height()) - 40);
+    ui.move_to(place);
+    ui.press(ImGuiMouseButton_Right);
+    ui.release(ImGuiMouseButton_Right);
+    desk.settle();
+    EXPECT_TRUE(is_shown(params, Topic::why));
+    ASSERT_TRUE(params.view.pixel);
+    EXPECT_EQ(*params.view.pixel, pixel);
+}
+
+TEST_F(DepthPanel, TheExplanationShowsItsRowsAndStopsAfterAPass) {
+    params.view.lower_right = Topic::why;
+    params.reflection.enabled = false;
+    const glm::ivec2 size_px = desk.layout().camera.size_px();
+    const Derived derived = derive(params, desk.session.scene(), Viewport{size_px});
+    const FramePlan frame = plan(params, derived);
+    const FragmentFinder finder(desk.session.scene());
+    // The middle of the floor's front edge shows the floor, whatever the size of the picture.
+    const glm::ivec2 pixel(size_px.x / 2, size_px.y - size_px.y / 8);
+    desk.workbench.views.why.told = std::make_shared<const Why>(
+        why({params, derived, frame, finder, Viewport{size_px}, {}, pixel, std::nullopt, {}}));
+    desk.settle();
+    EXPECT_TRUE(ui.has("lower/why/Seen here: the plane."));
+    EXPECT_TRUE(ui.has("lower/why/why: Ray"));
+    EXPECT_TRUE(ui.has("lower/why/why: Light"));
+    desk.click("lower/why/why: Pass 1, Patch");
+    EXPECT_EQ(params.view.pass, 0);
+    desk.click("lower/why/Whole frame");
+    EXPECT_EQ(params.view.pass, -1);
 }
 
 TEST_F(DepthPanel, EveryTopicFitsInBothSlots) {

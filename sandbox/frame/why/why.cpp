@@ -38,7 +38,7 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
         if (!fixed || is_same_color(*fixed, *made.predicted)) continue;
         made.rows.push_back({.kind = WhyRow::Kind::fault,
                              .title = tr("Wrong here"),
-                             .sentence = problem.sentence + ".",
+                             .sentence = problem.sentence,
                              .after = fixed,
                              .fix = problem.mended_by});
     }

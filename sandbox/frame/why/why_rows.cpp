@@ -50,7 +50,9 @@ glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_
 std::string outcome(const WhyQuestion& question, const Touch& touch) {
     const Fragment& fragment = touch.fragment;
     const Pass& pass = question.plan.passes[fragment.pass];
-    const std::string name = surface_name(question, fragment.object_index);
+    std::string name = surface_name(question, fragment.object_index);
+    if (fragment.object_index >= 0 && role_of(pass) == PassRole::objects)
+        name += std::string(" (") + (fragment.front_facing ? tr("front") : tr("back")) + ")";
     if (fragment.cut_off) return say("{surface} is cut off by a clip plane", "surface"_a = name);
     if (!fragment.is_sent) return say("the method found another surface before {surface}", "surface"_a = name);
     if (fragment.culled)

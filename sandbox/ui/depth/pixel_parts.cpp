@@ -84,7 +84,7 @@ void draw_pixel_headline(ViewParams& view, glm::ivec2 pixel, const Color& color,
         ImGui::SameLine(0.0F, px(10.0F));
     }
     const float here = ImGui::GetCursorScreenPos().x;
-    const bool on_this_line = (has_hex || widgets::HasPlainTitles()) && fits(wanted + px(8.0F));
+    const bool on_this_line = !surface.empty() && (has_hex || widgets::HasPlainTitles()) && fits(wanted + px(8.0F));
     if (on_this_line) headline_text(surface, fonts.text, palette().text);
     pin_state(view, right, right - here - (on_this_line ? wanted : 0.0F) - px(16.0F));
     if (on_this_line || surface.empty()) return;

@@ -66,9 +66,13 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
     const float text_left = place.title_width + px(10.0F),
                 text_width = std::max(place.width - text_left - place.swatch_side - px(8.0F), px(60.0F));
     ImFont* font = context.fonts.text;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9F, text_width, row.sentence.c_str());
+    ImGui::PushFont(font);
+    const std::string title = widgets::BrokenAtBlanks(row.title, place.title_width),
+                      sentence = widgets::BrokenAtBlanks(row.sentence, text_width);
+    const float title_height = ImGui::CalcTextSize(title.c_str()).y,
+                height = std::max(title_height, ImGui::CalcTextSize(sentence.c_str()).y);
+    ImGui::PopFont();
     const bool has_fix = !row.fix.empty() && widgets::OffersButton("Fix");
-    const float height = std::max(size.y, font->FontSize);
     ImGui::PushID(number);
     const bool stops = row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) &&
                        widgets::Offers("control:view.pass");
@@ -86,18 +90,14 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
                                                              : marked("Click to stop the frame after this pass."));
     }
     const ImU32 ink = row.is_quiet ? palette().quiet : palette().text;
-    draw->AddText(font, font->FontSize, at, row.is_quiet ? palette().quiet : color_of_kind(row.kind), row.title.c_str(),
-                  nullptr, place.title_width);
-    draw->AddText(font, font->FontSize, {at.x + text_left, at.y}, ink, row.sentence.c_str(), nullptr, text_width);
+    draw->AddText(font, font->FontSize, at, row.is_quiet ? palette().quiet : color_of_kind(row.kind), title.c_str());
+    draw->AddText(font, font->FontSize, {at.x + text_left, at.y}, ink, sentence.c_str());
     if (row.after) {
         const ImVec2 min(at.x + place.width - place.swatch_side, at.y + px(1.0F)),
             max(min.x + place.swatch_side, min.y + place.swatch_side);
         draw->AddRectFilled(min, max, IM_COL32(row.after->r, row.after->g, row.after->b, 255), px(3.0F));
         draw->AddRect(min, max, palette().border, px(3.0F));
     }
-    const float title_height =
-        font->CalcTextSizeA(font->FontSize, 1e9F, place.title_width, row.title.c_str()).y;
-    if (title_height > height) ImGui::Dummy({0.0F, title_height - height - ImGui::GetStyle().ItemSpacing.y});
     if (has_fix) {
         ImGui::SetCursorScreenPos({at.x + text_left, ImGui::GetCursorScreenPos().y});
         if (widgets::SmallButton("Fix"))
@@ -114,9 +114,8 @@ void draw_head(Session& session, const Why& why) {
     const Color& color = why.read_back ? *why.read_back : why.predicted ? *why.predicted : why.chain.color;
     draw_pixel_headline(session.params.view, why.chain.pixel, color, "");
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(why.sentence.c_str());
-    ImGui::PopTextWrapPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.sentence, width).c_str());
     widgets::Record(why.sentence.c_str());
     ImGui::PopFont();
 }
