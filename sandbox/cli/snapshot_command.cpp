@@ -52,12 +52,13 @@ void declare(Options& options, TypedSnapshot& typed) {
     options.text("-o,--output", "OUT.png", typed.output,
                  "File to write; - for standard output. OUT.svg and OUT.pdf contain shapes and text instead of pixels "
                  "(with GL's part as an embedded image). All formats carry the state that they show");
-    options.text("--view", "VIEW", typed.view,
-                 "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
-                 "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
-                 "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
-                 "view that would need scrolling is scaled down to fit");
+    options.text(
+        "--view", "VIEW", typed.view,
+        "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
+        "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
+        "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
+        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
+        "view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,
         "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");

@@ -91,6 +91,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"object", "name of an object in the scene, or: the plane, square"},
     {"objects", "names of one or more objects, with commas between them"},
     {"of", "how many points there are in all, a whole number"},
+    {"other", "the name of an object, or the plane"},
     {"over", "how many minutes the lesson is over its time"},
     {"p", "a point: three numbers in parentheses"},
     {"pass", "another text of the catalog: a drawing pass"},

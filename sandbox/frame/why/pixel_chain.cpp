@@ -81,16 +81,6 @@ PixelChain chain_of(const FramePlan& plan, const FragmentFinder& finder, glm::iv
     return chain;
 }
 
-/// Returns whether GL's error may reverse the outcome of a fragment's depth comparison.
-bool is_decided_by_rounding(const Fragment& fragment) {
-    const CompareFunc func = fragment.depth.func;
-    if (!fragment.depth.test || fragment.culled || fragment.cut_off || fragment.stencil_fails || !fragment.is_sent ||
-        func == CompareFunc::always || func == CompareFunc::never)
-        return false;
-    const double apart = std::abs(static_cast<double>(fragment.stored) - fragment.compared_with);
-    return apart <= 2.0 * fragment.within;
-}
-
 }  // namespace
 
 const Touch* PixelChain::surface(const FramePlan& plan) const {
@@ -109,6 +99,15 @@ PassRole role_of(const Pass& pass) {
     const bool is_flat = pass.shading == Shading::flat && pass.blend != Blend::add;
     if (pass.subject == Subject::patch) return is_flat ? PassRole::mask : PassRole::patch;
     return is_flat ? PassRole::shadow : PassRole::objects;
+}
+
+bool is_decided_by_rounding(const Fragment& fragment) {
+    const CompareFunc func = fragment.depth.func;
+    if (!fragment.depth.test || fragment.culled || fragment.cut_off || fragment.stencil_fails || !fragment.is_sent ||
+        func == CompareFunc::always || func == CompareFunc::never)
+        return false;
+    const double apart = std::abs(static_cast<double>(fragment.stored) - fragment.compared_with);
+    return apart <= 2.0 * fragment.within;
 }
 
 bool is_same_color(const Color& a, const Color& b) {
@@ -154,8 +153,8 @@ std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& ch
         case Shows::stencil:
             return stencil_color(chain.stencil);
         case Shows::overdraw: {
-            const auto count = static_cast<std::size_t>(
-                std::count_if(chain.touches.begin(), chain.touches.end(), [](const Touch& touch) { return touch.paints; }));
+            const auto count = static_cast<std::size_t>(std::count_if(chain.touches.begin(), chain.touches.end(),
+                                                                      [](const Touch& touch) { return touch.paints; }));
             return overdraw_colors[std::min(count, overdraw_colors.size() - 1)];
         }
         case Shows::fighting:

@@ -36,10 +36,14 @@ struct PixelChain {
 /// Replays the frame at a pixel without multisampling. `plan` must belong to the finder's scene.
 PixelChain pixel_chain(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px);
 
-/// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may have
-/// the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact depths.
+/// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may
+/// have the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact
+/// depths.
 PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px,
                             const Color& read_back);
+
+/// Returns whether GL's error may reverse the outcome of a fragment's depth comparison.
+bool is_decided_by_rounding(const Fragment& fragment);
 
 /// Whether two colors differ by at most one level per channel, which the rounding of blending explains.
 bool is_same_color(const Color& a, const Color& b);

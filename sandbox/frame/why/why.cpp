@@ -16,6 +16,11 @@ std::string hex_of(const Color& color) {
     return hex_color(color.r, color.g, color.b);
 }
 
+/// Returns a sentence with its period.
+std::string ended(const std::string& sentence) {
+    return sentence.ends_with('.') ? sentence : sentence + ".";
+}
+
 /// Returns the picture's color at the pixel after a setting; none if the setting cannot be tried on this scene.
 std::optional<Color> color_with(const WhyQuestion& question, const std::string& setting) {
     const Result<Params> fixed = apply_settings(question.params, std::vector<std::string>{setting});
@@ -38,7 +43,7 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
         if (!fixed || is_same_color(*fixed, *made.predicted)) continue;
         made.rows.push_back({.kind = WhyRow::Kind::fault,
                              .title = tr("Wrong here"),
-                             .sentence = problem.sentence,
+                             .sentence = ended(problem.sentence),
                              .after = fixed,
                              .fix = problem.mended_by});
     }
@@ -68,13 +73,11 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::vector<std::string> casters;
     for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
-    std::string said = casters.empty()
-                           ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
-                           : say("Seen here: {surface}, in the shadow of {casters}.",
-                                 "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
+    std::string said = casters.empty() ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
+                                       : say("Seen here: {surface}, in the shadow of {casters}.",
+                                             "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
     if (image && surface)
-        said += " " + say("{share} of the color is the mirror image of {object}.",
-                          "share"_a = percent(image->share, 0),
+        said += " " + say("{share} of the color is the mirror image of {object}.", "share"_a = percent(image->share, 0),
                           "object"_a = surface_name(question, image->fragment.object_index));
     const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
                                     [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
@@ -112,14 +115,14 @@ Why why(const WhyQuestion& question) {
         }
     }
     made.has_mirror = !images_of(made, question.plan).empty();
-    made.has_shadow =
-        std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
-            return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;
-        });
+    made.has_shadow = std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
+        return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;
+    });
     add_ray_row(made, question);
     add_pass_rows(made, question);
     add_mirror_rows(made, question);
     add_light_rows(made, question);
+    add_fight_row(made, question);
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);

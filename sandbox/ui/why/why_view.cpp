@@ -17,6 +17,7 @@ ImU32 color_of_kind(WhyRow::Kind kind) {
             return palette().mirror;
         case WhyRow::Kind::light:
             return palette().light;
+        case WhyRow::Kind::fight:
         case WhyRow::Kind::fault:
             return palette().trouble;
         case WhyRow::Kind::ray:
@@ -74,8 +75,8 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
     ImGui::PopFont();
     const bool has_fix = !row.fix.empty() && widgets::OffersButton("Fix");
     ImGui::PushID(number);
-    const bool stops = row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) &&
-                       widgets::Offers("control:view.pass");
+    const bool stops =
+        row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) && widgets::Offers("control:view.pass");
     const bool is_pressed = ImGui::InvisibleButton("row", {place.width, height});
     const bool over = ImGui::IsItemHovered();
     widgets::Record(("why: " + row.title).c_str());
