@@ -46,7 +46,8 @@ constexpr const char* texts[] = {"mirror_derivation",        "mirror_derivation.
                                  "mirror_derivation.foot",   "mirror_derivation.mirrored",
                                  "mirror_derivation.rows",   "mirror_derivation.matrix",
                                  "shadow_derivation",        "shadow_derivation.lines",
-                                 "shadow_derivation.matrix", "unit normal"};
+                                 "shadow_derivation.matrix", "unit normal",
+                                 "why.fault"};
 constexpr const char* labels[] = {"mirrored", "heights"};
 constexpr const char* notes[] = {"depth_step"};
 constexpr const char* bars[] = {"pixel"};

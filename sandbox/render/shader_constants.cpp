@@ -1,12 +1,11 @@
 #include "render/shader_constants.h"
 
-#include <fmt/format.h>
-
 #include "frame/depth/depth_colors.h"
 #include "frame/ground.h"
 #include "frame/lighting.h"
 #include "frame/plan.h"
 #include "render/programs.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -75,7 +74,7 @@ std::span<const ShaderConstant> shader_constants() {
 const std::string& shader_constant_lines() {
     static const std::string lines = [] {
         std::string made;
-        for (const ShaderConstant& each : constants) made += fmt::format("#define {} {}\n", each.name, each.value);
+        for (const ShaderConstant& each : constants) made += std::string("#define ") + each.name + " " + format_number(each.value) + "\n";
         return made;
     }();
     return lines;

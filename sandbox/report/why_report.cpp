@@ -71,6 +71,7 @@ Json why_as_json(const Why& why) {
         if (!row.fix.empty()) fixes.push_back(row.fix);
     return {{"pixel", as_json(why.chain.pixel)},
             {"say", why.sentence},
+            {"wrong", why.fault.empty() ? Json() : Json(why.fault)},
             {"predicted", why.predicted ? Json(as_text(*why.predicted)) : Json()},
             {"read_back", why.read_back ? Json(as_text(*why.read_back)) : Json()},
             {"rounding", why.by_rounding},

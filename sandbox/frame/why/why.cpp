@@ -52,13 +52,13 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
 /// Finds what is seen, and the casters of the shadows on it.
 void find_names(Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
-    if (!surface) return;
-    made.surface = surface->fragment.object;
+    if (surface) made.surface = surface->fragment.object;
     for (const Touch& touch : made.chain.touches) {
         const Pass& pass = question.plan.passes[touch.fragment.pass];
         const bool is_shadow = role_of(pass) == PassRole::shadow && pass.mirrors_met.empty() && touch.fragment.passes;
         const std::string& name = touch.fragment.object;
-        if (is_shadow && surface->fragment.object_index == -1 - static_cast<int>(pass.plane) &&
+        const bool is_on_it = surface ? surface->fragment.object_index == -1 - static_cast<int>(pass.plane) : touch.paints;
+        if (is_shadow && is_on_it &&
             std::find(made.casters.begin(), made.casters.end(), name) == made.casters.end())
             made.casters.push_back(name);
     }
@@ -69,19 +69,19 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
     const std::vector<const Touch*> images = images_of(made, question.plan);
     const Touch* image = images.empty() ? nullptr : images.front();
-    if (!surface && !image) return tr("Nothing is drawn here: this is the background.");
-    const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::vector<std::string> casters;
     for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
+    if (!surface && !image)
+        return casters.empty() ? tr("Nothing is drawn here: this is the background.")
+                               : say("Seen here: the background, under the shadow of {casters}.",
+                                     "casters"_a = joined(casters));
+    const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::string said = casters.empty() ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
                                        : say("Seen here: {surface}, in the shadow of {casters}.",
                                              "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
     if (image && surface)
         said += " " + say("{share} of the color is the mirror image of {object}.", "share"_a = percent(image->share, 0),
                           "object"_a = surface_name(question, image->fragment.object_index));
-    const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
-                                    [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
-    if (fault != made.rows.end()) said += " " + say("Wrong here: {fault}", "fault"_a = fault->sentence);
     return said;
 }
 
@@ -128,13 +128,16 @@ Why why(const WhyQuestion& question) {
     add_sum_row(made, question);
     find_names(made, question);
     made.sentence = sentence_of(made, question);
+    const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
+                                    [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
+    if (fault != made.rows.end()) made.fault = say("Wrong here: {fault}", "fault"_a = fault->sentence);
     return made;
 }
 
 std::string why_as_text(const Why& why) {
     std::string text = say("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y);
     if (why.read_back) text += " " + hex_of(*why.read_back);
-    text += "\n" + why.sentence + "\n";
+    text += "\n" + why.sentence + (why.fault.empty() ? "" : " " + why.fault) + "\n";
     for (const WhyRow& row : why.rows) {
         text += "  " + row.title + ": " + row.sentence;
         if (row.kind == WhyRow::Kind::fault)

@@ -34,6 +34,7 @@ struct WhyLine {
 
 struct Why {
     std::string sentence;  ///< what is seen there, in one or two sentences
+    std::string fault;     ///< what is wrong there; "" if no fix changes the pixel
     std::vector<WhyRow> rows;
     std::vector<WhyLine> lines;
     PixelChain chain;

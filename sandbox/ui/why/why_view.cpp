@@ -11,6 +11,9 @@
 namespace viewing {
 namespace {
 
+/// What is wrong and its fix: an exercise may ask for it.
+constexpr const char* fault_target = "text:why.fault";
+
 ImU32 color_of_kind(WhyRow::Kind kind) {
     switch (kind) {
         case WhyRow::Kind::mirror:
@@ -32,21 +35,22 @@ struct RowPlace {
 };
 
 /// Draws the buttons that change what the camera's picture shows.
-void draw_buttons(Session& session, const Why& why) {
+void draw_buttons(WhyState& state, Session& session, const Why& why) {
     Params& params = session.params;
-    const auto toggle = [](const char* off, const char* on, bool& value, const char* tip) {
+    const auto toggle = [](const char* off, const char* on, bool is_part, bool& value, bool& hides, const char* tip) {
         const char* label = value ? off : on;
-        if (!widgets::OffersButton(label)) return;
-        if (widgets::SmallButton(label)) value = !value;
+        if (!(value ? is_part : hides) || !widgets::OffersButton(label)) return;
+        if (widgets::SmallButton(label)) {
+            hides = value;
+            value = !value;
+        }
         widgets::Tooltip(label, tip);
         ImGui::SameLine(0.0F, px(8.0F));
     };
-    if (why.has_shadow || !params.shadow.enabled)
-        toggle(marked("Without the shadow"), marked("With the shadow"), params.shadow.enabled,
-               marked("Draws the picture with or without its shadows."));
-    if (why.has_mirror || !params.reflection.enabled)
-        toggle(marked("Without the mirror"), marked("With the mirror"), params.reflection.enabled,
-               marked("Draws the picture with or without its mirror images."));
+    toggle(marked("Without the shadow"), marked("With the shadow"), why.has_shadow, params.shadow.enabled,
+           state.hides_shadow, marked("Draws the picture with or without its shadows."));
+    toggle(marked("Without the mirror"), marked("With the mirror"), why.has_mirror, params.reflection.enabled,
+           state.hides_mirror, marked("Draws the picture with or without its mirror images."));
     if (params.view.pass >= 0 && widgets::OffersButton("Whole frame")) {
         if (widgets::SmallButton("Whole frame")) params.view.pass = -1;
         widgets::Tooltip("Whole frame", "Draws all passes again.");
@@ -117,6 +121,11 @@ void draw_head(Session& session, const Why& why) {
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.sentence, width).c_str());
+    if (!why.fault.empty() && !widgets::IsCovered(fault_target)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().trouble);
+        ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.fault, width).c_str());
+        ImGui::PopStyleColor();
+    }
     widgets::Record(why.sentence.c_str());
     ImGui::PopFont();
 }
@@ -142,15 +151,16 @@ void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned,
     const ImFont* font = widgets::CurrentContext().fonts.text;
     const RowPlace place{std::min(px(150.0F), 0.3F * width), font->FontSize, width - px(6.0F)};
     for (std::size_t i = 0; i < why.rows.size(); ++i)
-        if (draw_row(session, why.rows[i], place, static_cast<int>(i))) state.hovered_row = i;
+        if (!(why.rows[i].kind == WhyRow::Kind::fault && widgets::IsCovered(fault_target)) &&
+            draw_row(session, why.rows[i], place, static_cast<int>(i))) state.hovered_row = i;
     ImGui::Dummy({0.0F, px(2.0F)});
-    draw_buttons(session, why);
+    draw_buttons(state, session, why);
     widgets::CountScrolled();
     ImGui::EndChild();
 }
 
 void draw_why_overlay(const WhyState& state, Overlay& overlay) {
-    if (!state.told) return;
+    if (!state.told || widgets::IsCovered("view:why")) return;
     for (const WhyLine& line : state.told->lines) {
         if (state.hovered_row && line.row != *state.hovered_row) continue;
         switch (line.kind) {

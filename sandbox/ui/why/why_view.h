@@ -15,13 +15,14 @@ namespace viewing {
 struct WhyState {
     std::shared_ptr<const Why> told;         ///< null while no view explains a pixel
     std::optional<std::size_t> hovered_row;  ///< only its lines are drawn
+    bool hides_shadow = false, hides_mirror = false;  ///< switched off by the view's buttons
 };
 
 /// Draws the explanation, with buttons that show the picture without its shadow or mirror image, or only up to a pass.
 /// Without a pixel, says how to choose one; `pinned` may say why the pinned place is not visible.
 void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned, const Rect& rect);
 
-/// Draws the ray, the mirrored path and the rays of the lights.
+/// Draws the ray, the mirrored path and the rays of the lights, unless a lesson covers the explanation.
 void draw_why_overlay(const WhyState& state, Overlay& overlay);
 
 }  // namespace viewing
