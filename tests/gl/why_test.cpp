@@ -8,6 +8,7 @@
 #include "frame/hidden/hidden_views.h"
 #include "frame/why/why.h"
 #include "gl/gl_test.h"
+#include "gl/planes_room.h"
 #include "platform/sanitized.h"
 #include "render/probe.h"
 #include "state/presets.h"
@@ -173,6 +174,70 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
         compare(params, scene, random, 50, "seed " + std::to_string(seed), seen);
     }
     check(seen);
+}
+
+/// Returns the last surface that is painted in the world behind these mirrors; null: the background.
+const Touch* surface_behind(const FramePlan& frame, const PixelChain& chain, const std::vector<std::size_t>& mirrors) {
+    const Touch* last = nullptr;
+    for (const Touch& touch : chain.touches) {
+        const Pass& pass = frame.passes[touch.fragment.pass];
+        const bool is_surface = role_of(pass) == PassRole::objects || role_of(pass) == PassRole::patch;
+        if (touch.paints && is_surface && pass.mirrors_met == mirrors) last = &touch;
+    }
+    return last;
+}
+
+/// What the explanation says about surfaces, mirrors, lights and casters agrees with an oracle that follows rays
+/// through rooms of spheres and boxes, with formulas alone.
+TEST_F(WhyThisPixel, AgreesWithARayCaster) {
+    int surfaces = 0, images = 0, shadows = 0;
+    for (unsigned number = 0; number < testing::rooms(is_sanitized ? 8 : 60); ++number) {
+        testing::Room room = testing::RoomMaker(number).make();
+        const Derived derived = derive(room.params, room.scene, renderer().viewport(why_px, room.params.depth.format));
+        const FramePlan frame = plan(room.params, derived);
+        room.oracle.bounces = frame.reflection_depth;
+        const testing::RayCaster oracle(room.oracle, room.camera);
+        const FragmentFinder finder(room.scene);
+        std::mt19937 random(3870 + number);
+        for (int i = 0; i < 40; ++i) {
+            const glm::ivec2 pixel(static_cast<int>(random() % why_px.x), static_cast<int>(random() % why_px.y));
+            const auto sight_at = [&](double x, double y) {
+                return oracle.at(pixel.x + x, pixel.y + y, why_px.x, why_px.y);
+            };
+            const testing::Sight sight = sight_at(0.5, 0.5);
+            const double out = 1.2;
+            if (sight_at(0.5 - out, 0.5) != sight || sight_at(0.5 + out, 0.5) != sight ||
+                sight_at(0.5, 0.5 - out) != sight || sight_at(0.5, 0.5 + out) != sight)
+                continue;
+            const PixelChain chain = pixel_chain(frame, finder, pixel, why_px);
+            std::vector<std::size_t> mirrors;
+            SCOPED_TRACE("room " + std::to_string(number) + ", pixel " + std::to_string(pixel.x) + ", " +
+                         std::to_string(pixel.y));
+            for (std::size_t k = 0; k < sight.met.size(); ++k) {
+                const testing::Met& met = sight.met[k];
+                const Touch* touch = surface_behind(frame, chain, mirrors);
+                ASSERT_TRUE(touch) << "behind " << k << " mirrors";
+                EXPECT_EQ(touch->fragment.object_index, met.solid >= 0 ? met.solid : -1 - met.patch);
+                (k == 0 ? surfaces : images)++;
+                if (met.solid >= 0) break;
+                const auto patch = static_cast<std::size_t>(met.patch);
+                unsigned missing = 0;
+                for (std::size_t light = 0; light < room.oracle.lights.size(); ++light) {
+                    if (shadow_at(frame, chain, patch, light, mirrors).first) missing |= 1U << light;
+                    const std::optional<Blocker> in_way =
+                        blocker(finder, touch->fragment.point_scene, room.oracle.lights[light]);
+                    const bool is_missing = (met.missing >> light & 1U) != 0;
+                    EXPECT_TRUE(in_way || !is_missing) << "light " << light;
+                }
+                EXPECT_EQ(missing, met.missing);
+                shadows += missing != 0 ? 1 : 0;
+                mirrors.push_back(patch);
+            }
+        }
+    }
+    EXPECT_GT(surfaces, is_sanitized ? 50 : 500);
+    EXPECT_GT(images, is_sanitized ? 10 : 100);
+    EXPECT_GT(shadows, is_sanitized ? 10 : 80);
 }
 
 /// For each preset with a mistake: wherever its fix changes the picture, the explanation names that fix.

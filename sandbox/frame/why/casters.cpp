@@ -33,7 +33,7 @@ std::optional<Blocker> blocker(const FragmentFinder& finder, const glm::dvec3& p
     const double length = glm::length(way);
     if (length == 0.0 || scene.bounds_world.empty()) return std::nullopt;
     const double nearest = 1e-4 * glm::length(scene.bounds_world.size()) / length;
-    double limit = light_world.w != 0.0 ? 1.0 : std::numeric_limits<double>::infinity();
+    double limit = light_world.w != 0.0 ? 1.0 / light_world.w : std::numeric_limits<double>::infinity();
     std::optional<Blocker> found;
     for (std::size_t index = 0; index < scene.objects.size(); ++index) {
         const SceneObject& object = scene.objects[index];
