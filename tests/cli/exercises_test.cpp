@@ -34,7 +34,7 @@ std::string exercise_with(const std::string& wrong, const std::string& near_list
 
 TEST_F(ExercisesCommand, ListsExercisesWithTheirPoints) {
     const std::vector<std::string> lines = lines_of(expect(0, {"exercises"}).out);
-    ASSERT_EQ(lines.size(), 25U);
+    ASSERT_EQ(lines.size(), 27U);
     EXPECT_EQ(lines.back(), "24 exercises, 50 points");
     for (std::size_t i = 0; i < 24; ++i) {
         const std::string id = "E" + std::to_string(101 + i).substr(1) + "-";
@@ -113,7 +113,7 @@ TEST_F(ExercisesCommand, SolutionsAreForTheLecturer) {
     const nlohmann::json sheet =
         expect(0, {"exercises", "--student", "32201234", "--course", "viewing-2026", "--solutions", "--format", "json"})
             .json();
-    ASSERT_EQ(sheet["exercises"].size(), 24U);
+    ASSERT_EQ(sheet["exercises"].size(), 26U);
     for (const nlohmann::json& question : sheet["exercises"])
         EXPECT_FALSE(question["solution"].get<std::string>().empty()) << question;
     // P = (0, 1, 0, 0), L = (−1, 4, 3, 1): S = (P·L) I − L Pᵀ, computed by hand.

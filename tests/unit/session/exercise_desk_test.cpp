@@ -169,7 +169,7 @@ TEST_F(ExerciseDeskTest, EachStudentHasOwnVariants) {
     EXPECT_TRUE(desk.entries().empty());
     desk.open();
     EXPECT_TRUE(desk.is_open());
-    ASSERT_EQ(desk.entries().size(), 24U);
+    ASSERT_EQ(desk.entries().size(), 26U);
     EXPECT_TRUE(desk.trouble());
     for (const Student& student : {anna, ben, Student{"그래픽스", "../..", ""}}) {
         desk.sit_down(student);
