@@ -42,11 +42,16 @@ constexpr const char* followed[] = {"p", "S p", "shadow", "mirrored", "foot", "d
 constexpr const char* buttons[] = {"show C", "show V",    "normalize",  "copy",
                                    "edit",   "fix",       "raise near", "lower near",
                                    "home",   "frame all", "level",      "find a view where this key fails"};
-constexpr const char* texts[] = {"mirror_derivation",        "mirror_derivation.k",
-                                 "mirror_derivation.foot",   "mirror_derivation.mirrored",
-                                 "mirror_derivation.rows",   "mirror_derivation.matrix",
-                                 "shadow_derivation",        "shadow_derivation.lines",
-                                 "shadow_derivation.matrix", "unit normal",
+constexpr const char* texts[] = {"mirror_derivation",
+                                 "mirror_derivation.k",
+                                 "mirror_derivation.foot",
+                                 "mirror_derivation.mirrored",
+                                 "mirror_derivation.rows",
+                                 "mirror_derivation.matrix",
+                                 "shadow_derivation",
+                                 "shadow_derivation.lines",
+                                 "shadow_derivation.matrix",
+                                 "unit normal",
                                  "why.fault"};
 constexpr const char* labels[] = {"mirrored", "heights"};
 constexpr const char* notes[] = {"depth_step"};

@@ -74,7 +74,8 @@ std::span<const ShaderConstant> shader_constants() {
 const std::string& shader_constant_lines() {
     static const std::string lines = [] {
         std::string made;
-        for (const ShaderConstant& each : constants) made += std::string("#define ") + each.name + " " + format_number(each.value) + "\n";
+        for (const ShaderConstant& each : constants)
+            made += std::string("#define ") + each.name + " " + format_number(each.value) + "\n";
         return made;
     }();
     return lines;

@@ -50,7 +50,7 @@ TEST_F(ExercisesCommand, ListsASetOrNamedExercises) {
         found.insert(lines[i].substr(0, 3));
         EXPECT_TRUE(has(lines[i], "(shadow; ")) << lines[i];
     }
-    EXPECT_EQ(found, (std::set<std::string>{"E16", "E17", "E18", "E19", "E20"}));
+    EXPECT_EQ(found, (std::set<std::string>{"E16", "E17", "E18", "E19", "E20", "E25", "E26"}));
     lines = lines_of(expect(0, {"exercises", "--set", "E01,E16"}).out);
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_EQ(lines[0].find("E01-view-matrix — The view matrix"), 0U) << lines[0];
@@ -62,7 +62,7 @@ TEST_F(ExercisesCommand, ListsASetOrNamedExercises) {
         EXPECT_GT(lines.size(), 1U);
         for (std::size_t i = 0; i + 1 < lines.size(); ++i) all.insert(lines[i].substr(0, 3));
     }
-    EXPECT_EQ(all.size(), 24U) << "each belongs to one or more";
+    EXPECT_EQ(all.size(), 26U) << "each belongs to one or more";
 }
 
 TEST_F(ExercisesCommand, AnUnknownSetSuggestsTheNearest) {
@@ -85,7 +85,7 @@ TEST_F(ExercisesCommand, ASheetIsReproducibleAndIndividual) {
     EXPECT_NE(sheet("32201234", "viewing-2027"), first);
     int questions = 0;
     for (const std::string& line : lines_of(first)) questions += line[0] == 'E' && has(line, " · ") ? 1 : 0;
-    EXPECT_EQ(questions, 24);
+    EXPECT_EQ(questions, 26);
     EXPECT_FALSE(has(first, "→ ")) << "no answers";
     EXPECT_FALSE(has(first, "{")) << "every place is filled";
 }
@@ -125,14 +125,14 @@ TEST_F(ExercisesCommand, SolutionsAreForTheLecturer) {
         expect(0, {"exercises", "--student", "32201234", "--course", "viewing-2026", "--solutions"}).out;
     std::size_t arrows = 0;
     for (const std::string& line : lines_of(text)) arrows += line.find("  → ") == 0 ? 1U : 0U;
-    EXPECT_EQ(arrows, 24U);
+    EXPECT_EQ(arrows, 26U);
 }
 
 TEST_F(ExercisesCommand, ASheetCanBeInKorean) {
     const nlohmann::json korean =
         expect(0, {"exercises", "--student", "1", "--language", "ko", "--format", "json"}).json();
     const nlohmann::json english = expect(0, {"exercises", "--student", "1", "--format", "json"}).json();
-    ASSERT_EQ(korean["exercises"].size(), 24U);
+    ASSERT_EQ(korean["exercises"].size(), 26U);
     for (std::size_t i = 0; i < 24; ++i) {
         const std::string question = korean["exercises"][i]["question"];
         EXPECT_TRUE(has_hangul(question)) << question;

@@ -21,7 +21,7 @@ std::string lesson_with(const std::string& claim, const std::string& wrong_try =
 
 TEST_F(LessonCommand, ListsTheLecture) {
     const std::string list = expect(0, {"lesson", "--list"}).out;
-    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 16);
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 17);
     EXPECT_TRUE(has(list, "depth-fighting — "));
     EXPECT_TRUE(has(expect(0, {"lesson", "--names"}).out, "apply(M, p)"));
 }

@@ -57,9 +57,9 @@ void find_names(Why& made, const WhyQuestion& question) {
         const Pass& pass = question.plan.passes[touch.fragment.pass];
         const bool is_shadow = role_of(pass) == PassRole::shadow && pass.mirrors_met.empty() && touch.fragment.passes;
         const std::string& name = touch.fragment.object;
-        const bool is_on_it = surface ? surface->fragment.object_index == -1 - static_cast<int>(pass.plane) : touch.paints;
-        if (is_shadow && is_on_it &&
-            std::find(made.casters.begin(), made.casters.end(), name) == made.casters.end())
+        const bool is_on_it =
+            surface ? surface->fragment.object_index == -1 - static_cast<int>(pass.plane) : touch.paints;
+        if (is_shadow && is_on_it && std::find(made.casters.begin(), made.casters.end(), name) == made.casters.end())
             made.casters.push_back(name);
     }
 }
@@ -72,9 +72,9 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
     std::vector<std::string> casters;
     for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
     if (!surface && !image)
-        return casters.empty() ? tr("Nothing is drawn here: this is the background.")
-                               : say("Seen here: the background, under the shadow of {casters}.",
-                                     "casters"_a = joined(casters));
+        return casters.empty()
+                   ? tr("Nothing is drawn here: this is the background.")
+                   : say("Seen here: the background, under the shadow of {casters}.", "casters"_a = joined(casters));
     const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::string said = casters.empty() ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
                                        : say("Seen here: {surface}, in the shadow of {casters}.",
@@ -134,12 +134,17 @@ Why why(const WhyQuestion& question) {
     return made;
 }
 
+std::string on_one_line(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    return sentence;
+}
+
 std::string why_as_text(const Why& why) {
     std::string text = say("Pixel ({x}, {y})", "x"_a = why.chain.pixel.x, "y"_a = why.chain.pixel.y);
     if (why.read_back) text += " " + hex_of(*why.read_back);
     text += "\n" + why.sentence + (why.fault.empty() ? "" : " " + why.fault) + "\n";
     for (const WhyRow& row : why.rows) {
-        text += "  " + row.title + ": " + row.sentence;
+        text += "  " + row.title + ": " + on_one_line(row.sentence);
         if (row.kind == WhyRow::Kind::fault)
             text += " " + say("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = hex_of(*row.after));
         else if (row.after && row.kind != WhyRow::Kind::sum)

@@ -61,6 +61,9 @@ struct WhyQuestion {
 };
 Why why(const WhyQuestion& question);
 
+/// Returns a row's sentence, which may have several lines in a view, on one line.
+std::string on_one_line(std::string sentence);
+
 /// Returns the sentence, one line per row, and an empty line.
 std::string why_as_text(const Why& why);
 

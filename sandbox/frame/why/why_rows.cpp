@@ -59,6 +59,10 @@ std::string outcome(const WhyQuestion& question, const Touch& touch) {
     std::string name = surface_name(question, fragment.object_index);
     if (fragment.object_index >= 0 && role_of(pass) == PassRole::objects)
         name += std::string(" (") + (fragment.front_facing ? tr("front") : tr("back")) + ")";
+    if (pass.subject == Subject::ordered)
+        name =
+            say("{surface}, triangle {number} of {count} in the method's order", "surface"_a = name,
+                "number"_a = fragment.triangle + 1, "count"_a = question.plan.drawing_of(pass)->triangles.size() / 3);
     if (fragment.cut_off) return say("{surface} is cut off by a clip plane", "surface"_a = name);
     if (!fragment.is_sent) return say("the method found another surface before {surface}", "surface"_a = name);
     if (fragment.culled)
@@ -143,9 +147,9 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
     }
     if (s.w != 0.0)
         said +=
-            " " + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
+            "\n" + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
     const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
-    said += " ";
+    said += "\n";
     if (is_missing_light)
         said += tr("The stencil marks it, and the plane is drawn without this light.");
     else

@@ -125,6 +125,7 @@ void draw_head(Session& session, const Why& why) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().trouble);
         ImGui::TextUnformatted(widgets::BrokenAtBlanks(why.fault, width).c_str());
         ImGui::PopStyleColor();
+        widgets::MarkTarget(fault_target);
     }
     widgets::Record(why.sentence.c_str());
     ImGui::PopFont();
@@ -149,10 +150,14 @@ void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned,
     ImGui::BeginChild("rows", ImGui::GetContentRegionAvail());
     const float width = ImGui::GetContentRegionAvail().x;
     const ImFont* font = widgets::CurrentContext().fonts.text;
-    const RowPlace place{std::min(px(150.0F), 0.3F * width), font->FontSize, width - px(6.0F)};
+    float titles = 0.0F;
+    for (const WhyRow& row : why.rows)
+        titles = std::max(titles, font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, row.title.c_str()).x);
+    const RowPlace place{std::min(titles, 0.3F * width), font->FontSize, width - px(6.0F)};
     for (std::size_t i = 0; i < why.rows.size(); ++i)
         if (!(why.rows[i].kind == WhyRow::Kind::fault && widgets::IsCovered(fault_target)) &&
-            draw_row(session, why.rows[i], place, static_cast<int>(i))) state.hovered_row = i;
+            draw_row(session, why.rows[i], place, static_cast<int>(i)))
+            state.hovered_row = i;
     ImGui::Dummy({0.0F, px(2.0F)});
     draw_buttons(state, session, why);
     widgets::CountScrolled();

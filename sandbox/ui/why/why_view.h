@@ -13,8 +13,8 @@ namespace viewing {
 
 /// The explanation that the views draw; persists between frames.
 struct WhyState {
-    std::shared_ptr<const Why> told;         ///< null while no view explains a pixel
-    std::optional<std::size_t> hovered_row;  ///< only its lines are drawn
+    std::shared_ptr<const Why> told;                  ///< null while no view explains a pixel
+    std::optional<std::size_t> hovered_row;           ///< only its lines are drawn
     bool hides_shadow = false, hides_mirror = false;  ///< switched off by the view's buttons
 };
 
