@@ -109,17 +109,6 @@ void draw_ground(ImVec2 min, ImVec2 max, const TileLook& look, bool hovered) {
     draw->AddRect(min, max, outline_of(look), rounding, 0, px(is_marked ? 2.0F : 1.0F) * palette().stroke);
 }
 
-/// Draws a bar for the raised hands, behind the text of a choice.
-void draw_votes(ImVec2 min, ImVec2 max, int votes, int most) {
-    if (votes == 0) return;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const float share = static_cast<float>(votes) / static_cast<float>(std::max(most, 1));
-    draw->AddRectFilled(min, {min.x + (max.x - min.x) * share, max.y}, with_alpha(palette().accent, 70), px(4.0F));
-    const std::string number = std::to_string(votes);
-    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    draw->AddText({max.x - size.x - px(padding_x), (min.y + max.y - size.y) * 0.5F}, palette().text, number.c_str());
-}
-
 bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
@@ -128,7 +117,6 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const std::vector<float> rows = row_heights(ask, width, context, style.presents);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     Answer& answer = run.answer();
-    const int most_votes = run.votes().empty() ? 0 : *std::max_element(run.votes().begin(), run.votes().end());
     bool given = false;
     float y = corner.y;
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
@@ -144,7 +132,6 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
         const bool is_told = is_chosen && run.verdict() && !run.verdict()->right;
         const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
         draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
-        if (style.presents) draw_votes(min, max, run.votes()[i], most_votes);
         const char letter[] = {static_cast<char>('A' + i), '\0'};
         const Paragraph text = choice_text(ask.choices[i].say, width, context, style.presents);
         ImDrawList* draw = ImGui::GetWindowDrawList();

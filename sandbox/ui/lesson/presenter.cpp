@@ -12,11 +12,6 @@
 namespace viewing {
 namespace {
 
-int digit_of(Key key) {
-    if (key == Key::zero) return 0;
-    return key >= Key::one && key <= Key::nine ? static_cast<int>(key) - static_cast<int>(Key::one) + 1 : -1;
-}
-
 bool is_modifier(Key key) {
     return key == Key::shift || key == Key::ctrl || key == Key::alt || key == Key::super;
 }
@@ -34,6 +29,7 @@ void PresenterMode::end() {
     is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
+    votes_.close();
     wants_full_screen_ = false;
 }
 
@@ -86,13 +82,6 @@ bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Sessio
     return true;
 }
 
-void PresenterMode::vote(int choice, int change, Guide& guide) {
-    std::vector<int>& votes = guide.run()->votes();
-    if (choice < 0 || choice >= static_cast<int>(votes.size())) return;
-    int& hands = votes[static_cast<std::size_t>(choice)];
-    hands = std::max(hands + change, 0);
-}
-
 bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
     if (is_modifier(press.key) || !guide.is_shown()) return false;
     if (shows_overview_) return take_in_overview(press, guide, session);
@@ -101,6 +90,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         blank_ = Blank::none;
         return true;
     }
+    if (votes_.take(press, *guide.run())) return true;
     if (press.ctrl && press.key == Key::z && inks_) {
         if (std::vector<Stroke>& strokes = ink_[guide.run()->index()]; !strokes.empty()) strokes.pop_back();
         return true;
@@ -163,17 +153,16 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
                 inks_ = false;
             return true;
         default:
-            if (const int digit = digit_of(press.key); digit > 0 && !guide.run()->is_revealed()) {
-                vote(digit - 1, press.shift ? -1 : 1, guide);
-                return true;
-            }
             return digit_of(press.key) >= 0;
     }
 }
 
 void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {
-    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x), session);
+    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x) && !takes_letters(), session);
     if (!is_on_) return;
+    if (!guide.run()) return end();
+    const std::pair now(guide.run()->index(), guide.run()->is_revealed());
+    if (std::exchange(votes_belong_to_, now) != now) votes_.close();  // they would hide the answer
     presented_s_ += input.dt_s;
     if (clock_runs_) clock_s_ += input.dt_s;
     if (!guide.is_shown()) end();
@@ -215,9 +204,10 @@ void PresenterMode::draw_pointer() {
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
 }
 
-void PresenterMode::draw(std::size_t step) {
+void PresenterMode::draw(const LessonRun& run, const Rect& room) {
     if (!is_on_) return;
-    draw_ink(step);
+    votes_.draw(run, room);
+    draw_ink(run.index());
     draw_pointer();
     ImDrawList* draw = ImGui::GetForegroundDrawList();
     const ImVec2 size = ImGui::GetIO().DisplaySize;

@@ -147,7 +147,9 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     if (start_page.draw(guide, session, progress, recent, pictures)) exercise_page.open(exercises);
     draw_exercises(session, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
-    if (guide.run()) presenter.draw(guide.run()->index());
+    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    const float bottom = layout.strip.empty() ? window_px.y : layout.strip.min.y;
+    if (guide.run()) presenter.draw(*guide.run(), {{0.0F, 0.0F}, {window_px.x, bottom}});
 }
 
 void Workbench::remember_opened(const Session& session) {

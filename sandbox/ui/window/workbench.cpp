@@ -329,8 +329,8 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     handle_keys(session, input, derived.aspect, requests);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
 
-    const bool keys_move =
-        !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
+                           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
     begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
