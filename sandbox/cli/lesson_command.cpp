@@ -23,7 +23,7 @@ namespace {
 /// The options as typed.
 struct TypedLesson {
     std::vector<std::string> lessons;
-    std::optional<std::string> device, step, notes, handout, language;
+    std::optional<std::string> device, step, notes, base, handout, language;
     bool check = false, names = false, list = false, presents = false, answers = false;
 };
 
@@ -117,6 +117,7 @@ ExitStatus show_lesson(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
     WindowMemory memory(remembered_file(), false);
     WindowStart start;
+    start.link_address = address_option(options, "--base", typed.base);
     LoadedState state = value_or_end(load_state(""));
     if (typed.lessons.empty()) {
         if (typed.presents || typed.step || typed.notes) options.refuse("--present, --step and --notes need a lesson");
@@ -151,6 +152,7 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     options.text("--notes", "terminal|window|FILE", typed.notes,
                  "Shows the lecturer's notes while the room sees the step: in this terminal, in a separate window, or "
                  "in a file rewritten at each change");
+    options.text("--base", "ADDRESS", typed.base, base_help);
     options.text("--language", "en|ko", typed.language,
                  "Language of the window or the handout; default: the one last chosen, English for a handout");
     options.group("Without a window");

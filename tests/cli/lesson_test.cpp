@@ -49,6 +49,22 @@ TEST_F(LessonCommand, ABrokenFileIsReportedInOneSentence) {
     expect(2, {"lesson", "--check", "--list"});
 }
 
+/// Decodes the QR codes in a picture with another library than the one that draws them.
+TEST_F(LessonCommand, ThePhoneReadsTheStagesCode) {
+    if (std::system("command -v zbarimg >/dev/null") != 0) GTEST_SKIP() << "no zbarimg (package zbar-tools)";
+    const std::string address = "https://cg.example.edu/viewing/";
+    for (const char* const size : {"1920x1080", "1024x768"})
+        for (const char* const theme : {"dark", "projector"}) {
+            expect(0, {"snapshot", "--lesson", "depth-fighting", "--step", "2", "--present", "--code", address, "--set",
+                       std::string("ui.theme=") + theme, "--size", size, "-o", "stage.png"});
+            const std::string command =
+                "cd '" + folder().string() + "' && zbarimg --quiet --raw stage.png >read 2>said && rm said stage.png";
+            EXPECT_EQ(std::system(command.c_str()), 0) << size << " " << theme;
+            EXPECT_EQ(read("read"), address + "#lesson=depth-fighting&step=2\n") << size << " " << theme;
+        }
+    refused({"snapshot", "--lesson", "lens", "--code", address, "-o", "stage.png"}, {"--code needs --present"});
+}
+
 TEST_F(LessonCommand, HiddenFunctionsInExpressionsAreRefused) {
     const std::string bomb =
         "(function() local t={1,1,1,1,1,1,1,1,1,1} for i=1,13 do t={t,t,t,t,t,t,t,t,t,t} end return t end)()";

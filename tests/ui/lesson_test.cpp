@@ -493,6 +493,36 @@ TEST(OnStage, AVoteThatCannotBeReadIsExplainedAndATypoTakenBack) {
     EXPECT_EQ(ballot.votes(), (std::vector{8, 6, 0, 0}));
 }
 
+TEST(OnStage, QShowsTheCodeOfTheStepOrSaysHowToSetItsAddress) {
+    Desk desk({1920, 1080});
+    begin(desk, lesson_of("view-is-the-inverse"), 0, true);
+    const double roll = desk.params().camera.roll;
+    desk.press(Key::q);
+    EXPECT_TRUE(is_on_top(desk, "A QR code needs the address of the page: start the"));
+    desk.workbench.link_address = "https://cg.example.edu/viewing/";
+    desk.ui.frames(1);
+    EXPECT_TRUE(is_on_top(desk, "https://cg.example.edu/viewing/#lesson=view-is-the-inverse&step=1"));
+    EXPECT_EQ(desk.params().camera.roll, roll);
+    EXPECT_EQ(unreadable(desk), std::vector<std::string>{});
+    desk.press(Key::escape);
+    EXPECT_EQ(texts_on_top(desk), std::vector<std::string>{});
+
+    desk.press(Key::q);
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(texts_on_top(desk), std::vector<std::string>{}) << "the code does not hide the answer";
+    desk.press(Key::page_down);
+    desk.params().camera.yaw += 20.0;  // the lecturer improvises
+    desk.press(Key::q);
+    EXPECT_TRUE(is_on_top(desk, "https://cg.example.edu/viewing/ …")) << "a link to a state is too long to read";
+    desk.workbench.link_address = "https://" + std::string(3000, 'a');
+    desk.ui.frames(1);
+    const std::vector<std::string> told = texts_on_top(desk);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_TRUE(told[0].starts_with("The link has 3,")) << told[0];
+    EXPECT_TRUE(told[1].ends_with("2,953.")) << told[1];
+}
+
 TEST(LessonStrip, AWrongChoiceIsExplainedAndARightOneIsJudged) {
     Desk desk({1600, 900});
     const Lesson lesson = lesson_of("view-is-the-inverse");

@@ -26,10 +26,11 @@ void PresenterMode::begin() {
 }
 
 void PresenterMode::end() {
-    is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
+    is_on_ = is_frozen_ = shows_overview_ = shows_code_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
     votes_.close();
+    shown_step_.reset();
     wants_full_screen_ = false;
 }
 
@@ -132,6 +133,9 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             inks_ = !inks_;
             if (!inks_) ink_.erase(guide.run()->index());
             return true;
+        case Key::q:
+            shows_code_ = !shows_code_;
+            return true;
         case Key::t:
             clock_runs_ = !press.shift && !clock_runs_;
             if (press.shift) clock_s_ = 0.0;
@@ -149,7 +153,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         case Key::escape:
             if (press.shift)
                 end();
-            else if (inks_)
+            else if (!std::exchange(shows_code_, false))
                 inks_ = false;
             return true;
         default:
@@ -162,7 +166,11 @@ void PresenterMode::update(const FrameInput& input, Guide& guide, Session& sessi
     if (!is_on_) return;
     if (!guide.run()) return end();
     const std::pair now(guide.run()->index(), guide.run()->is_revealed());
-    if (std::exchange(votes_belong_to_, now) != now) votes_.close();  // they would hide the answer
+    const auto before = std::exchange(shown_step_, now);
+    if (before && *before != now) {  // both would hide the answer
+        votes_.close();
+        shows_code_ = false;
+    }
     presented_s_ += input.dt_s;
     if (clock_runs_) clock_s_ += input.dt_s;
     if (!guide.is_shown()) end();

@@ -43,6 +43,9 @@ public:
     /// Whether ink or a blank screen keeps the mouse from reaching the views.
     bool takes_mouse() const { return is_on_ && (inks_ || blank_ != Blank::none); }
 
+    /// Whether the QR code of the step or state is shown.
+    bool shows_code() const { return is_on_ && shows_code_; }
+    void show_code() { shows_code_ = true; }
     /// Whether letters that are held down belong to the presentation, and move nothing.
     bool takes_letters() const { return is_on_ && votes_.is_typing(); }
 
@@ -58,13 +61,15 @@ private:
     void draw_ink(std::size_t step);
     void draw_pointer();
 
-    bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, inks_ = false, clock_runs_ = false;
+    bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false, inks_ = false,
+         clock_runs_ = false;
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
     VotePanel votes_;
-    std::pair<std::size_t, bool> votes_belong_to_;  ///< the step, and whether its answer is shown
-    int choice_ = 0;                                ///< the step chosen in the overview
-    std::string typed_;                             ///< the digits of a step number that have been typed so far
+    /// What the votes and the QR code belong to: the step, and whether its answer is shown.
+    std::optional<std::pair<std::size_t, bool>> shown_step_;
+    int choice_ = 0;     ///< the step chosen in the overview
+    std::string typed_;  ///< the digits of a step number that have been typed so far
     double clock_s_ = 0.0, presented_s_ = 0.0;
     std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step
     std::optional<bool> wants_full_screen_;

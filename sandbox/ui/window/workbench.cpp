@@ -332,6 +332,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
                            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
     begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);
