@@ -198,7 +198,7 @@ void PresenterMode::draw_ink(std::size_t step) {
     if (inks_ && ImGui::IsMousePosValid()) draw->AddCircleFilled(io.MousePos, width, with_alpha(palette().point, 160));
 }
 
-void PresenterMode::draw_pointer() {
+void PresenterMode::draw_pointer(const Rect& room) {
     if (pointer_ == Pointer::none || !ImGui::IsMousePosValid()) return;
     const ImVec2 at = ImGui::GetIO().MousePos, size = ImGui::GetIO().DisplaySize;
     ImDrawList* draw = ImGui::GetForegroundDrawList();
@@ -207,16 +207,18 @@ void PresenterMode::draw_pointer() {
         draw->AddCircle(at, size.y / 60.0F, palette().text, 48, px(1.5F));
         return;
     }
-    // A ring thick enough to darken everything outside the spotlight.
+    // A ring thick enough to darken everything outside the spotlight, except the question.
     const float radius = size.y / 7.0F, reach = std::hypot(size.x, size.y);
+    draw->PushClipRect(room.min, room.max);
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
+    draw->PopClipRect();
 }
 
 void PresenterMode::draw(const LessonRun& run, const Rect& room) {
     if (!is_on_) return;
     votes_.draw(run, room);
     draw_ink(run.index());
-    draw_pointer();
+    draw_pointer(room);
     ImDrawList* draw = ImGui::GetForegroundDrawList();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (is_frozen_) draw->AddRect({0.0F, 0.0F}, size, palette().accent, 0.0F, 0, px(4.0F));

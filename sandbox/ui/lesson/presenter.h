@@ -59,7 +59,7 @@ private:
 
     bool take_in_overview(const KeyPress& press, Guide& guide, Session& session);
     void draw_ink(std::size_t step);
-    void draw_pointer();
+    void draw_pointer(const Rect& room);
 
     bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false, inks_ = false,
          clock_runs_ = false;

@@ -56,7 +56,8 @@ Arrangement Workbench::arranged(const Session& session) const {
 Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     Arrangement now = arranged(session);
     if (guide.is_shown() && arrangement.has_strip)
-        now.strip_px = strip_height(*guide.run(), window_px.x, widgets, arrangement.presents);
+        now.strip_px = strip_height(*guide.run(), window_px.x, widgets,
+                                    {arrangement.presents, false, presenter.clock(), "", false});
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
