@@ -197,6 +197,7 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     if (style.presents && !shows_model) return draw_unanswered(ask, sizes, room);
     answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
     const std::vector<double> before = answer.numbers;
+    const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix(0.0);
         for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
@@ -210,7 +211,7 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
             const std::string name = row == 0 ? "answer" : "answer " + std::to_string(row + 1);
             ImGui::SetNextItemWidth(number_width * sizes.enlarged * static_cast<float>(count));
             widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, count),
-                             {.decimals = 3});
+                             {.decimals = shows_model && are_whole ? 0 : 3});
             if (shows_model) frame_right_answer();
         }
     }
