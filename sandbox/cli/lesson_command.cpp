@@ -12,6 +12,7 @@
 #include "cli/window_commands.h"
 #include "lesson/lesson.h"
 #include "lesson/names.h"
+#include "platform/file.h"
 #include "report/lesson_check.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
@@ -62,15 +63,24 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     if (wanted.empty())
         for (const LessonFile& file : lessons()) wanted.push_back(file.path.string());
     std::vector<Lesson> read;
-    std::string broken;
+    std::vector<std::string> broken;
     for (const std::string& argument : wanted) {
         Result<Lesson> lesson = load_lesson(argument);
-        if (lesson)
+        if (lesson) {
             read.push_back(*std::move(lesson));
-        else
-            broken += (broken.empty() ? "" : "\n") + lesson.error();
+            continue;
+        }
+        std::vector<std::string> mistakes;
+        if (const Result<std::string> text = read_text_file(argument))
+            mistakes = lesson_mistakes(*text, argument, std::filesystem::path(argument).parent_path());
+        if (mistakes.empty()) mistakes.push_back(lesson.error());
+        broken.insert(broken.end(), mistakes.begin(), mistakes.end());
     }
-    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
+    if (broken.size() == 1) throw Failure(ExitStatus::bad_input, broken.front());
+    if (!broken.empty()) {
+        for (const std::string& mistake : broken) print(mistake + "\n");
+        throw Failure(ExitStatus::bad_input, "lesson --check: " + counted(std::ssize(broken), "mistake"));
+    }
     Headless headless(device);
     std::string findings;
     std::int64_t steps = 0;
