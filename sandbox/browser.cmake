@@ -40,7 +40,7 @@ headers_alone(fmt::fmt FMT_HEADER_ONLY=1)
 headers_alone(Threads::Threads)
 headers_alone(PkgConfig::epoxy)
 # Needed only by a room's folder `desktop`.
-foreach(name PkgConfig::egl PkgConfig::cairo PkgConfig::harfbuzz_subset glfw)
+foreach(name PkgConfig::egl PkgConfig::cairo PkgConfig::harfbuzz_subset PkgConfig::qrencode glfw)
     headers_alone(${name})
 endforeach()
 

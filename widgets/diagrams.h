@@ -41,6 +41,7 @@ TreeLayout LayOutTree(std::span<const TreeNode> nodes, const std::unordered_set<
 struct TreeDiagramState {
     glm::dvec2 pan{0.0};  ///< from the view's upper left corner to the root, in design pixels
     double zoom = 1.0;
+    double stretch = 1.0;               ///< horizontal: before an audience, a fitted tree fills the view's width
     std::unordered_set<int> collapsed;  ///< nodes with folded subtrees
     bool fit_next = true;               ///< show the whole tree in the next frame, or only its top if it is too large
     bool fit_whole_next = false;        ///< show the whole tree in the next frame, however small

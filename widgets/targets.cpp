@@ -12,6 +12,7 @@ namespace {
 
 using inner::Px;
 
+constexpr float frame_margin = 3.0F;  ///< around a target, in design pixels
 constexpr int search_frames = 4;  ///< folded sections need a frame to open before their content can scroll into view
 
 Targets& Current() {
@@ -115,6 +116,11 @@ void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max) {
     }
 }
 
+void MarkLine(std::string_view name) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    MarkTarget(name, ImVec2(min.x, min.y + Px(frame_margin)), ImVec2(max.x, max.y - Px(frame_margin)));
+}
+
 std::vector<std::string> MissingTargets() {
     const Targets& targets = Current();
     std::vector<std::string> missing;
@@ -177,7 +183,7 @@ void DrawHighlights(float bottom) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const float margin = Px(3), width = std::round(Px(2) * palette.stroke);
+    const float margin = Px(frame_margin), width = std::round(Px(2) * palette.stroke);
     draw->PushClipRectFullScreen();
     for (const Targets::Found& found : targets.found) {
         const ImVec2 min(std::floor(std::max(found.min.x - margin, 0.0F)),

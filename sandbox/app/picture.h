@@ -21,8 +21,9 @@ struct LessonPicture {
     Lesson lesson;
     std::size_t step = 0;  ///< counted from 0
     bool revealed = false;
-    bool presents = false;  ///< shows the step as the audience sees it
-    bool has_strip = true;  ///< shows the lesson strip with the step's texts
+    bool presents = false;          ///< shows the step as the audience sees it
+    bool has_strip = true;          ///< shows the lesson strip with the step's texts
+    std::string code_address = {};  ///< adds the QR code of a link that begins like this; "": no code
 };
 
 /// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself

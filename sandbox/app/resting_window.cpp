@@ -28,6 +28,10 @@ void lead(Studio& studio, const LessonPicture& wanted) {
         guide.next(studio.session);  // ends the reveal immediately
     }
     if (wanted.presents) studio.workbench.presenter.begin();
+    if (!wanted.code_address.empty()) {
+        studio.workbench.link_address = wanted.code_address;
+        studio.workbench.presenter.show_code();
+    }
     studio.workbench.arrangement.has_strip = wanted.has_strip;
     studio.session.finish_loading();
 }

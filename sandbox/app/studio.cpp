@@ -211,6 +211,7 @@ double Studio::next_redraw_in_s() const {
     in_s = sooner(in_s, Workbench::message_ends_in_s(session.message));
     in_s = sooner(in_s, workbench.exercises.update_due_in_s(ImGui::GetTime()));
     if (workbench.recorder.is_recording()) in_s = sooner(in_s, std::floor(recorded_s) + 1.0 - recorded_s);
+    if (workbench.guide.watches_file()) in_s = sooner(in_s, 1.0);
     const PresenterMode& presenter = workbench.presenter;
     if (presenter.has_running_clock()) in_s = sooner(in_s, 0.5);
     if (presenter.is_on()) in_s = sooner(in_s, 60.0 - std::fmod(presenter.presented_s(), 60.0));  // notes show minutes

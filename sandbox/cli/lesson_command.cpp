@@ -12,6 +12,7 @@
 #include "cli/window_commands.h"
 #include "lesson/lesson.h"
 #include "lesson/names.h"
+#include "platform/file.h"
 #include "report/lesson_check.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
@@ -23,7 +24,7 @@ namespace {
 /// The options as typed.
 struct TypedLesson {
     std::vector<std::string> lessons;
-    std::optional<std::string> device, step, notes, handout, language;
+    std::optional<std::string> device, step, notes, base, handout, language;
     bool check = false, names = false, list = false, presents = false, answers = false;
 };
 
@@ -62,15 +63,24 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     if (wanted.empty())
         for (const LessonFile& file : lessons()) wanted.push_back(file.path.string());
     std::vector<Lesson> read;
-    std::string broken;
+    std::vector<std::string> broken;
     for (const std::string& argument : wanted) {
         Result<Lesson> lesson = load_lesson(argument);
-        if (lesson)
+        if (lesson) {
             read.push_back(*std::move(lesson));
-        else
-            broken += (broken.empty() ? "" : "\n") + lesson.error();
+            continue;
+        }
+        std::vector<std::string> mistakes;
+        if (const Result<std::string> text = read_text_file(argument))
+            mistakes = lesson_mistakes(*text, argument, std::filesystem::path(argument).parent_path());
+        if (mistakes.empty()) mistakes.push_back(lesson.error());
+        broken.insert(broken.end(), mistakes.begin(), mistakes.end());
     }
-    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
+    if (broken.size() == 1) throw Failure(ExitStatus::bad_input, broken.front());
+    if (!broken.empty()) {
+        for (const std::string& mistake : broken) print(mistake + "\n");
+        throw Failure(ExitStatus::bad_input, "lesson --check: " + counted(std::ssize(broken), "mistake"));
+    }
     Headless headless(device);
     std::string findings;
     std::int64_t steps = 0;
@@ -117,6 +127,7 @@ ExitStatus show_lesson(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
     WindowMemory memory(remembered_file(), false);
     WindowStart start;
+    start.link_address = address_option(options, "--base", typed.base);
     LoadedState state = value_or_end(load_state(""));
     if (typed.lessons.empty()) {
         if (typed.presents || typed.step || typed.notes) options.refuse("--present, --step and --notes need a lesson");
@@ -151,6 +162,7 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     options.text("--notes", "terminal|window|FILE", typed.notes,
                  "Shows the lecturer's notes while the room sees the step: in this terminal, in a separate window, or "
                  "in a file rewritten at each change");
+    options.text("--base", "ADDRESS", typed.base, base_help);
     options.text("--language", "en|ko", typed.language,
                  "Language of the window or the handout; default: the one last chosen, English for a handout");
     options.group("Without a window");

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/state_arguments.h"
+#include "cli/values.h"
 #include "cli/window_commands.h"
 #include "lesson/exercise.h"
 
@@ -33,7 +34,8 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
                  "Forgets the last theme, scale, language, window size and position, which are remembered in "
                  "$XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config if that is not set); keeps lesson progress, "
                  "recent files and the student");
-    std::optional<std::string> exercise;
+    std::optional<std::string> base, exercise;
+    options.text("--base", "ADDRESS", base, base_help);
     bool replays = false;
     options.group("Exercise");
     options.text("--exercise", "ID", exercise, "For a hand-in as STATE: shows the student's work on this exercise");
@@ -46,6 +48,7 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
     LoadedState state = state_arguments.load();
     memory.dress(state.params);
     WindowStart start;
+    start.link_address = address_option(options, "--base", base);
     if (std::optional<LinkedStep> linked = state_arguments.linked_step()) {
         if (!state_arguments.say_only_looks())
             options.refuse(
@@ -61,16 +64,17 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
 
 }  // namespace
 
-constinit const Command open_command{"open",
-                                     "[STATE] [--set PATH=VALUE]… [--fresh] [--exercise ID [--replay]]",
-                                     "opens the window with panel, views and matrices (the default command)",
-                                     "Opens the window with a state. The word open may be left out.",
-                                     "\n"
-                                     "open mine.json\n"
-                                     "--set camera.navigation=walk --set scene=walkthrough\n"
-                                     "bunny.obj\n"
-                                     "open 32201234.json --exercise E18 --replay",
-                                     "023489",
-                                     run_open};
+constinit const Command open_command{
+    "open",
+    "[STATE] [--set PATH=VALUE]… [--fresh] [--base ADDRESS] [--exercise ID [--replay]]",
+    "opens the window with panel, views and matrices (the default command)",
+    "Opens the window with a state. The word open may be left out.",
+    "\n"
+    "open mine.json\n"
+    "--set camera.navigation=walk --set scene=walkthrough\n"
+    "bunny.obj\n"
+    "open 32201234.json --exercise E18 --replay",
+    "023489",
+    run_open};
 
 }  // namespace viewing

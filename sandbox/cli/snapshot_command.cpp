@@ -28,7 +28,7 @@ namespace {
 struct TypedSnapshot {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
-    std::optional<std::string> dpi;
+    std::optional<std::string> dpi, code;
     bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
 };
 
@@ -75,6 +75,8 @@ void declare(Options& options, TypedSnapshot& typed) {
     options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "Shows the step after its answer");
     options.flag("--present", typed.presents, "Shows the step as in a lecture room");
+    options.text("--code", "ADDRESS", typed.code,
+                 "Adds the QR code of a link to the step to what --present shows; ADDRESS is the part before the #");
     options.group("Exercise");
     options.text(
         "--exercise", "ID", typed.exercise,
@@ -129,6 +131,7 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     const bool wants_lesson = typed.step || typed.revealed || typed.presents;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
         options.refuse("--step, --revealed and --present need --lesson");
+    if (typed.code && !typed.presents) options.refuse("--code needs --present");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty string");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
@@ -256,7 +259,9 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
                 "--lesson: a step has its own state, so STATE and --mesh are not allowed and --set takes only ui.… "
                 "fields");
         const UiParams looks = state.params.ui;
-        state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true}, wish.picture);
+        const std::string code = typed.code ? address_option(options, "--code", typed.code) : "";
+        state =
+            show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true, code}, wish.picture);
         state.params.ui = looks;
     }
     return state;

@@ -6,6 +6,7 @@
 #include "cli/output.h"
 #include "cli/results/bundle.h"
 #include "cli/state_arguments.h"
+#include "cli/values.h"
 #include "state/file/json.h"
 #include "state/file/link.h"
 
@@ -14,18 +15,17 @@ namespace {
 
 struct Linking {
     bool is_wanted = false;
-    std::optional<std::string> base;
-    std::string address() const { return base.value_or(link_base()); }
+    std::string address;
 };
 
 void print_link(const Options& options, const Linking& linking, const LinkedStep& step) {
     const std::optional<std::string> link = link_to(step.lesson, step.step);
     if (!link) options.refuse("--link can only name the lessons that come with the program (lesson --list)");
-    print(linking.address() + *link + "\n");
+    print(linking.address + *link + "\n");
 }
 
 void print_link(const Linking& linking, const LoadedState& state, const Scene& scene) {
-    print(linking.address() + link_fragment(state.params) + "\n");
+    print(linking.address + link_fragment(state.params) + "\n");
     const auto* const described = std::get_if<SceneDescription>(&state.params.scene);
     const bool has_meshes = described && std::any_of(described->objects.begin(), described->objects.end(),
                                                      [](const ObjectDescription& one) { return !one.file.empty(); });
@@ -36,7 +36,7 @@ void print_link(const Linking& linking, const LoadedState& state, const Scene& s
 ExitStatus run_state(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    std::optional<std::string> bundle, lesson, step_number;
+    std::optional<std::string> bundle, base, lesson, step_number;
     options.group("Output");
     options.text("--bundle", "DIR", bundle,
                  "Writes a new folder to share: state.json, the scene's file, the meshes and their material libraries, "
@@ -45,8 +45,7 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
     options.flag("--link", linking.is_wanted,
                  "Prints a link instead of the JSON: an address, # and the differences from the defaults. Any STATE "
                  "may be a link. It contains no files");
-    options.text("--base", "ADDRESS", linking.base,
-                 "Address before the #; default $VIEWING_SANDBOX_LINK_BASE, else viewing-sandbox.html");
+    options.text("--base", "ADDRESS", base, base_help);
     options.group("Lesson");
     options.text(
         "--lesson", "ID|FILE", lesson,
@@ -54,9 +53,8 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
     options.text("--step", "N", step_number, "Number of the step, counted from 1; default 1");
     if (!options.parse(arguments)) return ExitStatus::done;
     if (bundle && linking.is_wanted) options.refuse("--bundle and --link cannot be combined");
-    if (linking.base && !linking.is_wanted) options.refuse("--base needs --link");
-    if (linking.base && linking.base->find_first_of("# \t\r\n") != std::string::npos)
-        options.refuse("--base: must be an address without # or blanks");
+    if (base && !linking.is_wanted) options.refuse("--base needs --link");
+    linking.address = address_option(options, "--base", base);
 
     if (step_number && !lesson) options.refuse("--step needs --lesson");
     if (lesson && state_arguments.are_given())

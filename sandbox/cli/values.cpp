@@ -8,6 +8,7 @@
 
 #include "image/image_size.h"
 #include "image/png.h"
+#include "state/file/link.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -108,6 +109,12 @@ std::string points_text(int points) {
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text) {
     if (!text) return std::nullopt;
     return static_cast<Language>(choice_option(options, "--language", *text, names_of<Language>()));
+}
+
+std::string address_option(const Options& options, const char* name, const std::optional<std::string>& text) {
+    if (text && text->find_first_of("# \t\r\n") != std::string::npos)
+        options.refuse(std::string(name) + ": must be an address without # or blanks");
+    return text.value_or(link_base());
 }
 
 void speak_option(const Options& options, const std::optional<std::string>& text) {

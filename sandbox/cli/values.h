@@ -48,6 +48,12 @@ std::optional<Language> language_option(const Options& options, const std::optio
 /// Makes the language of --language the current one; without the option, changes nothing.
 void speak_option(const Options& options, const std::optional<std::string>& text);
 
+/// Returns the address in front of a link's #, as typed; the default if the option was left out.
+std::string address_option(const Options& options, const char* name, const std::optional<std::string>& text);
+/// The help text of --base.
+inline constexpr const char* base_help =
+    "Address before the # of a link; default $VIEWING_SANDBOX_LINK_BASE, else viewing-sandbox.html";
+
 /// The help texts of --samples and --size.
 inline constexpr const char* samples_help = "Multisampling; default: view.samples of the state";
 inline constexpr const char* size_help =

@@ -23,12 +23,14 @@ Json step_of(const Params& params, const LoadedState& preset, const std::string&
     for (const std::string& path : changed_fields(preset.params, now)) settings[path] = field_as_json(field(path), now);
     return {{"id", "step-" + std::to_string(number)},
             {"state", {{"preset", name}, {"set", std::move(settings)}}},
-            {"say", "What the picture shows."},
+            {"say", template_texts.say},
             {"ask",
              {{"kind", "choice"},
-              {"question", "What will happen?"},
-              {"choices", {{{"say", "this"}, {"right", true}}, {{"say", "that"}, {"why", "Why that is wrong."}}}}}},
-            {"reveal", {{"set", Json::object()}, {"say", "What the picture shows now, and why."}}}};
+              {"question", template_texts.question},
+              {"choices",
+               {{{"say", template_texts.right}, {"right", true}},
+                {{"say", template_texts.wrong}, {"why", template_texts.why}}}}}},
+            {"reveal", {{"set", Json::object()}, {"say", template_texts.reveal}}}};
 }
 
 }  // namespace

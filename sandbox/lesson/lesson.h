@@ -162,4 +162,9 @@ Result<Lesson> load_lesson(const std::string& argument);
 /// `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
+/// Returns all mistakes of such a text, each as parse_lesson() would say it; empty if it can be read. What only follows
+/// from another mistake is left out.
+std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source,
+                                         const std::filesystem::path& folder);
+
 }  // namespace viewing

@@ -13,29 +13,44 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_steps = 200;
 
-Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where) {
-    require_keys(document, where, {"lesson", "id", "title", "slides", "minutes", "picture", "needs", "tags", "steps"});
-    if (!has(document, "lesson") || document["lesson"] != 1)
-        where.key("lesson").refuse("must be 1, the version of the format that this program reads");
+Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
     Lesson lesson;
-    lesson.id = name_at(document, "id", where);
-    lesson.title = text_at(document, "title", where, true);
-    lesson.slides = read_slides(document, where);
-    if (has(document, "minutes")) lesson.minutes = read_whole(document["minutes"], where.key("minutes"), 1, 600);
-    lesson.needs = names_at(document, "needs", where);
-    lesson.tags = read_tags(document, where);
+    mistakes.part([&] {
+        require_keys(document, where,
+                     {"lesson", "id", "title", "slides", "minutes", "picture", "needs", "tags", "steps"});
+    });
+    if (!document.is_object()) return lesson;
+    mistakes.part([&] {
+        if (!has(document, "lesson") || document["lesson"] != 1)
+            where.key("lesson").refuse("must be 1, the version of the format that this program reads");
+    });
+    mistakes.part([&] { lesson.id = name_at(document, "id", where); });
+    mistakes.part([&] { lesson.title = text_at(document, "title", where, true); });
+    mistakes.part([&] { lesson.slides = read_slides(document, where); });
+    mistakes.part([&] {
+        if (has(document, "minutes")) lesson.minutes = read_whole(document["minutes"], where.key("minutes"), 1, 600);
+    });
+    mistakes.part([&] { lesson.needs = names_at(document, "needs", where); });
+    mistakes.part([&] { lesson.tags = read_tags(document, where); });
     const Where steps = where.key("steps");
-    if (!has(document, "steps")) steps.refuse("is missing: a list of steps");
-    require_array(document["steps"], steps, most_steps, "a list of 1 to 200 steps");
-    if (document["steps"].empty()) steps.refuse("must have at least one step");
+    const bool are_steps = mistakes.part([&] {
+        if (!has(document, "steps")) steps.refuse("is missing: a list of steps");
+        require_array(document["steps"], steps, most_steps, "a list of 1 to 200 steps");
+        if (document["steps"].empty()) steps.refuse("must have at least one step");
+    });
     PresetShelf presets;
-    if (has(document, "picture")) lesson.picture = state_at(document, "picture", folder, presets, where);
+    mistakes.part([&] {
+        if (has(document, "picture")) lesson.picture = state_at(document, "picture", folder, presets, where);
+    });
+    if (!are_steps) return lesson;
     for (std::size_t i = 0; i < document["steps"].size(); ++i) {
-        lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i)));
+        lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i), mistakes));
         const std::string& id = lesson.steps.back().id;
-        if (std::count_if(lesson.steps.begin(), lesson.steps.end(),
-                          [&](const LessonStep& step) { return step.id == id; }) > 1)
-            steps.at(i).key("id").refuse("another step has the id " + excerpt(id));
+        const auto count = std::count_if(lesson.steps.begin(), lesson.steps.end(),
+                                         [&](const LessonStep& step) { return !id.empty() && step.id == id; });
+        mistakes.part([&] {
+            if (count > 1) steps.at(i).key("id").refuse("another step has the id " + excerpt(id));
+        });
     }
     return lesson;
 }
@@ -64,8 +79,18 @@ LessonFile glance_at(const fs::path& path) {
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const fs::path& folder) {
     return guarded([&] {
         const Where root{source + ": ", ""};
-        return read_lesson(parse_document(json, root.prefix), folder, root);
+        Mistakes mistakes;
+        Lesson lesson = read_lesson(parse_document(json, root.prefix), folder, root, mistakes);
+        mistakes.refuse();
+        return lesson;
     });
+}
+
+std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source, const fs::path& folder) {
+    const Where root{source + ": ", ""};
+    Mistakes mistakes;
+    mistakes.part([&] { read_lesson(parse_document(json, root.prefix), folder, root, mistakes); });
+    return mistakes.all();
 }
 
 std::vector<LessonFile> lessons() {

@@ -8,7 +8,7 @@ LessonRun::LessonRun(Lesson lesson, std::size_t step)
     : lesson_(std::make_shared<const Lesson>(std::move(lesson))), visits_(lesson_->steps.size()) {
     for (std::size_t i = 0; i < visits_.size(); ++i) {
         const Ask& ask = lesson_->steps[i].ask;
-        visits_[i].votes.resize(ask.choices.size());
+        visits_[i].ballot = Ballot(ask.choices.size());
         if (ask.kind == AskKind::order || ask.kind == AskKind::product)  // all items, in the order of the file
             for (std::size_t item = 0; item < ask.items.size(); ++item)
                 visits_[i].answer.items.push_back(static_cast<int>(item));

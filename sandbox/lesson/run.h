@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lesson/judge.h"
+#include "lesson/votes.h"
 
 namespace viewing {
 
@@ -46,8 +47,9 @@ public:
 
     int hints_shown() const { return now().hints; }
     void show_hint();
-    /// Returns the number of raised hands for each choice, as counted by the lecturer.
-    std::vector<int>& votes() { return now().votes; }
+    /// Returns the votes of the room on the step's choices; each step keeps its own.
+    Ballot& ballot() { return now().ballot; }
+    const Ballot& ballot() const { return now().ballot; }
     /// Restores earlier work on a step. `reached` is the value that reached() returns.
     void restore(std::size_t step, const Answer& answer, int hints, bool is_done, std::optional<Params> reached);
     bool is_done(std::size_t step) const { return visits_[step].done; }
@@ -61,7 +63,7 @@ private:
         std::optional<Verdict> verdict;
         std::optional<Answer> model;
         int hints = 0;
-        std::vector<int> votes;
+        Ballot ballot;
         std::optional<Params> reached;
     };
     Visit& now() { return visits_[index_]; }

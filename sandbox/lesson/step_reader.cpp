@@ -21,13 +21,15 @@ constexpr const char* kind_names[] = {"choice", "number",  "vector", "matrix", "
                                       "order",  "product", "subset", "goal"};
 
 /// Reads the targets that a step covers or highlights.
-std::vector<std::string> targets_at(const Json& object, const char* key, const Where& where) {
-    std::vector<std::string> targets = names_at(object, key, where);
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        Result<std::string> target = read_target(targets[i]);
-        if (!target) where.key(key).at(i).refuse(target.error());
-        targets[i] = *std::move(target);
-    }
+std::vector<std::string> targets_at(const Json& object, const char* key, const Where& where, Mistakes& mistakes) {
+    std::vector<std::string> targets;
+    mistakes.part([&] { targets = names_at(object, key, where); });
+    for (std::size_t i = 0; i < targets.size(); ++i)
+        mistakes.part([&] {
+            Result<std::string> target = read_target(targets[i]);
+            if (!target) where.key(key).at(i).refuse(target.error());
+            targets[i] = *std::move(target);
+        });
     return targets;
 }
 
@@ -162,21 +164,24 @@ std::optional<LessonTarget> read_target(const Json& object, const Where& where) 
 
 // ---- questions -----------------------------------------------------------------------------------------------------
 
-std::vector<LessonChoice> read_choices(const Json& ask, const Where& where) {
+std::vector<LessonChoice> read_choices(const Json& ask, const Where& where, Mistakes& mistakes) {
     const Where inside = where.key("choices");
     if (!has(ask, "choices")) inside.refuse("is missing: a list of answers");
     require_array(ask["choices"], inside, 9, "a list of two to nine answers");
     std::vector<LessonChoice> choices;
-    for (std::size_t i = 0; i < ask["choices"].size(); ++i) {
-        const Json& choice = ask["choices"][i];
-        const Where at = inside.at(i);
-        require_keys(choice, at, {"say", "right", "why", "tag"});
-        LessonChoice read{
-            text_at(choice, "say", at, true), has(choice, "right") && read_bool(choice["right"], at.key("right")),
-            text_at(choice, "why", at, false), has(choice, "tag") ? read_name(choice["tag"], at.key("tag")) : ""};
-        if (!read.right && read.why.empty()) at.key("why").refuse("is missing: every wrong answer needs a reason");
-        choices.push_back(std::move(read));
-    }
+    bool are_read = true;
+    for (std::size_t i = 0; i < ask["choices"].size(); ++i)
+        are_read = mistakes.part([&] {
+            const Json& choice = ask["choices"][i];
+            const Where at = inside.at(i);
+            require_keys(choice, at, {"say", "right", "why", "tag"});
+            LessonChoice read{
+                text_at(choice, "say", at, true), has(choice, "right") && read_bool(choice["right"], at.key("right")),
+                text_at(choice, "why", at, false), has(choice, "tag") ? read_name(choice["tag"], at.key("tag")) : ""};
+            if (!read.right && read.why.empty()) at.key("why").refuse("is missing: every wrong answer needs a reason");
+            choices.push_back(std::move(read));
+        }) && are_read;
+    if (!are_read) return choices;
     const auto right =
         std::count_if(choices.begin(), choices.end(), [](const LessonChoice& choice) { return choice.right; });
     if (choices.size() < 2 || right != 1)
@@ -271,23 +276,11 @@ std::string read_constants(const Json& object, const Where& where) {
     return object.dump();
 }
 
-Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
-    require_keys(object, where,
-                 {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel", "up_to_factor",
-                  "shows_as", "until", "allow", "model", "wrong"});
-    Ask ask;
-    ask.constants = step.ask.constants;
-    const std::vector<std::string> constants = keys_of(constants_of(ask));
-    if (!has(object, "kind")) where.key("kind").refuse("is missing: one of " + joined(kind_names));
-    ask.kind = static_cast<AskKind>(read_choice(object["kind"], where.key("kind"), kind_names));
-    ask.question = text_at(object, "question", where, true);
-    if (has(object, "hints")) {
-        require_array(object["hints"], where.key("hints"), 9, "a list of strings");
-        for (std::size_t i = 0; i < object["hints"].size(); ++i)
-            ask.hints.push_back(read_text_of(object["hints"][i], where.key("hints").at(i)));
-    }
+/// Reads what is right. The kind of question is known.
+void read_right(const Json& object, const LessonStep& step, Ask& ask, const std::vector<std::string>& constants,
+                const Where& where, Mistakes& mistakes) {
     if (ask.kind == AskKind::choice) {
-        ask.choices = read_choices(object, where);
+        ask.choices = read_choices(object, where, mistakes);
     } else if (has_items(ask.kind)) {
         const Where items = where.key("items");
         if (!has(object, "items")) items.refuse("is missing: a list of strings");
@@ -307,54 +300,104 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
     } else {
         read_typed(object, ask, constants, where);
     }
-    if (has(object, "wrong")) {
-        require_array(object["wrong"], where.key("wrong"), most_entries, "a list of wrong answers");
-        for (std::size_t i = 0; i < object["wrong"].size(); ++i) {
-            ask.wrong.push_back(read_wrong(object["wrong"][i], ask, constants, where.key("wrong").at(i)));
-            changed(step.start.params, ask.wrong.back().settings, where.key("wrong").at(i).key("try"));
-        }
-    }
-    return ask;
 }
 
-void read_reveal(const Json& object, LessonStep& step, const Where& where) {
-    require_keys(object, where, {"set", "over_s", "highlight", "say"});
-    // Showing the answer reaches the goal, so the reveal adds its changes to the goal's model.
-    const Params before = changed(step.start.params, step.ask.model, where);
-    step.reveal.settings = settings_at(object, "set", where);
-    step.revealed = changed(before, step.reveal.settings, where.key("set"));
-    if (has(object, "over_s"))
-        step.reveal.over_s = read_number(object["over_s"], where.key("over_s"), {0.0, longest_reveal_s});
-    step.reveal.highlight = targets_at(object, "highlight", where);
-    step.reveal.say = text_at(object, "say", where, true);
+void read_ask(const Json& object, LessonStep& step, const Where& where, Mistakes& mistakes) {
+    mistakes.part([&] {
+        require_keys(object, where,
+                     {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel",
+                      "up_to_factor", "shows_as", "until", "allow", "model", "wrong"});
+    });
+    if (!object.is_object()) return;
+    Ask& ask = step.ask;
+    const std::vector<std::string> constants = keys_of(constants_of(ask));
+    const bool has_kind = mistakes.part([&] {
+        if (!has(object, "kind")) where.key("kind").refuse("is missing: one of " + joined(kind_names));
+        ask.kind = static_cast<AskKind>(read_choice(object["kind"], where.key("kind"), kind_names));
+    });
+    mistakes.part([&] { ask.question = text_at(object, "question", where, true); });
+    mistakes.part([&] {
+        if (!has(object, "hints")) return;
+        require_array(object["hints"], where.key("hints"), 9, "a list of strings");
+        for (std::size_t i = 0; i < object["hints"].size(); ++i)
+            ask.hints.push_back(read_text_of(object["hints"][i], where.key("hints").at(i)));
+    });
+    if (!has_kind || !mistakes.part([&] { read_right(object, step, ask, constants, where, mistakes); })) return;
+    if (!has(object, "wrong")) return;
+    const Where wrong = where.key("wrong");
+    if (!mistakes.part([&] { require_array(object["wrong"], wrong, most_entries, "a list of wrong answers"); })) return;
+    for (std::size_t i = 0; i < object["wrong"].size(); ++i)
+        mistakes.part([&] {
+            ask.wrong.push_back(read_wrong(object["wrong"][i], ask, constants, wrong.at(i)));
+            changed(step.start.params, ask.wrong.back().settings, wrong.at(i).key("try"));
+        });
+}
+
+void read_reveal(const Json& object, LessonStep& step, const Where& where, Mistakes& mistakes) {
+    mistakes.part([&] { require_keys(object, where, {"set", "over_s", "highlight", "say"}); });
+    if (!object.is_object()) return;
+    mistakes.part([&] {
+        // Showing the answer reaches the goal, so the reveal adds its changes to the goal's model.
+        const Params before = changed(step.start.params, step.ask.model, where);
+        step.reveal.settings = settings_at(object, "set", where);
+        step.revealed = changed(before, step.reveal.settings, where.key("set"));
+    });
+    mistakes.part([&] {
+        if (has(object, "over_s"))
+            step.reveal.over_s = read_number(object["over_s"], where.key("over_s"), {0.0, longest_reveal_s});
+    });
+    step.reveal.highlight = targets_at(object, "highlight", where, mistakes);
+    mistakes.part([&] { step.reveal.say = text_at(object, "say", where, true); });
+}
+
+/// Reads a list of claims.
+std::vector<std::string> claims_at(const Json& object, const char* key, const Where& where,
+                                   const std::vector<std::string>& constants, Mistakes& mistakes) {
+    std::vector<std::string> claims;
+    if (!has(object, key)) return claims;
+    const Where inside = where.key(key);
+    if (!mistakes.part([&] { require_array(object[key], inside, most_entries, "a list of expressions"); }))
+        return claims;
+    for (std::size_t i = 0; i < object[key].size(); ++i)
+        mistakes.part([&] { claims.push_back(expression_in(object[key][i], inside.at(i), constants)); });
+    return claims;
 }
 
 }  // namespace
 
-LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
-    require_keys(object, where,
-                 {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
-                  "claims_before", "note"});
+LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where,
+                     Mistakes& mistakes) {
     LessonStep step;
-    step.id = name_at(object, "id", where);
-    const Where inside{where.prefix + "step " + excerpt(step.id) + ": ", ""};
-    step.start = read_start(object, folder, presets, inside);
+    mistakes.part([&] {
+        require_keys(object, where,
+                     {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
+                      "claims_before", "note"});
+    });
+    if (!object.is_object()) return step;
+    const bool has_id = mistakes.part([&] { step.id = name_at(object, "id", where); });
+    const Where inside = has_id ? Where{where.prefix + "step " + excerpt(step.id) + ": ", ""} : where;
+    mistakes.part([&] { step.start = read_start(object, folder, presets, inside); });
     // A step without a layout, such as one saved in the window, shows both.
     step.names_lower_left = !has(object, "layout") || has(object["layout"], "lower_left");
     step.names_lower_right = !has(object, "layout") || has(object["layout"], "lower_right");
-    step.target = read_target(object, inside);
-    step.say = text_at(object, "say", inside, true);
-    step.cover = targets_at(object, "cover", inside);
-    step.highlight = targets_at(object, "highlight", inside);
-    if (!has(object, "ask")) inside.key("ask").refuse("is missing: every step must ask a question");
-    if (has(object, "let")) step.ask.constants = read_constants(object["let"], inside.key("let"));
-    step.ask = read_ask(object["ask"], step, inside.key("ask"));
-    if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");
-    read_reveal(object["reveal"], step, inside.key("reveal"));
+    mistakes.part([&] { step.target = read_target(object, inside); });
+    mistakes.part([&] { step.say = text_at(object, "say", inside, true); });
+    step.cover = targets_at(object, "cover", inside, mistakes);
+    step.highlight = targets_at(object, "highlight", inside, mistakes);
+    mistakes.part([&] { step.note = text_at(object, "note", inside, false); });
+    const bool has_constants = mistakes.part([&] {
+        if (!has(object, "ask")) inside.key("ask").refuse("is missing: every step must ask a question");
+        if (has(object, "let")) step.ask.constants = read_constants(object["let"], inside.key("let"));
+    });
+    if (has_constants) read_ask(object["ask"], step, inside.key("ask"), mistakes);
+    const bool has_reveal = mistakes.part([&] {
+        if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");
+    });
+    if (has_reveal) read_reveal(object["reveal"], step, inside.key("reveal"), mistakes);
+    if (!has_constants) return step;  // expressions may use what is missing
     const std::vector<std::string> constants = keys_of(constants_of(step.ask));
-    step.claims_before = expressions_at(object, "claims_before", inside, constants);
-    step.claims = expressions_at(object, "claims", inside, constants);
-    step.note = text_at(object, "note", inside, false);
+    step.claims_before = claims_at(object, "claims_before", inside, constants, mistakes);
+    step.claims = claims_at(object, "claims", inside, constants, mistakes);
     return step;
 }
 

@@ -28,7 +28,9 @@ LoadedState state_at(const Json& object, const char* key, const std::filesystem:
 LoadedState read_start(const Json& object, const std::filesystem::path& folder, PresetShelf& presets,
                        const Where& where);
 
-LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets, const Where& where);
+/// Collects mistakes instead of throwing them; the step is then incomplete.
+LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets, const Where& where,
+                     Mistakes& mistakes);
 
 /// Read one expression, or a list of them, and check that they use only known names and `constants`.
 std::string expression_in(const Json& value, const Where& where, const std::vector<std::string>& constants);

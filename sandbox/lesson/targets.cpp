@@ -58,7 +58,8 @@ constexpr const char* notes[] = {"depth_step"};
 constexpr const char* bars[] = {"pixel"};
 constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
-                          {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
+                          {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars},
+                          {"call", named_calls}};
 /// Names without a kind: the lamps for degrees of freedom, and things that occur in many places (red sentences, advice
 /// on z-near, formulas in tooltips, links between entries and controls).
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};

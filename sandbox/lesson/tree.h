@@ -11,6 +11,30 @@
 
 namespace viewing {
 
+/// Collects the mistakes of a file, so that one run can tell them all.
+class Mistakes {
+public:
+    /// Reads one part of the file. If the part is refused, keeps the message and returns false.
+    template <typename Read>
+    bool part(const Read& read) {
+        try {
+            read();
+            return true;
+        } catch (const Refusal& refusal) {
+            all_.emplace_back(refusal.what());
+            return false;
+        }
+    }
+    const std::vector<std::string>& all() const { return all_; }
+    /// Throws the first mistake, if there is any.
+    void refuse() const {
+        if (!all_.empty()) throw Refusal(all_.front());
+    }
+
+private:
+    std::vector<std::string> all_;
+};
+
 bool has(const Json& object, const char* key);
 
 std::vector<std::string> keys_of(const Json& object);

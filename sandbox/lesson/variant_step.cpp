@@ -154,7 +154,9 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     };
     if (!has(step, "say")) step["say"] = title();
     if (!has(step, "reveal")) step["reveal"] = {{"say", {{"en", "That is right."}, {"ko", "맞습니다."}}}};
-    LessonStep read = read_step(step, folder, presets, root);
+    Mistakes mistakes;
+    LessonStep read = read_step(step, folder, presets, root, mistakes);
+    mistakes.refuse();
     if (read.ask.kind == AskKind::goal && read.ask.allow.empty())
         root.key("step").key("ask").key("allow").refuse("is missing: the fields that the goal may change");
     return read;

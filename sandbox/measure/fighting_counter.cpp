@@ -51,7 +51,34 @@ void FightingCounter::take(Result<FightingCounts> counts, const Scene& scene) {
     report_ = std::make_shared<FightingReport>(fighting_report(counts ? *std::move(counts) : FightingCounts{},
                                                                asked_->params, derived_, scene, asked_->size_px));
     report_->minimum_gap = gap;
+    predicted_ = asked_;
     if (!problem.empty() || report_->rows.empty()) give_up(problem);
+}
+
+void FightingCounter::predict(const Renderer& renderer, const Scene& scene, const Question& question) {
+    if (predicted_ == question) return;
+    predicted_ = question;
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    if (pairs.empty()) return;
+    const Derived derived =
+        derive(question.params, scene, renderer.viewport(question.size_px, question.params.depth.format));
+    if (!report_ || report_->rows.size() != pairs.size()) {  // there are no counts for these pairs
+        FightingCounts none;
+        for (const FlatPair& pair : pairs) none.pairs.push_back({.pair = pair});
+        report_ = std::make_shared<FightingReport>(
+            fighting_report(std::move(none), question.params, derived, scene, question.size_px));
+        if (asked_ != question) {
+            asked_.reset();
+            task_.drop();
+            search_.reset();
+            picture_ = spread_cameras + cure_count();
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        report_->counts.pairs[i].pair = pairs[i];
+        report_->rows[i].predicted = predict_pair(pairs[i], question.params, derived, question.size_px);
+    }
 }
 
 void FightingCounter::count_next(Renderer& renderer, const Scene& scene) {
@@ -90,6 +117,7 @@ std::shared_ptr<const FightingReport> FightingCounter::update(Renderer& renderer
         if (search_ && !task_.is_running() && may_work) search(renderer, may_wait);
         if (!search_ && !task_.is_running() && may_work && has_more_pictures()) count_next(renderer, scene);
     }
+    predict(renderer, scene, question);
     if (report_) {
         report_->counts_are_behind = !is_asked || (picture_ < 0 && task_.is_running());
         report_->gap_is_behind = report_->counts_are_behind || search_;

@@ -14,7 +14,8 @@ namespace viewing {
 
 class FightingCounter {
 public:
-    /// Returns the report so far, marked if it belongs to an earlier state; null while there is none. With `may_wait`,
+    /// Returns the report so far; null while there is none. Its predictions belong to this state; its counts are marked
+    /// if they belong to an earlier one. With `may_wait`,
     /// counts everything before it returns; otherwise, work starts and continues only while nothing moves.
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
@@ -33,6 +34,8 @@ private:
 
     void start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait);
     void take(Result<FightingCounts> counts, const Scene& scene);
+    /// Predicts what has a formula, at once, also while the counts are behind.
+    void predict(const Renderer& renderer, const Scene& scene, const Question& question);
     void search(Renderer& renderer, bool may_wait);
     void count_next(Renderer& renderer, const Scene& scene);
     void give_up(std::string problem);
@@ -42,7 +45,7 @@ private:
     int cure_count() const { return report_ ? static_cast<int>(report_->cured.size()) : 0; }
     bool has_more_pictures() const { return picture_ < cure_count() + spread_cameras; }
 
-    std::optional<Question> asked_;
+    std::optional<Question> asked_, predicted_;
     Derived derived_;  ///< for the question
     std::shared_ptr<FightingReport> report_;
     BackgroundTask<FightingCounts> task_;

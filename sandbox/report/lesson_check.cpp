@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lesson/allowed.h"
+#include "lesson/append.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
 #include "state/file/json.h"
@@ -24,6 +25,7 @@ public:
         : lesson_(lesson), step_(step), renderer_(renderer) {}
 
     LessonFindings all() {
+        check_texts();
         check_tags();
         if (!load_scenes()) return findings_;
         {
@@ -54,6 +56,23 @@ private:
         scene_ = scene_of(step_.start.params);
         revealed_scene_ = scene_of(step_.revealed);
         return scene_ && revealed_scene_;
+    }
+
+    /// Finds texts that the author of a saved step has not replaced.
+    void check_texts() {
+        const auto check = [&](const LessonText& text, const char* placeholder, const std::string& where) {
+            if (text.by_language[0] == placeholder)
+                find(where + " is still the template's text \"" + std::string(placeholder) + "\"");
+        };
+        check(step_.say, template_texts.say, "say");
+        check(step_.ask.question, template_texts.question, "ask.question");
+        for (std::size_t i = 0; i < step_.ask.choices.size(); ++i) {
+            const LessonChoice& choice = step_.ask.choices[i];
+            const std::string where = "ask.choices[" + std::to_string(i) + "].";
+            check(choice.say, choice.right ? template_texts.right : template_texts.wrong, where + "say");
+            check(choice.why, template_texts.why, where + "why");
+        }
+        check(step_.reveal.say, template_texts.reveal, "reveal.say");
     }
 
     void check_tags() {

@@ -5,8 +5,20 @@
 
 #include "lesson/blend.h"
 #include "state/file/json.h"
+#include "state/scene.h"
+#include "text/catalogue.h"
 
 namespace viewing {
+namespace {
+
+/// Returns when a file was last written; none if it is not there.
+std::optional<std::filesystem::file_time_type> time_of(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    return error ? std::nullopt : std::optional(time);
+}
+
+}  // namespace
 
 void Guide::open(const std::string& argument, std::size_t step) {
     reading_.start([argument, step](WorkProgress&) -> Result<LinkedStep> {
@@ -30,7 +42,42 @@ void Guide::begin(LessonRun run, Session& session) {
     before_jump_ = run_->index();
     reveal_.reset();
     held_.reset();
+    reading_again_.drop();
+    file_time_.reset();
+    if (watches_file()) file_time_ = time_of(run_->lesson().file);
     arrive(session);
+}
+
+bool Guide::watches_file() const {
+    if (!is_shown() || is_sheet() || run_->lesson().file.empty()) return false;
+    return run_->lesson().file.parent_path() != assets_directory() / "lessons";
+}
+
+void Guide::follow_file(Session& session, double dt_s) {
+    constexpr double every_s = 1.0;
+    if (std::optional<Result<Lesson>> read = reading_again_.take()) {
+        if (!*read) {
+            session.message = {read->error(), true};
+            return;
+        }
+        const std::vector<LessonStep>& steps = (*read)->steps;
+        const auto same = std::find_if(steps.begin(), steps.end(),
+                                       [&](const LessonStep& step) { return step.id == run_->step().id; });
+        const std::size_t step = same != steps.end() ? static_cast<std::size_t>(same - steps.begin()) : run_->index();
+        const bool was_revealed = run_->is_revealed();
+        begin(*std::move(*read), step, session);
+        if (was_revealed) run_->reveal();
+        return_to_step(session);
+        session.message = {tr("the lesson's file has changed and was read again"), false};
+    }
+    unwatched_s_ += dt_s;
+    if (unwatched_s_ < every_s || !watches_file() || reading_again_.is_running()) return;
+    unwatched_s_ = 0.0;
+    const std::filesystem::path& file = run_->lesson().file;
+    const auto now = time_of(file);
+    if (!now || now == file_time_) return;
+    file_time_ = now;
+    reading_again_.start([argument = file.string()](WorkProgress&) { return load_lesson(argument); });
 }
 
 void Guide::arrive(Session& session) {
@@ -47,6 +94,7 @@ void Guide::update(Session& session, double dt_s) {
         else
             session.message = {read->error(), true};
     }
+    follow_file(session, dt_s);
     if (!reveal_) return;
     reveal_->passed_s += dt_s;
     const double share = reveal_->over_s > 0.0 ? std::min(reveal_->passed_s / reveal_->over_s, 1.0) : 1.0;

@@ -2,6 +2,7 @@
 // may change anything; one call restores the step. Read lesson/run.h for the position in the lesson.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -25,7 +26,8 @@ public:
     void begin(Lesson lesson, std::size_t step, Session& session);
     /// Begins a run with earlier answers.
     void begin(LessonRun run, Session& session);
-    /// Called once a frame: starts a lesson that has been read, and advances a reveal by `dt_s`.
+    /// Called once a frame: starts a lesson that has been read, reads a lesson again whose file has changed, and
+    /// advances a reveal by `dt_s`.
     void update(Session& session, double dt_s);
 
     /// Returns the run of the open lesson; null if no lesson is open.
@@ -33,6 +35,8 @@ public:
     const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
     /// Whether the lesson is visible; otherwise it waits for resume().
     bool is_shown() const { return run_ && is_shown_; }
+    /// Whether a lesson from somebody's own file is shown, which may change: update() needs a call each second.
+    bool watches_file() const;
     bool is_reading() const { return reading_.is_running(); }
 
     /// Hides the lesson for free exploration, with the state unchanged.
@@ -75,6 +79,8 @@ private:
     /// Returns the step's state, before or after its answer.
     const Params& shown() const { return run_->is_revealed() ? run_->step().revealed : run_->step().start.params; }
     void put(const Params& params, Session& session);
+    /// Reads the lesson again when its file has changed, and stays at the step, before or after its answer.
+    void follow_file(Session& session, double dt_s);
     /// Shows the new step with its question; in a sheet, restores the state in which the student left the step.
     void arrive(Session& session);
 
@@ -84,6 +90,9 @@ private:
     std::optional<Revealing> reveal_;
     std::optional<Params> held_;  ///< restored when hold_before() ends
     BackgroundTask<LinkedStep> reading_;
+    BackgroundTask<Lesson> reading_again_;
+    std::optional<std::filesystem::file_time_type> file_time_;  ///< of the file as it was read
+    double unwatched_s_ = 0.0;
 };
 
 }  // namespace viewing

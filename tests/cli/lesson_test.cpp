@@ -39,6 +39,29 @@ TEST_F(LessonCommand, ACheckThatFailsNamesLessonStepAndValues) {
     EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is accepted as right"));
 }
 
+TEST_F(LessonCommand, ACheckTellsAllMistakesOfAFile) {
+    write("mine.json", R"({"lesson": 1, "id": "mine", "minutes": 0, "steps": [
+        {"id": "one", "state": {"preset": "opennig"}, "say": "Look.", "cover": ["matrix:Q", "matrix:V", "lmaps"],
+         "ask": {"kind": "choice", "choices": [{"say": "a", "right": true}, {"say": "b"}, {"say": "c"}]},
+         "reveal": {"set": {"projection.naer": 2}, "say": "So."}, "claims": ["near(", "true", "naer == 2"]},
+        {"id": "two", "say": 3, "ask": {"kind": "chioce", "question": "Which?"}}]})");
+    const std::string told = expect(2, {"lesson", "--check", "mine.json"}).out;
+    for (const char* const part :
+         {"title", "minutes", "opennig", "cover[0]", "cover[2]", "question", "choices[1].why", "choices[2].why",
+          "projection.naer", "claims[0]", "claims[2]", "step two: say", "chioce", "step two: reveal: is missing"})
+        EXPECT_TRUE(has(told, part)) << part << "\n" << told;
+    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 14) << told;
+    EXPECT_EQ(lines_of(expect(2, {"lesson", "mine.json", "--handout", "-"}).err).size(), 1U) << "elsewhere, the first";
+}
+
+TEST_F(LessonCommand, ACheckRefusesTheTextsOfASavedStep) {
+    std::string lesson = lesson_with("true");
+    lesson.replace(lesson.find("\"Look.\""), 7, "\"What the picture shows.\"");
+    write("mine.json", lesson);
+    const std::string told = expect(1, {"lesson", "--check", "mine.json"}).out;
+    EXPECT_TRUE(has(told, "mine, step one: say is still the template's text \"What the picture shows.\"")) << told;
+}
+
 TEST_F(LessonCommand, ABrokenFileIsReportedInOneSentence) {
     write("mine.json", lesson_with("projection.naer == 2 and"));
     EXPECT_TRUE(has(expect(2, {"lesson", "--check", "mine.json"}).err, "mine.json: step one: claims[0]: "));
@@ -47,6 +70,22 @@ TEST_F(LessonCommand, ABrokenFileIsReportedInOneSentence) {
     expect(2, {"lesson", "--present"});
     expect(2, {"lesson", "--answers", "lens"});
     expect(2, {"lesson", "--check", "--list"});
+}
+
+/// Decodes the QR codes in a picture with another library than the one that draws them.
+TEST_F(LessonCommand, ThePhoneReadsTheStagesCode) {
+    if (std::system("command -v zbarimg >/dev/null") != 0) GTEST_SKIP() << "no zbarimg (package zbar-tools)";
+    const std::string address = "https://cg.example.edu/viewing/";
+    for (const char* const size : {"1920x1080", "1024x768"})
+        for (const char* const theme : {"dark", "projector"}) {
+            expect(0, {"snapshot", "--lesson", "depth-fighting", "--step", "2", "--present", "--code", address, "--set",
+                       std::string("ui.theme=") + theme, "--size", size, "-o", "stage.png"});
+            const std::string command =
+                "cd '" + folder().string() + "' && zbarimg --quiet --raw stage.png >read 2>said && rm said stage.png";
+            EXPECT_EQ(std::system(command.c_str()), 0) << size << " " << theme;
+            EXPECT_EQ(read("read"), address + "#lesson=depth-fighting&step=2\n") << size << " " << theme;
+        }
+    refused({"snapshot", "--lesson", "lens", "--code", address, "-o", "stage.png"}, {"--code needs --present"});
 }
 
 TEST_F(LessonCommand, HiddenFunctionsInExpressionsAreRefused) {

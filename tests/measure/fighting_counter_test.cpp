@@ -73,7 +73,10 @@ TEST_F(Counter, GivesTheSameResultFrameByFrame) {
 }
 
 TEST_F(Counter, StartsNothingWhileAControlIsHeld) {
-    EXPECT_FALSE(update(!may_wait, !is_at_rest));
+    const auto first = update(!may_wait, !is_at_rest);
+    ASSERT_TRUE(first);
+    EXPECT_TRUE(first->counts_are_behind);
+    EXPECT_EQ(first->counts.pairs.front().pixels, 0);
     EXPECT_FALSE(counter.wants_frames());
     const double before = finish()->counts.wrong_fraction();
     params.projection.near = 0.5;
@@ -84,6 +87,27 @@ TEST_F(Counter, StartsNothingWhileAControlIsHeld) {
     const auto after = finish();
     EXPECT_FALSE(after->counts_are_behind || after->gap_is_behind);
     EXPECT_EQ(after->counts.wrong_fraction(), 0.0);
+}
+
+TEST_F(Counter, PredictsAtOnceWhileTheCountsAreBehind) {
+    const auto gaps = [&](const FightingReport& report) {
+        std::vector<double> all;
+        for (const FightingReport::Row& row : report.rows) all.push_back(row.predicted.onset.gap());
+        return all;
+    };
+    const std::vector<double> of_first_state = gaps(*finish());
+    const double share = update(!may_wait, !is_at_rest)->counts.wrong_fraction();
+    params.projection.near *= 10.0;
+    const auto held = update(!may_wait, !is_at_rest);
+    EXPECT_TRUE(held->counts_are_behind);
+    EXPECT_EQ(held->counts.wrong_fraction(), share);
+    const std::vector<double> predicted = gaps(*held);
+    FightingCounter other;
+    const auto counted = other.update(renderer(), params, scene, version, counted_px, may_wait, is_at_rest);
+    EXPECT_EQ(predicted, gaps(*counted));
+    EXPECT_NE(predicted, of_first_state);
+    params.projection.near /= 10.0;
+    EXPECT_EQ(gaps(*update(!may_wait, !is_at_rest)), of_first_state);
 }
 
 TEST_F(Counter, IsUpToDateWhenTheHeldValueReturns) {

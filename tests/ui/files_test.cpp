@@ -162,7 +162,7 @@ TEST_F(FilesTest, ALessonLinkContinuesFromItsStep) {
 
     // The link of an untouched step names the step; the link of a changed or answered one holds its current state.
     const auto copied = [&] {
-        copy_link(guide, desk.session);
+        copy_link(guide, desk.session, link_base());
         return desk.clipboard.substr(0, desk.clipboard.find_first_of("#") + 2);
     };
     EXPECT_EQ(copied(), "viewing-sandbox.html#l");

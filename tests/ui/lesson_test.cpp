@@ -391,17 +391,141 @@ TEST(OnStage, TheOverviewJumpsAndBackspaceGoesBack) {
     EXPECT_FALSE(desk.workbench.presenter.shows_overview());
 }
 
+/// Types "A 80 b60" as keys.
+void type_votes(Desk& desk, std::string_view text) {
+    for (const char sign : text) {
+        if (sign == ' ') desk.press(Key::space);
+        if (sign == '0') desk.press(Key::zero);
+        if (sign > '0' && sign <= '9') desk.press(static_cast<Key>(static_cast<int>(Key::one) + (sign - '1')));
+        constexpr Key letters[] = {Key::a, Key::b, Key::c, Key::d, Key::e};
+        if (sign >= 'a' && sign <= 'e') desk.press(letters[sign - 'a']);
+    }
+}
+
+/// Returns the lines of text that are drawn on top of everything else.
+std::vector<std::string> texts_on_top(const Desk& desk) {
+    const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
+    const Page page{fonts.caption};
+    const ImDrawData* data = ImGui::GetDrawData();
+    std::vector<std::string> texts;
+    for (const Line& line : lines_of(page.letters(*data->CmdLists[data->CmdListsCount - 1])))
+        texts.push_back(line.text);
+    return texts;
+}
+
+/// Returns the same lines as one sentence.
+std::string told_on_top(const Desk& desk) {
+    std::string told;
+    for (const std::string& line : texts_on_top(desk)) told += (told.empty() ? "" : " ") + line;
+    return told;
+}
+
+bool is_on_top(const Desk& desk, const std::string& text) {
+    return std::ranges::count(texts_on_top(desk), text) > 0;
+}
+
 TEST(OnStage, DigitsCountRaisedHands) {
     Desk desk({1280, 720});
     begin(desk, lesson_of("view-is-the-inverse"), 0, true);
-    const std::vector<int>& votes = desk.workbench.guide.run()->votes();
+    const Ballot& ballot = desk.workbench.guide.run()->ballot();
     desk.press(Key::two);
     desk.press(Key::two);
     desk.press(Key::one);
     desk.press(Key::nine);  // no such choice
-    EXPECT_EQ(votes, (std::vector{1, 2, 0, 0}));
+    EXPECT_EQ(ballot.votes(), (std::vector{1, 2, 0, 0}));
     desk.press_with(Key::shift, Key::two);
-    EXPECT_EQ(votes, (std::vector{1, 1, 0, 0}));
+    EXPECT_EQ(ballot.votes(), (std::vector{1, 1, 0, 0}));
+    desk.undo();
+    EXPECT_EQ(ballot.votes(), (std::vector{1, 2, 0, 0}));
+}
+
+TEST(OnStage, TypedVotesBecomeSharesBeforeAndAfterTheDiscussion) {
+    for (const ImVec2 size : {ImVec2(1920, 1080), ImVec2(1024, 768)}) {
+        Desk desk(size);
+        begin(desk, lesson_of("view-is-the-inverse"), 0, true);
+        const glm::dvec3 eye = desk.params().camera.position;
+        desk.press(Key::v);
+        EXPECT_TRUE(is_on_top(desk, "Type A 80 B 60, then Enter."));
+        type_votes(desk, "a 80 60 b d45");
+        EXPECT_TRUE(is_on_top(desk, "185 votes"));  // before Enter
+        desk.press(Key::enter);
+        const Ballot& ballot = desk.workbench.guide.run()->ballot();
+        EXPECT_EQ(ballot.votes(), (std::vector{80, 60, 0, 45}));
+        for (const char* text : {"43 % · 80", "33 % · 60", "0 % · 0", "24 % · 45"}) EXPECT_TRUE(is_on_top(desk, text));
+        EXPECT_EQ(desk.params().camera.position, eye) << "letters move nothing";
+
+        desk.press_with(Key::shift, Key::v);
+        type_votes(desk, "a 20 b 160");
+        desk.press(Key::enter);
+        EXPECT_TRUE(is_on_top(desk, "Before the discussion: 185 votes"));
+        EXPECT_TRUE(is_on_top(desk, "After the discussion: 180 votes"));
+        EXPECT_TRUE(is_on_top(desk, "43 % · 80"));
+        EXPECT_TRUE(is_on_top(desk, "89 % · 160"));
+        EXPECT_EQ(unreadable(desk), std::vector<std::string>{});
+        EXPECT_GE(desk.workbench.widgets.fonts.caption->FontSize, std::floor(size.y / 30.0F));
+
+        desk.press(Key::page_down);
+        desk.settle();
+        EXPECT_TRUE(desk.workbench.guide.run()->is_revealed());
+        EXPECT_FALSE(is_on_top(desk, "89 % · 160")) << "the answer is not hidden";
+        desk.press(Key::v);
+        EXPECT_TRUE(is_on_top(desk, "89 % · 160"));
+        for (int i = 0; i < 2; ++i) desk.press(Key::page_down);  // ends the reveal, then the next step
+        desk.settle();
+        ASSERT_EQ(desk.workbench.guide.run()->index(), 1U);
+        EXPECT_FALSE(is_on_top(desk, "89 % · 160")) << "the next step has its own votes";
+    }
+}
+
+TEST(OnStage, AVoteThatCannotBeReadIsExplainedAndATypoTakenBack) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("view-is-the-inverse"), 0, true);
+    const Ballot& ballot = desk.workbench.guide.run()->ballot();
+    desk.press(Key::v);
+    type_votes(desk, "a 8 b 6");
+    desk.press(Key::enter);
+    desk.press(Key::v);
+    type_votes(desk, "e 5");
+    desk.press(Key::enter);
+    EXPECT_TRUE(is_on_top(desk, "E: the choices are A to D."));
+    EXPECT_EQ(ballot.votes(), (std::vector{8, 6, 0, 0}));
+    for (int i = 0; i < 3; ++i) desk.press(Key::backspace);
+    type_votes(desk, "b 90");
+    desk.press(Key::enter);
+    EXPECT_EQ(ballot.votes(), (std::vector{8, 90, 0, 0}));
+    desk.undo();
+    EXPECT_EQ(ballot.votes(), (std::vector{8, 6, 0, 0}));
+    desk.press(Key::escape);
+    EXPECT_EQ(texts_on_top(desk), std::vector<std::string>{});
+    EXPECT_EQ(ballot.votes(), (std::vector{8, 6, 0, 0}));
+}
+
+TEST(OnStage, QShowsTheCodeOfTheStepOrSaysHowToSetItsAddress) {
+    Desk desk({1920, 1080});
+    begin(desk, lesson_of("view-is-the-inverse"), 0, true);
+    const double roll = desk.params().camera.roll;
+    desk.press(Key::q);
+    EXPECT_EQ(told_on_top(desk), "A QR code needs the address of the page: start the program with --base https://…");
+    desk.workbench.link_address = "https://cg.example.edu/viewing/";
+    desk.ui.frames(1);
+    EXPECT_TRUE(is_on_top(desk, "https://cg.example.edu/viewing/#lesson=view-is-the-inverse&step=1"));
+    EXPECT_EQ(desk.params().camera.roll, roll);
+    EXPECT_EQ(unreadable(desk), std::vector<std::string>{});
+    desk.press(Key::escape);
+    EXPECT_EQ(texts_on_top(desk), std::vector<std::string>{});
+
+    desk.press(Key::q);
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(texts_on_top(desk), std::vector<std::string>{}) << "the code does not hide the answer";
+    desk.press(Key::page_down);
+    desk.params().camera.yaw += 20.0;  // the lecturer improvises
+    desk.press(Key::q);
+    EXPECT_TRUE(is_on_top(desk, "https://cg.example.edu/viewing/ …")) << "a link to a state is too long to read";
+    desk.workbench.link_address = "https://" + std::string(3000, 'a');
+    desk.ui.frames(1);
+    EXPECT_TRUE(told_on_top(desk).starts_with("The link has 3,")) << told_on_top(desk);
+    EXPECT_TRUE(told_on_top(desk).ends_with(" characters; a QR code holds at most 2,953.")) << told_on_top(desk);
 }
 
 TEST(LessonStrip, AWrongChoiceIsExplainedAndARightOneIsJudged) {

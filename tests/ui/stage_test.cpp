@@ -268,7 +268,9 @@ TEST_F(StageTest, EveryNameOfTheVocabularyExistsOnScreen) {
         // Items that may need scrolling are checked one by one.
         const std::set<std::string> all = left;
         for (const std::string& name : all) {
-            if (!name.starts_with("code:") && !name.starts_with("text:") && !name.starts_with("button:")) continue;
+            if (!name.starts_with("code:") && !name.starts_with("call:") && !name.starts_with("text:") &&
+                !name.starts_with("button:"))
+                continue;
             highlight({name});
             if (missing().empty()) left.erase(name);
         }
@@ -278,6 +280,10 @@ TEST_F(StageTest, EveryNameOfTheVocabularyExistsOnScreen) {
     look("orthographic", [] {});
     for (std::size_t topic = 1; topic < names_of<Topic>().size(); ++topic)
         look("", [&] { choose_topic(params, Slot::left, static_cast<Topic>(topic)); });
+    look("opening", [&] {
+        choose_topic(params, Slot::left, Topic::passes);
+        params.cull.enabled = true;
+    });
     look("mirror-derivation", [] {});
     look("shadow-derivation", [] {});
     look("depth-test-off", [] {});

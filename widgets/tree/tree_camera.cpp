@@ -32,10 +32,11 @@ TreeCamera::TreeCamera(ImVec2 view_min, ImVec2 view_max, const TreeDiagramState&
       max(view_max),
       unit(Px(1) * CurrentContext().palette.type_scale),
       zoom(state.zoom),
+      stretch(state.stretch),
       pan(state.pan) {}
 
 ImVec2 TreeCamera::At(double x, int level) const {
-    return ImVec2(min.x + static_cast<float>(unit * (pan.x + pitch * zoom * x)),
+    return ImVec2(min.x + static_cast<float>(unit * (pan.x + pitch * stretch * zoom * x)),
                   min.y + static_cast<float>(unit * (pan.y + row * zoom * level)));
 }
 
@@ -52,8 +53,11 @@ ImVec2 TreeCamera::HalfBox() const {
 bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state) {
     constexpr int least_levels = 3;
     const double room = ViewSize(camera).x - 2.0 * margin;
-    const auto fits = [room](const TreeLayout& layout) {
-        return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::comfortable_zoom <= room;
+    // From the back row, fewer and larger nodes are read.
+    const double zoom =
+        CurrentContext().is_on_stage ? 2.0 * TreeCamera::comfortable_zoom : TreeCamera::comfortable_zoom;
+    const auto fits = [room, zoom](const TreeLayout& layout) {
+        return (layout.max_x - layout.min_x) * TreeCamera::pitch * zoom <= room;
     };
     if (fits(state.layout) || state.layout.LevelCount() <= least_levels) return false;
     // More levels never make a tree narrower, so bisection works.
@@ -75,11 +79,19 @@ void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
     const glm::dvec2 fitting = size / (tree + 2.0 * margin);
     const double zoom = std::min(fitting.x, fitting.y);
     const bool fits = whole || zoom >= TreeCamera::readable_zoom;
-    const double largest = CurrentContext().printed ? 2.0 : 1.0;
+    const double largest = CurrentContext().printed ? 2.0 : CurrentContext().is_on_stage ? 2.0 : 1.0;
     state.zoom = std::clamp(zoom, fits ? smallest_zoom : TreeCamera::comfortable_zoom, largest);
     const double edge = margin * state.zoom;
-    const glm::dvec2 zoomed = tree * state.zoom, room = size - 2.0 * edge;
-    const double to_left = -layout.min_x * TreeCamera::pitch * state.zoom;
+    const glm::dvec2 room = size - 2.0 * edge;
+    glm::dvec2 zoomed = tree * state.zoom;
+    state.stretch = 1.0;
+    if (CurrentContext().is_on_stage && zoomed.x > 0.0 && zoomed.x < room.x) {
+        constexpr double largest_stretch = 3.0, beside_box = 14.0;  // room for a number beside the outer boxes
+        const double widest = room.x - 2.0 * beside_box;
+        state.stretch = std::clamp(widest / zoomed.x, 1.0, largest_stretch);
+        zoomed.x *= state.stretch;
+    }
+    const double to_left = -layout.min_x * TreeCamera::pitch * state.stretch * state.zoom;
     if (zoomed.x <= room.x) {
         state.pan.x = 0.5 * (size.x - zoomed.x) + to_left;
     } else {
@@ -90,7 +102,7 @@ void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
 
 void KeepInView(const TreeCamera& camera, TreeDiagramState& state) {
     const TreeLayout& layout = state.layout;
-    const glm::dvec2 step = glm::dvec2(TreeCamera::pitch, TreeCamera::row) * state.zoom;
+    const glm::dvec2 step = glm::dvec2(TreeCamera::pitch * state.stretch, TreeCamera::row) * state.zoom;
     const glm::dvec2 size = ViewSize(camera),
                      edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
     const glm::dvec2 first = glm::dvec2(layout.min_x, 0.0) * step;
@@ -112,7 +124,8 @@ void MoveIntoView(const TreeCamera& camera, int node, TreeDiagramState& state) {
     }
     const glm::dvec2 size = ViewSize(camera),
                      edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
-    const glm::dvec2 at(state.layout.x[index] * TreeCamera::pitch, state.layout.level[index] * TreeCamera::row);
+    const glm::dvec2 at(state.layout.x[index] * TreeCamera::pitch * state.stretch,
+                        state.layout.level[index] * TreeCamera::row);
     const glm::dvec2 seen = state.pan + at * state.zoom;
     state.pan += glm::clamp(seen, edge, size - edge) - seen;
 }

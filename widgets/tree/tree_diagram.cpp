@@ -35,7 +35,8 @@ void Update(std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagram
     state.laid_out_collapsed = state.collapsed;
     state.laid_out_revision = revision;
     if (LevelOf(state, anchor) >= 0) {
-        state.pan.x += (x_before - state.layout.x[static_cast<std::size_t>(anchor)]) * TreeCamera::pitch * state.zoom;
+        state.pan.x += (x_before - state.layout.x[static_cast<std::size_t>(anchor)]) * TreeCamera::pitch *
+                       state.stretch * state.zoom;
     }
     if (!is_new) return;
     state.is_laid_out = true;

@@ -189,7 +189,9 @@ private:
     /// Draws the label in the middle of the box, smaller if it would not fit.
     void DrawLabel(std::string_view label, ImVec2 center, ImU32 color) {
         if (label.empty()) return;
-        Face face = FaceOf(camera_.zoom >= 1.2 ? CurrentContext().fonts.number : CurrentContext().fonts.small_number);
+        const Fonts& fonts = CurrentContext().fonts;
+        ImFont* const large = CurrentContext().is_on_stage ? fonts.matrix : fonts.number;
+        Face face = FaceOf(camera_.zoom >= 1.2 ? large : fonts.small_number);
         const float room = 2.0F * half_.x - Px(4), wanted = face.Measure(label).x;
         if (wanted > room) face.size = std::max(std::floor(face.size * room / wanted), Px(8));
         const float width = face.Measure(label).x;
@@ -204,14 +206,25 @@ private:
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);
         const std::string digits = std::to_string(At(node).mark);
+        const bool leans_right = node > 0 && At(At(node).parent).back == node;
+        if (camera_.HasRoomBeside()) return DrawMarkBeside(node, center, face, digits, leans_right);
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
         const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
         const float share = std::min(0.9F * small, room / face.Measure(digits).x);
         face.size = std::max(std::floor(face.size * share), Px(8));
-        const bool leans_right = node > 0 && At(At(node).parent).back == node;
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;
         const ImVec2 at(std::floor(left), std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1)));
         face.Draw(draw_, at, Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
+    }
+
+    /// Draws the traversal number beside the box instead, as large as the label if it fits.
+    void DrawMarkBeside(int node, ImVec2 center, Face face, const std::string& digits, bool leans_right) {
+        const float gap = Px(4), room = 0.5F * camera_.Pitch() - half_.x - 1.5F * gap;
+        face.size = std::max(std::floor(face.size * std::min(1.0F, room / face.Measure(digits).x)), Px(8));
+        const float width = face.Measure(digits).x;
+        const float left = leans_right ? center.x + half_.x + gap : center.x - half_.x - gap - width;
+        face.Draw(draw_, ImVec2(std::floor(left), std::floor(center.y - 0.5F * face.size)),
+                  Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
     }
 
     /// Draws the fold triangle of the hovered node. A folded node always has one, with the number of nodes it hides.

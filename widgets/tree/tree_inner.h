@@ -14,20 +14,22 @@ struct TreeCamera {
 
     ImVec2 min, max;  ///< the view
     double unit;      ///< pixels per design pixel
-    double zoom;
+    double zoom, stretch;
     glm::dvec2 pan;
 
     TreeCamera(ImVec2 view_min, ImVec2 view_max, const TreeDiagramState& state);
     ImVec2 At(double x, int level) const;
     ImVec2 At(const TreeLayout& layout, int node) const;
-    double LayoutX(float x) const { return ((x - min.x) / unit - pan.x) / (pitch * zoom); }
+    double LayoutX(float x) const { return ((x - min.x) / unit - pan.x) / (pitch * stretch * zoom); }
     double LayoutLevel(float y) const { return ((y - min.y) / unit - pan.y) / (row * zoom); }
-    float Pitch() const { return static_cast<float>(pitch * zoom * unit); }
+    float Pitch() const { return static_cast<float>(pitch * stretch * zoom * unit); }
     /// Returns half the size of a node's box. The box stops growing when its text does.
     ImVec2 HalfBox() const;
     /// Returns the radius of the triangle below a node, which folds the node.
     float TriangleRadius() const { return static_cast<float>(6.5 * unit); }
     ImVec2 TriangleCenter(ImVec2 node) const { return ImVec2(node.x, node.y + HalfBox().y + TriangleRadius()); }
+    /// Whether the traversal numbers fit beside the boxes.
+    bool HasRoomBeside() const { return stretch > 1.0; }
     bool ShowsText() const { return zoom >= readable_zoom; }
 };
 

@@ -212,6 +212,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     Studio studio(*renderer, std::move(session));
     Workbench& workbench = studio.workbench;
     memory.restore(workbench, !start.hand_in);
+    workbench.link_address = start.link_address;
     if (start.lesson) {
         workbench.guide.begin(start.lesson->lesson, start.lesson->step, studio.session);
         if (start.lesson->presents) workbench.presenter.begin();

@@ -9,18 +9,20 @@
 #include "app/window_memory.h"
 #include "lesson/hand_in.h"
 #include "session/session.h"
+#include "state/file/link.h"
 #include "text/result.h"
 
 namespace viewing {
 
 /// The content that the window shows first.
 struct WindowStart {
-    std::optional<LessonPicture> lesson;  ///< the lesson to begin, and the step to begin with
-    bool shows_lessons = false;           ///< shows the page of all lessons
-    std::optional<HandIn> hand_in;        ///< a student's hand-in to show
-    std::string exercise;                 ///< the exercise to show from the hand-in
-    bool replays = false;                 ///< replays how the student solved it
-    std::string notes;                    ///< destination of the lecturer's notes, as in LectureNotes
+    std::optional<LessonPicture> lesson;     ///< the lesson to begin, and the step to begin with
+    bool shows_lessons = false;              ///< shows the page of all lessons
+    std::optional<HandIn> hand_in;           ///< a student's hand-in to show
+    std::string exercise;                    ///< the exercise to show from the hand-in
+    bool replays = false;                    ///< replays how the student solved it
+    std::string notes;                       ///< destination of the lecturer's notes, as in LectureNotes
+    std::string link_address = link_base();  ///< the part of links in front of their #
 };
 
 /// Opens the window on a session and returns when it is closed. The error says why there is no window (no display, or

@@ -10,6 +10,7 @@
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
 #include "text/html.h"
+#include "text/subscripts.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -48,7 +49,11 @@ std::string prose(const std::string& sentence) {
     std::string page;
     for (std::string_view rest = sentence; !rest.empty();) {
         const std::string_view unbroken = unbroken_start(rest);
-        for (const char c : escaped(unbroken)) c == ' ' ? page += "&nbsp;" : page += c;
+        for (const TextPart& part : subscript_parts(unbroken)) {
+            if (part.is_lowered) page += "<sub>";
+            for (const char c : escaped(part.text)) c == ' ' ? page += "&nbsp;" : page += c;
+            if (part.is_lowered) page += "</sub>";
+        }
         if (unbroken.size() < rest.size()) page += ' ';
         rest.remove_prefix(std::min(rest.size(), unbroken.size() + 1));
     }

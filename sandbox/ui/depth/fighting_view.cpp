@@ -162,10 +162,10 @@ void draw_bar(float share, ImU32 color) {
     ImGui::SameLine(0.0F, 0.0F);
 }
 
+/// What is counted is gray while it belongs to an earlier state; what has a formula always belongs to this one.
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
-    if (is_behind) return palette().quiet;
     if (column == counted || column == pixels || column == jittered_mean)
-        return row.fights ? palette().trouble : palette().text;
+        return is_behind ? palette().quiet : row.fights ? palette().trouble : palette().text;
     if (column == onset && row.is_below_onset) return palette().trouble;
     return palette().text;
 }

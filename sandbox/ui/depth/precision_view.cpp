@@ -38,7 +38,20 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
             .max = std::max(usual_max, decade(std::max(now.far, before.far), true))};
 }
 
-/// Whether even a small chart shows this format and mapping.
+/// How many curves there are besides the one of the current format.
+enum class OtherCurves { none, few, all };
+
+/// From the back row, nobody reads twelve names: on stage there are other curves only for a step that changes the
+/// format, and then few.
+OtherCurves other_curves(const LayoutParams& layout, bool is_small) {
+    if (!widgets::CurrentContext().is_on_stage) return is_small ? OtherCurves::few : OtherCurves::all;
+    const bool changes_format =
+        std::any_of(layout.controls.begin(), layout.controls.end(),
+                    [](const std::string& path) { return path == "depth.format" || path == "depth.mapping"; });
+    return changes_format ? OtherCurves::few : OtherCurves::none;
+}
+
+/// Whether the chart shows this format and mapping even if there are few curves.
 bool is_telling(const StepCurve& curve) {
     return curve.mapping == DepthMapping::standard ||
            (curve.mapping == DepthMapping::reversed ? curve.format == DepthFormat::d32f
@@ -48,11 +61,11 @@ bool is_telling(const StepCurve& curve) {
 /// The curves in the chart's format, together with the names that they point to.
 class ChartCurves {
 public:
-    ChartCurves(PrecisionCurves curves, bool is_small) : curves_(std::move(curves)) {
+    ChartCurves(PrecisionCurves curves, OtherCurves wanted) : curves_(std::move(curves)) {
         names_.reserve(curves_.others.size() + 1);
         add(curves_.current, true);
         for (const StepCurve& other : curves_.others)
-            if (!is_small || is_telling(other)) add(other, false);
+            if (wanted == OtherCurves::all || (wanted == OtherCurves::few && is_telling(other))) add(other, false);
     }
     ChartCurves(const ChartCurves&) = delete;
     ChartCurves& operator=(const ChartCurves&) = delete;
@@ -87,14 +100,16 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     Params& params = session.params;
     const float width = ImGui::GetContentRegionAvail().x;
     const bool is_small = height < px(240.0F);
-    const ChartCurves curves(precision_curves(params, derived), is_small);
+    const bool is_on_stage = widgets::CurrentContext().is_on_stage;
+    const ChartCurves curves(precision_curves(params, derived), other_curves(params.view.layout, is_small));
     const std::vector<widgets::ChartCurve> terms = curves.terms();
     // The names of the marks must fit into the upper half of the plot, side by side or stacked.
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
     for (const DistanceMark& thing : things)
-        marks.push_back({is_small ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+        marks.push_back(
+            {is_small || is_on_stage ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
     const ProjectionParams defaults;
     ProjectionParams& projection = params.projection;
     if (widgets::PrecisionChart("precision", curves.all(), projection.near, projection.far,

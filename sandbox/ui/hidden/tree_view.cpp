@@ -87,7 +87,8 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
         recorded_note(sentence);
         room -= above;
     }
-    const bool tells_node = room - below >= least;
+    // On stage the tree needs the room: a sentence about a node is for who points at it.
+    const bool tells_node = room - below >= least && !widgets::CurrentContext().is_on_stage;
     draw_diagram(state, links, *result, tells_node ? room - below : room);
     if (!tells_node) return;
     int told = state.diagram.hovered >= 0 ? state.diagram.hovered : links.tree.node_of(links.now.hovered_fragment);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "text/catalogue.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
+#include "ui/parts/subscripts.h"
 
 namespace viewing {
 namespace {
@@ -48,39 +50,55 @@ std::size_t numbers_in_a_row(const Ask& ask) {
     return static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : std::min(ask.rows, most_in_a_row));
 }
 
-float frame_height(const widgets::Context& context) {
-    return context.fonts.text->FontSize + 8.0F * context.scale;
-}
+/// Type and sizes of tiles and fields, in pixels: larger for an audience.
+struct AnswerSizes {
+    AnswerSizes(const widgets::Context& context, bool presents)
+        : font(presents ? context.fonts.caption : context.fonts.text),
+          sign_font(presents ? context.fonts.caption : context.fonts.heading),
+          scale(context.scale),
+          enlarged(scale * font->FontSize / context.fonts.text->FontSize) {}
 
-float tile_width(const LessonText& item, const widgets::Context& context) {
-    const std::string& text = item.shown();
-    const float text_width =
-        context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
-    return text_width + 2.0F * padding_x * context.scale;
-}
+    ImFont* font;
+    ImFont* sign_font;
+    float scale;     ///< of gaps
+    float enlarged;  ///< of everything that grows with the type
 
-/// Extra width of a tile, for an arrow at each end or a number in front.
-float tile_extra(const Ask& ask, const widgets::Context& context) {
-    const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
-    return (moves ? 2.0F * 20.0F : letter_room) * context.scale;
-}
+    float frame_height() const { return font->FontSize + 8.0F * scale; }
+    float gap() const { return entry_gap * scale; }
+    float arrow() const { return 20.0F * enlarged; }
+    float letter() const { return letter_room * enlarged; }
+    float padding() const { return padding_x * scale; }
+    /// Extra width of a tile, for an arrow at each end or a number in front.
+    float tile_extra(const Ask& ask) const {
+        const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
+        return moves ? 2.0F * arrow() : letter();
+    }
+    /// A tile's text, in several lines if the tile would be wider than `width`.
+    Paragraph tile_text(const LessonText& item, const Ask& ask, float width) const {
+        return paragraph(item.shown(), font, width - tile_extra(ask) - 2.0F * padding());
+    }
+    ImVec2 tile_size(const LessonText& item, const Ask& ask, float width) const {
+        const Paragraph text = tile_text(item, ask, width);
+        const float text_width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.lines.c_str()).x;
+        return {std::min(text_width + tile_extra(ask) + 2.0F * padding(), width), text.height + 8.0F * scale};
+    }
+};
 
-/// Lays out tiles in rows. Calls `place(item, x, y, width)` for each item, with x and y relative to the first tile's
+/// Lays out tiles in rows. Calls `place(item, x, y, size)` for each item, with x and y relative to the first tile's
 /// corner. Returns the height of all rows.
 template <typename Place>
-float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const widgets::Context& context,
+float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const AnswerSizes& sizes,
                     const Place& place) {
-    const float scale = context.scale, height = frame_height(context) + entry_gap * scale;
-    float x = 0.0F, y = 0.0F;
+    float x = 0.0F, y = 0.0F, height = 0.0F;
     for (const int item : order) {
-        const float tile =
-            std::min(tile_width(ask.items[static_cast<std::size_t>(item)], context) + tile_extra(ask, context), width);
-        if (x > 0.0F && x + tile > width) {
+        const ImVec2 tile = sizes.tile_size(ask.items[static_cast<std::size_t>(item)], ask, width);
+        if (x > 0.0F && x + tile.x > width) {
             x = 0.0F;
-            y += height;
+            y += std::exchange(height, 0.0F);
         }
+        height = std::max(height, tile.y + sizes.gap());
         place(item, x, y, tile);
-        x += tile + entry_gap * scale;
+        x += tile.x + sizes.gap();
     }
     return y + height;
 }
@@ -109,17 +127,6 @@ void draw_ground(ImVec2 min, ImVec2 max, const TileLook& look, bool hovered) {
     draw->AddRect(min, max, outline_of(look), rounding, 0, px(is_marked ? 2.0F : 1.0F) * palette().stroke);
 }
 
-/// Draws a bar for the raised hands, behind the text of a choice.
-void draw_votes(ImVec2 min, ImVec2 max, int votes, int most) {
-    if (votes == 0) return;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const float share = static_cast<float>(votes) / static_cast<float>(std::max(most, 1));
-    draw->AddRectFilled(min, {min.x + (max.x - min.x) * share, max.y}, with_alpha(palette().accent, 70), px(4.0F));
-    const std::string number = std::to_string(votes);
-    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    draw->AddText({max.x - size.x - px(padding_x), (min.y + max.y - size.y) * 0.5F}, palette().text, number.c_str());
-}
-
 bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
@@ -128,7 +135,6 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const std::vector<float> rows = row_heights(ask, width, context, style.presents);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     Answer& answer = run.answer();
-    const int most_votes = run.votes().empty() ? 0 : *std::max_element(run.votes().begin(), run.votes().end());
     bool given = false;
     float y = corner.y;
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
@@ -144,15 +150,13 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
         const bool is_told = is_chosen && run.verdict() && !run.verdict()->right;
         const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
         draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
-        if (style.presents) draw_votes(min, max, run.votes()[i], most_votes);
         const char letter[] = {static_cast<char>('A' + i), '\0'};
         const Paragraph text = choice_text(ask.choices[i].say, width, context, style.presents);
         ImDrawList* draw = ImGui::GetWindowDrawList();
         const float text_y = std::floor((min.y + max.y - text.height) * 0.5F);
         const ImU32 ink = style.shows_right && !ask.choices[i].right ? palette().quiet : palette().text;
         draw->AddText(text.font, text.font->FontSize, {min.x + padding_x * scale, text_y}, palette().accent, letter);
-        draw->AddText(text.font, text.font->FontSize, {min.x + (padding_x + letter_room) * scale, text_y}, ink,
-                      text.lines.c_str());
+        draw_with_subscripts(draw, text.font, {min.x + (padding_x + letter_room) * scale, text_y}, ink, text.lines);
         if (pressed && style.is_open) {
             answer.items = {static_cast<int>(i)};
             run.forget_verdict();
@@ -166,16 +170,16 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
 }
 
 /// Draws the fields of a question that nobody answers on stage: a zero in them could be taken for the answer.
-void draw_unanswered(const Ask& ask) {
+void draw_unanswered(const Ask& ask, const AnswerSizes& sizes, float room) {
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
-        const float width = std::min(ImGui::GetContentRegionAvail().x, px(widest_matrix));
+        const float width = std::min(room, widest_matrix * sizes.enlarged);
         return widgets::Plate("answer", {width, 4.0F * ImGui::GetFrameHeight()});
     }
     const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), columns = numbers_in_a_row(ask);
     for (std::size_t place = 0; place < count; ++place) {
         if (place % columns != 0) ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         widgets::Plate(("answer " + std::to_string(place + 1)).c_str(),
-                       {px(number_width) - ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetFrameHeight()});
+                       {number_width * sizes.enlarged - ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetFrameHeight()});
     }
 }
 
@@ -185,19 +189,19 @@ void frame_right_answer() {
                                         px(2.0F));
 }
 
-void draw_numbers(LessonRun& run, const AnswerStyle& style) {
+void draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float room) {
     const Ask& ask = run.step().ask;
     const bool shows_model = style.shows_right && run.model() && !run.model()->numbers.empty();
     Answer model = shows_model ? *run.model() : Answer{};
     Answer& answer = shows_model ? model : run.answer();
-    if (style.presents && !shows_model) return draw_unanswered(ask);
+    if (style.presents && !shows_model) return draw_unanswered(ask, sizes, room);
     answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
     const std::vector<double> before = answer.numbers;
+    const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix(0.0);
         for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
-        const float room = ImGui::GetContentRegionAvail().x;
-        widgets::Matrix("answer", matrix, {.editable = style.is_open}, std::min(room, px(widest_matrix)));
+        widgets::Matrix("answer", matrix, {.editable = style.is_open}, std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
     } else {
@@ -205,9 +209,9 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
         for (std::size_t row = 0; row * columns < answer.numbers.size(); ++row) {
             const std::size_t count = std::min(columns, answer.numbers.size() - row * columns);
             const std::string name = row == 0 ? "answer" : "answer " + std::to_string(row + 1);
-            ImGui::SetNextItemWidth(px(number_width) * static_cast<float>(count));
+            ImGui::SetNextItemWidth(number_width * sizes.enlarged * static_cast<float>(count));
             widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, count),
-                             {.decimals = 3});
+                             {.decimals = shows_model && are_whole ? 0 : 3});
             if (shows_model) frame_right_answer();
         }
     }
@@ -216,34 +220,32 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
     if (answer.numbers != before) run.forget_verdict();
 }
 
-bool draw_tile(const LessonText& item, ImVec2 min, float width, float text_x, const TileLook& look, bool is_open,
+bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, const TileLook& look, bool is_open,
                const std::string& name) {
-    const widgets::Context& context = widgets::CurrentContext();
-    const ImVec2 max(min.x + width, min.y + frame_height(context));
+    const ImVec2 max(min.x + size.x, min.y + size.y);
     ImGui::SetCursorScreenPos(min);
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, max.y - min.y});
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     widgets::Record(name.c_str());
     draw_ground(min, max, look, is_open && ImGui::IsItemHovered());
-    const float y = std::floor((min.y + max.y - context.fonts.text->FontSize) * 0.5F);
-    ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.fonts.text->FontSize, {min.x + text_x, y},
-                                        palette().text, item.shown().c_str());
+    const float y = std::floor((min.y + max.y - text.height) * 0.5F);
+    draw_with_subscripts(ImGui::GetWindowDrawList(), text.font, {min.x + text_x, y}, palette().text, text.lines);
     return pressed && is_open;
 }
 
 /// Draws tiles that the student puts in order: the arrows at their ends move them, and dragging one onto another swaps
 /// them.
-void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
+void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
-    const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const std::vector<int> order = style.shows_right ? ask.expected_items.front() : run.answer().items;
     std::optional<std::pair<int, int>> swapped;
     int place = 0;
-    const float end = lay_out_tiles(ask, order, width, context, [&](int item, float x, float y, float tile) {
+    const float end = lay_out_tiles(ask, order, width, sizes, [&](int item, float x, float y, ImVec2 tile) {
         const ImVec2 min(corner.x + x, corner.y + y);
-        const float arrow = px(20.0F);
-        draw_tile(ask.items[static_cast<std::size_t>(item)], {min.x, min.y}, tile, arrow + px(padding_x),
-                  {false, style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
+        const float arrow = sizes.arrow();
+        draw_tile(sizes.tile_text(ask.items[static_cast<std::size_t>(item)], ask, width), min, tile,
+                  arrow + sizes.padding(), {false, style.shows_right, false}, style.is_open,
+                  "item " + std::to_string(item + 1));
         if (style.is_open && ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
             ImGui::SetDragDropPayload("place", &place, sizeof place);
             ImGui::EndDragDropSource();
@@ -257,17 +259,15 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
             if (!style.is_open || neighbor < 0 || neighbor >= std::ssize(order)) return;
             ImGui::SetCursorScreenPos({at, min.y});
             const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
-            if (ImGui::InvisibleButton(id.c_str(), {arrow, frame_height(context)}))
-                swapped = std::pair(place, neighbor);
+            if (ImGui::InvisibleButton(id.c_str(), {arrow, tile.y})) swapped = std::pair(place, neighbor);
             widgets::Record(id.c_str());
             const ImVec2 size = ImGui::CalcTextSize(sign);
-            ImGui::GetWindowDrawList()->AddText(
-                {at + (arrow - size.x) * 0.5F, min.y + (frame_height(context) - size.y) * 0.5F},
-                ImGui::IsItemHovered() ? palette().accent : palette().quiet, sign);
+            ImGui::GetWindowDrawList()->AddText({at + (arrow - size.x) * 0.5F, min.y + (tile.y - size.y) * 0.5F},
+                                                ImGui::IsItemHovered() ? palette().accent : palette().quiet, sign);
         };
         ImGui::SetItemAllowOverlap();
         arrow_button("◂", min.x, place - 1);
-        arrow_button("▸", min.x + tile - arrow, place + 1);
+        arrow_button("▸", min.x + tile.x - arrow, place + 1);
         ++place;
     });
     if (swapped && swapped->first != swapped->second) {
@@ -281,25 +281,25 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
 
 /// Draws tiles that the student chooses by clicking. In a sequence, the chosen tiles are numbered in the order of the
 /// clicks.
-void draw_chosen(LessonRun& run, const AnswerStyle& style, float width) {
+void draw_chosen(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
-    const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     std::vector<int>& chosen = run.answer().items;
     const std::vector<int> shown = style.shows_right ? ask.expected_items.front() : chosen;
-    const float end = lay_out_tiles(ask, as_written(ask), width, context, [&](int item, float x, float y, float tile) {
+    const float end = lay_out_tiles(ask, as_written(ask), width, sizes, [&](int item, float x, float y, ImVec2 tile) {
         const auto at = std::find(shown.begin(), shown.end(), item);
         const bool is_chosen = at != shown.end();
         const ImVec2 min(corner.x + x, corner.y + y);
-        const bool clicked = draw_tile(ask.items[static_cast<std::size_t>(item)], min, tile,
-                                       px(letter_room + padding_x), {is_chosen, is_chosen && style.shows_right, false},
-                                       style.is_open, "item " + std::to_string(item + 1));
+        const bool clicked =
+            draw_tile(sizes.tile_text(ask.items[static_cast<std::size_t>(item)], ask, width), min, tile,
+                      sizes.letter() + sizes.padding(), {is_chosen, is_chosen && style.shows_right, false},
+                      style.is_open, "item " + std::to_string(item + 1));
         const std::string sign = !is_chosen                      ? ""
                                  : ask.kind == AskKind::sequence ? std::to_string(at - shown.begin() + 1)
                                                                  : "✓";
-        const float text_y = min.y + std::floor((frame_height(context) - context.fonts.heading->FontSize) * 0.5F);
-        ImGui::GetWindowDrawList()->AddText(context.fonts.heading, context.fonts.heading->FontSize,
-                                            {min.x + px(padding_x), text_y}, palette().accent, sign.c_str());
+        const float text_y = min.y + std::floor((tile.y - sizes.sign_font->FontSize) * 0.5F);
+        ImGui::GetWindowDrawList()->AddText(sizes.sign_font, sizes.sign_font->FontSize,
+                                            {min.x + sizes.padding(), text_y}, palette().accent, sign.c_str());
         if (!clicked) return;
         const auto mine = std::find(chosen.begin(), chosen.end(), item);
         if (mine != chosen.end())
@@ -319,15 +319,15 @@ bool needs_check(AskKind kind) {
 }
 
 float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
-    const float scale = context.scale;
+    const AnswerSizes sizes(context, presents);
     float height = 0.0F;
     if (ask.kind == AskKind::choice) {
-        for (const float row : row_heights(ask, width, context, presents)) height += row + entry_gap * scale;
+        for (const float row : row_heights(ask, width, context, presents)) height += row + sizes.gap();
     } else if (is_typed(ask.kind)) {
         const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
-        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (frame_height(context) + entry_gap * scale);
+        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (sizes.frame_height() + sizes.gap());
     } else if (ask.kind != AskKind::goal) {
-        height = lay_out_tiles(ask, as_written(ask), width, context, [](int, float, float, float) {});
+        height = lay_out_tiles(ask, as_written(ask), width, sizes, [](int, float, float, ImVec2) {});
     }
     return height;
 }
@@ -336,9 +336,16 @@ bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
     const widgets::Group group("answers");
     const AskKind kind = run.step().ask.kind;
     if (kind == AskKind::choice) return draw_choices(run, style, width);
-    if (is_typed(kind)) draw_numbers(run, style);
-    if (kind == AskKind::order || kind == AskKind::product) draw_order(run, style, width);
-    if (kind == AskKind::sequence || kind == AskKind::subset) draw_chosen(run, style, width);
+    widgets::Context& context = widgets::CurrentContext();
+    const AnswerSizes sizes(context, style.presents);
+    ImFont* const number_font = context.fonts.number;
+    if (style.presents) context.fonts.number = context.fonts.matrix;  // numbers as large as sentences
+    ImGui::PushFont(sizes.font);
+    if (is_typed(kind)) draw_numbers(run, style, sizes, width);
+    if (kind == AskKind::order || kind == AskKind::product) draw_order(run, style, sizes, width);
+    if (kind == AskKind::sequence || kind == AskKind::subset) draw_chosen(run, style, sizes, width);
+    ImGui::PopFont();
+    context.fonts.number = number_font;
     return false;
 }
 

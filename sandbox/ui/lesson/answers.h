@@ -13,7 +13,7 @@ float answers_height(const Ask& ask, float width, const widgets::Context& contex
 struct AnswerStyle {
     bool is_open = true;       ///< still accepts an answer
     bool shows_right = false;  ///< marks the right answer
-    bool presents = false;     ///< for an audience: larger, with bars that show the number of raised hands
+    bool presents = false;     ///< for an audience: larger
 };
 
 /// Draws the input and edits the run's answer. Returns true when a click on a choice has given the answer. Typed or

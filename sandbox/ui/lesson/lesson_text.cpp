@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/parts/subscripts.h"
+
 namespace viewing {
 
 Paragraph paragraph(const std::string& text, ImFont* font, float width) {
@@ -16,7 +18,7 @@ void Paragraph::draw(const char* label, ImU32 color) const {
     if (lines.empty()) return;
     ImGui::PushFont(font);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(lines.c_str());
+    text_with_subscripts(lines);
     ImGui::PopStyleColor();
     ImGui::PopFont();
     widgets::Record(label);

@@ -12,11 +12,6 @@
 namespace viewing {
 namespace {
 
-int digit_of(Key key) {
-    if (key == Key::zero) return 0;
-    return key >= Key::one && key <= Key::nine ? static_cast<int>(key) - static_cast<int>(Key::one) + 1 : -1;
-}
-
 bool is_modifier(Key key) {
     return key == Key::shift || key == Key::ctrl || key == Key::alt || key == Key::super;
 }
@@ -31,9 +26,11 @@ void PresenterMode::begin() {
 }
 
 void PresenterMode::end() {
-    is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
+    is_on_ = is_frozen_ = shows_overview_ = shows_code_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
+    votes_.close();
+    shown_step_.reset();
     wants_full_screen_ = false;
 }
 
@@ -86,13 +83,6 @@ bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Sessio
     return true;
 }
 
-void PresenterMode::vote(int choice, int change, Guide& guide) {
-    std::vector<int>& votes = guide.run()->votes();
-    if (choice < 0 || choice >= static_cast<int>(votes.size())) return;
-    int& hands = votes[static_cast<std::size_t>(choice)];
-    hands = std::max(hands + change, 0);
-}
-
 bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
     if (is_modifier(press.key) || !guide.is_shown()) return false;
     if (shows_overview_) return take_in_overview(press, guide, session);
@@ -101,6 +91,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         blank_ = Blank::none;
         return true;
     }
+    if (votes_.take(press, *guide.run())) return true;
     if (press.ctrl && press.key == Key::z && inks_) {
         if (std::vector<Stroke>& strokes = ink_[guide.run()->index()]; !strokes.empty()) strokes.pop_back();
         return true;
@@ -142,6 +133,9 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             inks_ = !inks_;
             if (!inks_) ink_.erase(guide.run()->index());
             return true;
+        case Key::q:
+            shows_code_ = !shows_code_;
+            return true;
         case Key::t:
             clock_runs_ = !press.shift && !clock_runs_;
             if (press.shift) clock_s_ = 0.0;
@@ -159,21 +153,24 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         case Key::escape:
             if (press.shift)
                 end();
-            else if (inks_)
+            else if (!std::exchange(shows_code_, false))
                 inks_ = false;
             return true;
         default:
-            if (const int digit = digit_of(press.key); digit > 0 && !guide.run()->is_revealed()) {
-                vote(digit - 1, press.shift ? -1 : 1, guide);
-                return true;
-            }
             return digit_of(press.key) >= 0;
     }
 }
 
 void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {
-    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x), session);
+    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x) && !takes_letters(), session);
     if (!is_on_) return;
+    if (!guide.run()) return end();
+    const std::pair now(guide.run()->index(), guide.run()->is_revealed());
+    const auto before = std::exchange(shown_step_, now);
+    if (before && *before != now) {  // both would hide the answer
+        votes_.close();
+        shows_code_ = false;
+    }
     presented_s_ += input.dt_s;
     if (clock_runs_) clock_s_ += input.dt_s;
     if (!guide.is_shown()) end();
@@ -201,7 +198,7 @@ void PresenterMode::draw_ink(std::size_t step) {
     if (inks_ && ImGui::IsMousePosValid()) draw->AddCircleFilled(io.MousePos, width, with_alpha(palette().point, 160));
 }
 
-void PresenterMode::draw_pointer() {
+void PresenterMode::draw_pointer(const Rect& room) {
     if (pointer_ == Pointer::none || !ImGui::IsMousePosValid()) return;
     const ImVec2 at = ImGui::GetIO().MousePos, size = ImGui::GetIO().DisplaySize;
     ImDrawList* draw = ImGui::GetForegroundDrawList();
@@ -210,15 +207,18 @@ void PresenterMode::draw_pointer() {
         draw->AddCircle(at, size.y / 60.0F, palette().text, 48, px(1.5F));
         return;
     }
-    // A ring thick enough to darken everything outside the spotlight.
+    // A ring thick enough to darken everything outside the spotlight, except the question.
     const float radius = size.y / 7.0F, reach = std::hypot(size.x, size.y);
+    draw->PushClipRect(room.min, room.max);
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
+    draw->PopClipRect();
 }
 
-void PresenterMode::draw(std::size_t step) {
+void PresenterMode::draw(const LessonRun& run, const Rect& room) {
     if (!is_on_) return;
-    draw_ink(step);
-    draw_pointer();
+    votes_.draw(run, room);
+    draw_ink(run.index());
+    draw_pointer(room);
     ImDrawList* draw = ImGui::GetForegroundDrawList();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (is_frozen_) draw->AddRect({0.0F, 0.0F}, size, palette().accent, 0.0F, 0, px(4.0F));

@@ -1,5 +1,5 @@
 // Presenter mode for lessons. It handles a clicker's keys and a few more, and draws overlays: a blank screen, a
-// pointer, and ink. Everything underneath stays live. Read session/guide.h for the navigation through a lesson.
+// pointer, ink, and votes. Everything underneath stays live. Read session/guide.h for the navigation through a lesson.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "session/guide.h"
+#include "ui/lesson/vote_panel.h"
 #include "ui/parts/input.h"
 #include "widgets/widgets.h"
 
@@ -42,8 +43,14 @@ public:
     /// Whether ink or a blank screen keeps the mouse from reaching the views.
     bool takes_mouse() const { return is_on_ && (inks_ || blank_ != Blank::none); }
 
-    /// Draws on top of everything else.
-    void draw(std::size_t step);
+    /// Whether the QR code of the step or state is shown.
+    bool shows_code() const { return is_on_ && shows_code_; }
+    void show_code() { shows_code_ = true; }
+    /// Whether letters that are held down belong to the presentation, and move nothing.
+    bool takes_letters() const { return is_on_ && votes_.is_typing(); }
+
+    /// Draws on top of everything else. `room`: the part of the window above the lesson's text.
+    void draw(const LessonRun& run, const Rect& room);
 
 private:
     enum class Blank { none, black, white };
@@ -51,13 +58,16 @@ private:
     using Stroke = std::vector<ImVec2>;  ///< in fractions of the window
 
     bool take_in_overview(const KeyPress& press, Guide& guide, Session& session);
-    void vote(int choice, int change, Guide& guide);
     void draw_ink(std::size_t step);
-    void draw_pointer();
+    void draw_pointer(const Rect& room);
 
-    bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, inks_ = false, clock_runs_ = false;
+    bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false, inks_ = false,
+         clock_runs_ = false;
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
+    VotePanel votes_;
+    /// What the votes and the QR code belong to: the step, and whether its answer is shown.
+    std::optional<std::pair<std::size_t, bool>> shown_step_;
     int choice_ = 0;     ///< the step chosen in the overview
     std::string typed_;  ///< the digits of a step number that have been typed so far
     double clock_s_ = 0.0, presented_s_ = 0.0;

@@ -104,12 +104,12 @@ std::string place_of(const LessonRun& run) {
 
 constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 
-/// Returns the title, wrapped to leave space for the progress, the dot, and the clock to its right.
-Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
+/// Returns the title, wrapped to leave space for the progress, the dot, and the clock, if any, to its right.
+Paragraph heading(const LessonRun& run, float width, const widgets::Context& context, bool has_clock) {
     ImFont* const font = context.fonts.note;
-    const float beside =
-        text_width(font, place_of(run)) + text_width(font, "00:00") + (dot_room + clock_gap + 12.0F) * context.scale;
-    return paragraph(title_of(run), font, width - beside);
+    const float clock = has_clock ? text_width(context.fonts.caption, "00:00") + clock_gap * context.scale : 0.0F;
+    return paragraph(title_of(run), font,
+                     width - text_width(font, place_of(run)) - clock - (dot_room + 12.0F) * context.scale);
 }
 
 /// Draws the title, the progress, and the clock. A dot shows that the state differs from the step's.
@@ -117,37 +117,38 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     float right = corner.x + width;
-    ImGui::PushFont(context.fonts.note);
-    const auto at_right = [&](const std::string& text, const char* recorded) {
-        right -= ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::SetCursorScreenPos({right, corner.y});
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    const auto at_right = [&](const std::string& text, const char* recorded, ImFont* font, ImU32 color) {
+        right -= text_width(font, text);
+        // On the middle of the title's first line.
+        ImGui::SetCursorScreenPos({right, corner.y + (context.fonts.note->FontSize - font->FontSize) * 0.5F});
+        ImGui::PushFont(font);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
+        ImGui::PopFont();
         widgets::Record(recorded);
     };
-    at_right(place_of(run), "place");
+    at_right(place_of(run), "place", context.fonts.note, palette().quiet);
     if (look.departs) {
         right -= px(dot_room);
         const ImVec2 middle(right + px(6.0F), corner.y + context.fonts.note->FontSize * 0.5F);
         ImGui::GetWindowDrawList()->AddCircleFilled(middle, px(3.0F), palette().accent);
     }
     right -= px(clock_gap);
-    if (!look.clock.empty()) at_right(look.clock, "clock");
-    ImGui::PopFont();
+    if (!look.clock.empty()) at_right(look.clock, "clock", context.fonts.caption, palette().text);
     ImGui::SetCursorScreenPos(corner);
-    heading(run, width, context).draw("lesson", palette().quiet);
+    heading(run, width, context, !look.clock.empty()).draw("lesson", palette().quiet);
 }
 
-float left_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+float left_height(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look) {
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
-    float height = heading(run, width, context).height + gap;
+    float height = heading(run, width, context, !look.clock.empty()).height + gap;
     height += paragraph(step.say.shown(), context.fonts.caption, width).height + gap;
     for (int i = 0; i < run.hints_shown(); ++i)
         height +=
             paragraph(step.ask.hints[static_cast<std::size_t>(i)].shown(), context.fonts.text, width).height + gap;
-    return presents ? height : height + buttons_height(run, width, context);
+    return look.presents ? height : height + buttons_height(run, width, context);
 }
 
 float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
@@ -282,11 +283,11 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
 
 }  // namespace
 
-float strip_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+float strip_height(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look) {
     if (!context.fonts.caption) return 0.0F;
     const Columns columns = columns_of(width, context.scale);
-    const float left = left_height(run, columns.left, context, presents);
-    const float right = right_height(run, columns.right, context, presents);
+    const float left = left_height(run, columns.left, context, look);
+    const float right = right_height(run, columns.right, context, look.presents);
     const float frame = 2.0F * strip_margin * context.scale;
     return std::ceil((columns.are_two ? std::max(left, right) : left + right + line_gap * context.scale) + frame);
 }

@@ -26,7 +26,7 @@ struct StripWishes {
 
 /// Returns the height in pixels that the step needs at this width, both before and after its answer, so that nothing
 /// jumps. Also works outside a frame.
-float strip_height(const LessonRun& run, float width, const widgets::Context& context, bool presents);
+float strip_height(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look);
 
 /// Draws the strip and edits the run's answer. If the user presses Hint, shows the next hint.
 StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look);

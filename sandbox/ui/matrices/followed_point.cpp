@@ -27,7 +27,7 @@ void followed_line(const char* target, const char* name, float column, const std
         widgets::ValueText(value.c_str(), role);
         ImGui::EndGroup();
     }
-    widgets::MarkTarget(target);
+    widgets::MarkLine(target);
 }
 
 /// Returns "= (   1.000,   2.000,   3.000 )", padded so that the columns of all lines align. `w`: an optional fourth

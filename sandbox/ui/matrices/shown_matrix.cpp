@@ -8,6 +8,7 @@
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
+#include "ui/parts/subscripts.h"
 #include "ui/parts/table_parts.h"
 
 namespace viewing {
@@ -45,7 +46,7 @@ bool matrix_heading(const char* title, const char* letter, const std::string& no
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
-    ImGui::TextUnformatted(note.c_str());
+    text_with_subscripts(note, ImGui::GetStyle().FramePadding.y);
     ImGui::PopStyleColor();
     ImGui::PopFont();
     return true;

@@ -114,7 +114,7 @@ void draw_line(const Function& function, const CodeLine& line, const Writing& wr
                                std::to_string(line.column) + "]";
     const bool is_covered = widgets::IsCovered(target);
     code_item(writing, code_of(function, line, writing.names_array), is_covered ? "?" : number_text(line.value, 3));
-    widgets::MarkTarget(target);
+    widgets::MarkLine(target);
     if (is_covered) return;
     follow_entry(cell.own, cell.links);
     const std::string name = std::string(function.array) + "[" + std::to_string(line.index) + "]";

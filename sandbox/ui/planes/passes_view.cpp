@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "lesson/targets.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
@@ -88,12 +90,23 @@ std::string rows_text(const glm::dmat4& matrix) {
     return text;
 }
 
+/// The named calls whose first line has been drawn in this frame.
+using MarkedCalls = std::array<bool, std::size(named_calls)>;
+
+/// Marks the last item as a named call if it is the first such line.
+void mark_call(const std::string& call, MarkedCalls& done) {
+    for (std::size_t i = 0; i < done.size(); ++i)
+        if (call.starts_with(named_calls[i]) && !std::exchange(done[i], true))
+            widgets::MarkLine(std::string("call:") + named_calls[i]);
+}
+
 /// Draws a list of calls. `uploaded`: the matrix product that these calls upload, which a tooltip shows.
-void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploaded = nullptr) {
+void call_lines(const std::vector<std::string>& calls, MarkedCalls& done, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
     for (const std::string& call : calls) {
         ImGui::TextWrapped("%s", call.c_str());
+        mark_call(call, done);
         if (!uploaded || !call.starts_with("glUniformMatrix4fv")) continue;
         widgets::Record(call.c_str());
         if (widgets::IsPartCovered("matrix")) continue;
@@ -104,7 +117,7 @@ void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploade
 }
 
 /// Draws one pass. A click on its heading stops the frame after it, or lets the frame continue.
-void entry(Session& session, const FramePlan& plan, int number) {
+void entry(Session& session, const FramePlan& plan, int number, MarkedCalls& done) {
     const widgets::Context& context = widgets::CurrentContext();
     const Pass& pass = plan.passes[static_cast<std::size_t>(number)];
     int& stop = session.params.view.pass;
@@ -127,7 +140,7 @@ void entry(Session& session, const FramePlan& plan, int number) {
     widgets::Note(pass.reason.c_str());
     const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
     const glm::dmat4 uploaded = pass.clip_from_world * pass.world_from_scene;
-    call_lines(gl_calls(plan, pass, before), &uploaded);
+    call_lines(gl_calls(plan, pass, before), done, &uploaded);
     if (!is_drawn) ImGui::PopStyleVar();
     ImGui::Dummy({0.0F, px(4.0F)});
     ImGui::PopID();
@@ -142,11 +155,12 @@ void list(Session& session, const FramePlan& plan, bool follows) {
     }
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
     ImGui::BeginChild("list", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    call_lines(clear_calls(plan));
+    MarkedCalls done{};
+    call_lines(clear_calls(plan), done);
     for (int number = 0; number < static_cast<int>(plan.passes.size()); ++number) {
         const bool is_stop = number == session.params.view.pass;
         if (is_stop && (follows || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(0.1F);
-        entry(session, plan, number);
+        entry(session, plan, number, done);
     }
     widgets::CountScrolled();
     ImGui::EndChild();

@@ -1,6 +1,8 @@
 // Helpers for the fixed areas of the window, and the clipboard commands.
 #pragma once
 
+#include <string>
+
 #include "session/guide.h"
 #include "session/session.h"
 #include "ui/parts/layout.h"
@@ -14,8 +16,12 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
 void copy(Session& session);
 
 /// Copies a link to the state (state/file/link.h) or, if the state is still that of the current lesson step, a link to
-/// that step.
-void copy_link(const Guide& guide, Session& session);
+/// that step. `address`: the part in front of the link's #.
+void copy_link(const Guide& guide, Session& session, const std::string& address);
+
+/// Returns the link for a QR code: to the current step of a lesson, even after its answer, or to the state if it has
+/// changed. The error says in one sentence why there is none: no address on the web, or covered parts.
+Result<std::string> link_for_code(const Guide& guide, Session& session, const std::string& address);
 
 /// Pastes from the clipboard: a state, a link to a state, or a link to a lesson, which it opens. Reports an error if
 /// the clipboard holds none of these.

@@ -95,22 +95,35 @@ void copy(Session& session) {
     session.message = {tr("the whole state is on the clipboard"), false};
 }
 
-/// Returns a link to the current step of a built-in lesson, if nothing has changed and the answer is still hidden;
-/// otherwise "".
+/// Returns a link to the current step of a built-in lesson if nothing has changed; otherwise "".
 static std::string step_link(const Guide& guide, const Session& session) {
-    if (!guide.is_shown() || guide.is_sheet() || guide.run()->is_revealed() || guide.departs(session)) return {};
+    if (!guide.is_shown() || guide.is_sheet() || guide.departs(session)) return {};
     return link_to(guide.run()->lesson(), guide.run()->index()).value_or("");
 }
 
-void copy_link(const Guide& guide, Session& session) {
-    if (const std::string step = step_link(guide, session); !step.empty()) {
-        ImGui::SetClipboardText((link_base() + step).c_str());
+static std::string state_link(const Session& session) {
+    return link_fragment(session.portable(session.params));
+}
+
+void copy_link(const Guide& guide, Session& session, const std::string& address) {
+    const std::string step = step_link(guide, session);
+    if (!step.empty() && !guide.run()->is_revealed()) {
+        ImGui::SetClipboardText((address + step).c_str());
         session.message = {tr("a link to this step of the lesson is on the clipboard"), false};
         return;
     }
     if (!may_tell_state(session)) return;
-    ImGui::SetClipboardText((link_base() + link_fragment(session.portable(session.params))).c_str());
+    ImGui::SetClipboardText((address + state_link(session)).c_str());
     session.message = {tr("a link to this state is on the clipboard"), false};
+}
+
+Result<std::string> link_for_code(const Guide& guide, Session& session, const std::string& address) {
+    if (!address.starts_with("https://") && !address.starts_with("http://"))
+        return Error{tr("A QR code needs the address of the page: start the program with --base https://…")};
+    if (const std::string step = step_link(guide, session); !step.empty()) return address + step;
+    if (widgets::IsPartCovered("control"))
+        return Error{tr("No QR code: the state reveals parts that are hidden until answered.")};
+    return address + state_link(session);
 }
 
 void paste(Guide& guide, Session& session) {
@@ -134,7 +147,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     save = item(marked("Save…"), "Ctrl+S");
     save_step = item(marked("Save as step…"), "");
     if (item(marked("Copy state"), "Ctrl+C")) copy(session);
-    if (item(marked("Copy link"), "")) copy_link(guide, session);
+    if (item(marked("Copy link"), "")) copy_link(guide, session, link_address);
     if (item(marked("Paste state"), "Ctrl+V")) paste(guide, session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;

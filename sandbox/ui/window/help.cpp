@@ -49,6 +49,8 @@ void draw_keys() {
         {"F11", marked("full screen")},
         {"F12", marked("snapshot of the camera view")},
     };
+    // Tight lines: all of them are seen at once in a window of 1280 × 720.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1.0F)});
     for (const Line& line : lines) {
         if (*line.keys == '\0') {
             ImGui::Dummy({0.0F, px(4.0F)});
@@ -58,6 +60,7 @@ void draw_keys() {
         ImGui::SameLine(px(240.0F));
         ImGui::TextUnformatted(tr(line.what));
     }
+    ImGui::PopStyleVar();
 }
 
 /// Draws a table's rows, starting at `first`, with one column per cell. Returns the index of the first block after the
@@ -111,7 +114,7 @@ void draw_topic(const std::vector<ManualBlock>& blocks) {
 void HelpDialog::draw() {
     const widgets::Group group("keys");
     if (is_open_) ImGui::OpenPopup("keys");
-    if (!begin_dialog("keys", {px(960.0F), px(640.0F)})) return;
+    if (!begin_dialog("keys", {px(960.0F), px(700.0F)})) return;
     if (topics_.empty())
         for (const char* name : manual_topics()) topics_.push_back(manual_topic(name));
     const float above_close = -ImGui::GetFrameHeightWithSpacing() - px(4.0F);

@@ -6,6 +6,7 @@
 #include "platform/file.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "ui/lesson/code_plate.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/strip.h"
 #include "ui/window/areas.h"
@@ -147,7 +148,12 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     if (start_page.draw(guide, session, progress, recent, pictures)) exercise_page.open(exercises);
     draw_exercises(session, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
-    if (guide.run()) presenter.draw(guide.run()->index());
+    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    const float bottom = layout.strip.empty() ? window_px.y : layout.strip.min.y;
+    const Rect above{{0.0F, 0.0F}, {window_px.x, bottom}};
+    if (guide.run() && presenter.shows_code())
+        draw_code_plate(link_for_code(guide, session, link_address), link_address, above);
+    if (guide.run()) presenter.draw(*guide.run(), above);
 }
 
 void Workbench::remember_opened(const Session& session) {

@@ -56,7 +56,8 @@ Arrangement Workbench::arranged(const Session& session) const {
 Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     Arrangement now = arranged(session);
     if (guide.is_shown() && arrangement.has_strip)
-        now.strip_px = strip_height(*guide.run(), window_px.x, widgets, arrangement.presents);
+        now.strip_px = strip_height(*guide.run(), window_px.x, widgets,
+                                    {arrangement.presents, false, presenter.clock(), "", false});
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
@@ -329,9 +330,10 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     handle_keys(session, input, derived.aspect, requests);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
 
-    const bool keys_move =
-        !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool keys_move = !ImGui::GetIO().WantTextInput && !presenter.takes_letters() && !input.is_down(Key::ctrl) &&
+                           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
     begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);

@@ -9,6 +9,7 @@
 #include "frame/problems.h"
 #include "session/flight_recorder.h"
 #include "session/replay.h"
+#include "state/file/link.h"
 #include "state/presets.h"
 #include "ui/lesson/exercise_page.h"
 #include "ui/lesson/presenter.h"
@@ -58,13 +59,14 @@ public:
     StartPage start_page;
     ExerciseDesk exercises;  ///< the current student's exercises
     ExercisePage exercise_page;
-    FlightRecorder recorder;          ///< the program's draw loop gives it each frame
-    Replay replay;                    ///< the replay of a flight or a hand-in, while it plays
-    bool is_checking = false;         ///< an answer is being judged in the background
-    LessonsProgress progress;         ///< the user's progress in every lesson
-    std::vector<std::string> recent;  ///< opened files, latest first
-    std::string lesson_trouble;       ///< why an answer could not be judged; "": no problem
-    Syllables korean;                 ///< Korean characters shown so far, for the next frame's fonts
+    FlightRecorder recorder;                 ///< the program's draw loop gives it each frame
+    Replay replay;                           ///< the replay of a flight or a hand-in, while it plays
+    bool is_checking = false;                ///< an answer is being judged in the background
+    LessonsProgress progress;                ///< the user's progress in every lesson
+    std::vector<std::string> recent;         ///< opened files, latest first
+    std::string link_address = link_base();  ///< the part of a link in front of its #
+    std::string lesson_trouble;              ///< why an answer could not be judged; "": no problem
+    Syllables korean;                        ///< Korean characters shown so far, for the next frame's fonts
     widgets::Context widgets;
 
     /// Returns the window's layout for this session, with the widgets' current fonts.

@@ -34,6 +34,7 @@ TEST(Targets, IncludesNamesThatLessonsUse) {
                              "code:display",
                              "code:display.translate",
                              "code:passes",
+                             "call:glEnable(GL_CULL_FACE)",
                              "control:camera",
                              "control:camera.position",
                              "control:light.position[3]",
