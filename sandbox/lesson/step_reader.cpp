@@ -68,18 +68,20 @@ void require_constant_name(const std::string& name, const Where& where) {
                      "\" is not a valid name: use letters, digits and _, and a word without another meaning");
 }
 
+namespace {
+
 std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
-                                        const std::vector<std::string>& constants) {
+                                        const std::vector<std::string>& constants, Mistakes& mistakes) {
     std::vector<std::string> expressions;
     if (!has(object, key)) return expressions;
     const Where inside = where.key(key);
-    require_array(object[key], inside, most_entries, "a list of expressions");
-    for (std::size_t i = 0; i < object[key].size(); ++i)
-        expressions.push_back(expression_in(object[key][i], inside.at(i), constants));
+    mistakes.part([&] {
+        require_array(object[key], inside, most_entries, "a list of expressions");
+        for (std::size_t i = 0; i < object[key].size(); ++i)
+            mistakes.part([&] { expressions.push_back(expression_in(object[key][i], inside.at(i), constants)); });
+    });
     return expressions;
 }
-
-namespace {
 
 std::string expression_at(const Json& object, const char* key, const Where& where, bool is_needed,
                           const std::vector<std::string>& constants) {
@@ -325,12 +327,14 @@ void read_ask(const Json& object, LessonStep& step, const Where& where, Mistakes
     if (!has_kind || !mistakes.part([&] { read_right(object, step, ask, constants, where, mistakes); })) return;
     if (!has(object, "wrong")) return;
     const Where wrong = where.key("wrong");
-    if (!mistakes.part([&] { require_array(object["wrong"], wrong, most_entries, "a list of wrong answers"); })) return;
-    for (std::size_t i = 0; i < object["wrong"].size(); ++i)
-        mistakes.part([&] {
-            ask.wrong.push_back(read_wrong(object["wrong"][i], ask, constants, wrong.at(i)));
-            changed(step.start.params, ask.wrong.back().settings, wrong.at(i).key("try"));
-        });
+    mistakes.part([&] {
+        require_array(object["wrong"], wrong, most_entries, "a list of wrong answers");
+        for (std::size_t i = 0; i < object["wrong"].size(); ++i)
+            mistakes.part([&] {
+                ask.wrong.push_back(read_wrong(object["wrong"][i], ask, constants, wrong.at(i)));
+                changed(step.start.params, ask.wrong.back().settings, wrong.at(i).key("try"));
+            });
+    });
 }
 
 void read_reveal(const Json& object, LessonStep& step, const Where& where, Mistakes& mistakes) {
@@ -342,28 +346,22 @@ void read_reveal(const Json& object, LessonStep& step, const Where& where, Mista
         step.reveal.settings = settings_at(object, "set", where);
         step.revealed = changed(before, step.reveal.settings, where.key("set"));
     });
-    mistakes.part([&] {
-        if (has(object, "over_s"))
-            step.reveal.over_s = read_number(object["over_s"], where.key("over_s"), {0.0, longest_reveal_s});
-    });
+    const Range range{0.0, longest_reveal_s};
+    if (has(object, "over_s"))
+        mistakes.part([&] { step.reveal.over_s = read_number(object["over_s"], where.key("over_s"), range); });
     step.reveal.highlight = targets_at(object, "highlight", where, mistakes);
     mistakes.part([&] { step.reveal.say = text_at(object, "say", where, true); });
 }
 
-/// Reads a list of claims.
-std::vector<std::string> claims_at(const Json& object, const char* key, const Where& where,
-                                   const std::vector<std::string>& constants, Mistakes& mistakes) {
-    std::vector<std::string> claims;
-    if (!has(object, key)) return claims;
-    const Where inside = where.key(key);
-    if (!mistakes.part([&] { require_array(object[key], inside, most_entries, "a list of expressions"); }))
-        return claims;
-    for (std::size_t i = 0; i < object[key].size(); ++i)
-        mistakes.part([&] { claims.push_back(expression_in(object[key][i], inside.at(i), constants)); });
-    return claims;
-}
-
 }  // namespace
+
+std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
+                                        const std::vector<std::string>& constants) {
+    Mistakes mistakes;
+    std::vector<std::string> expressions = expressions_at(object, key, where, constants, mistakes);
+    mistakes.refuse();
+    return expressions;
+}
 
 LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where,
                      Mistakes& mistakes) {
@@ -374,12 +372,13 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
                       "claims_before", "note"});
     });
     if (!object.is_object()) return step;
-    const bool has_id = mistakes.part([&] { step.id = name_at(object, "id", where); });
-    const Where inside = has_id ? Where{where.prefix + "step " + excerpt(step.id) + ": ", ""} : where;
+    Where inside = where;
+    if (mistakes.part([&] { step.id = name_at(object, "id", where); }))
+        inside = {where.prefix + "step " + excerpt(step.id) + ": ", ""};
     mistakes.part([&] { step.start = read_start(object, folder, presets, inside); });
-    // A step without a layout, such as one saved in the window, shows both.
-    step.names_lower_left = !has(object, "layout") || has(object["layout"], "lower_left");
-    step.names_lower_right = !has(object, "layout") || has(object["layout"], "lower_right");
+    const bool shows_both = !has(object, "layout");  // such as one saved in the window
+    step.names_lower_left = shows_both || has(object["layout"], "lower_left");
+    step.names_lower_right = shows_both || has(object["layout"], "lower_right");
     mistakes.part([&] { step.target = read_target(object, inside); });
     mistakes.part([&] { step.say = text_at(object, "say", inside, true); });
     step.cover = targets_at(object, "cover", inside, mistakes);
@@ -390,14 +389,14 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
         if (has(object, "let")) step.ask.constants = read_constants(object["let"], inside.key("let"));
     });
     if (has_constants) read_ask(object["ask"], step, inside.key("ask"), mistakes);
-    const bool has_reveal = mistakes.part([&] {
+    mistakes.part([&] {
         if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");
+        read_reveal(object["reveal"], step, inside.key("reveal"), mistakes);
     });
-    if (has_reveal) read_reveal(object["reveal"], step, inside.key("reveal"), mistakes);
     if (!has_constants) return step;  // expressions may use what is missing
     const std::vector<std::string> constants = keys_of(constants_of(step.ask));
-    step.claims_before = claims_at(object, "claims_before", inside, constants, mistakes);
-    step.claims = claims_at(object, "claims", inside, constants, mistakes);
+    step.claims_before = expressions_at(object, "claims_before", inside, constants, mistakes);
+    step.claims = expressions_at(object, "claims", inside, constants, mistakes);
     return step;
 }
 
