@@ -52,12 +52,13 @@ void declare(Options& options, TypedSnapshot& typed) {
     options.text("-o,--output", "OUT.png", typed.output,
                  "File to write; - for standard output. OUT.svg and OUT.pdf contain shapes and text instead of pixels "
                  "(with GL's part as an embedded image). All formats carry the state that they show");
-    options.text("--view", "VIEW", typed.view,
-                 "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
-                 "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
-                 "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
-                 "view that would need scrolling is scaled down to fit");
+    options.text(
+        "--view", "VIEW", typed.view,
+        "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
+        "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
+        "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
+        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
+        "view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,
         "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");
@@ -73,7 +74,7 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "Draws a step of this lesson instead of STATE (viewing-sandbox lesson --list)");
     options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "Shows the step after its answer");
-    options.flag("--present", typed.presents, "Shows the step as in a lecture room");
+    options.flag("--present", typed.presents, "Shows the window as in a lecture room: the lesson's step, or STATE");
     options.group("Exercise");
     options.text(
         "--exercise", "ID", typed.exercise,
@@ -125,9 +126,10 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
-    const bool wants_lesson = typed.step || typed.revealed || typed.presents;
+    const bool wants_lesson = typed.step || typed.revealed;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
-        options.refuse("--step, --revealed and --present need --lesson");
+        options.refuse("--step and --revealed need --lesson");
+    wish.picture.presents = typed.presents;
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty string");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
@@ -255,7 +257,7 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
                 "--lesson: a step has its own state, so STATE and --mesh are not allowed and --set takes only ui.… "
                 "fields");
         const UiParams looks = state.params.ui;
-        state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true}, wish.picture);
+        state = show_step({std::move(step->lesson), step->step, typed.revealed, false, true}, wish.picture);
         state.params.ui = looks;
     }
     return state;

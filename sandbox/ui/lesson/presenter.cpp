@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "state/fields.h"
 #include "text/catalogue.h"
@@ -15,6 +17,11 @@ namespace {
 int digit_of(Key key) {
     if (key == Key::zero) return 0;
     return key >= Key::one && key <= Key::nine ? static_cast<int>(key) - static_cast<int>(Key::one) + 1 : -1;
+}
+
+/// The page that ink is drawn on: the lesson's step, or one more for all states without a lesson.
+std::size_t page_of(const Guide& guide) {
+    return guide.is_shown() ? guide.run()->index() : std::numeric_limits<std::size_t>::max();
 }
 
 bool is_modifier(Key key) {
@@ -31,7 +38,7 @@ void PresenterMode::begin() {
 }
 
 void PresenterMode::end() {
-    is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
+    is_on_ = has_lesson_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
     wants_full_screen_ = false;
@@ -93,19 +100,7 @@ void PresenterMode::vote(int choice, int change, Guide& guide) {
     hands = std::max(hands + change, 0);
 }
 
-bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
-    if (is_modifier(press.key) || !guide.is_shown()) return false;
-    if (shows_overview_) return take_in_overview(press, guide, session);
-    if (!is_on_) return false;
-    if (blank_ != Blank::none) {  // any key only restores the picture
-        blank_ = Blank::none;
-        return true;
-    }
-    if (press.ctrl && press.key == Key::z && inks_) {
-        if (std::vector<Stroke>& strokes = ink_[guide.run()->index()]; !strokes.empty()) strokes.pop_back();
-        return true;
-    }
-    if (press.ctrl) return false;
+bool PresenterMode::take_in_lesson(const KeyPress& press, Guide& guide, Session& session) {
     switch (press.key) {
         case Key::page_down:
             guide.next(session);
@@ -122,15 +117,46 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         case Key::backspace:
             guide.go_back(session);
             return true;
+        case Key::o:
+            show_overview(guide);
+            return true;
+        default:
+            if (const int digit = digit_of(press.key); digit > 0 && !guide.run()->is_revealed()) {
+                vote(digit - 1, press.shift ? -1 : 1, guide);
+                return true;
+            }
+            return digit_of(press.key) >= 0;
+    }
+}
+
+/// A stray Escape must not end a lesson. Without a lesson nothing is lost.
+void PresenterMode::leave_by_escape(const KeyPress& press, const Guide& guide) {
+    if (press.shift || (!inks_ && !guide.is_shown()))
+        end();
+    else
+        inks_ = false;
+}
+
+bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
+    if (is_modifier(press.key)) return false;
+    if (shows_overview_ && guide.is_shown()) return take_in_overview(press, guide, session);
+    if (!is_on_) return false;
+    if (blank_ != Blank::none) {  // any key only restores the picture
+        blank_ = Blank::none;
+        return true;
+    }
+    if (press.ctrl && press.key == Key::z && inks_) {
+        if (std::vector<Stroke>& strokes = ink_[page_of(guide)]; !strokes.empty()) strokes.pop_back();
+        return true;
+    }
+    if (press.ctrl) return false;
+    switch (press.key) {
         case Key::period:
         case Key::b:
             blank_ = Blank::black;
             return true;
         case Key::comma:
             blank_ = Blank::white;
-            return true;
-        case Key::o:
-            show_overview(guide);
             return true;
         case Key::p:
             is_frozen_ = !is_frozen_;
@@ -140,7 +166,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             return true;
         case Key::i:
             inks_ = !inks_;
-            if (!inks_) ink_.erase(guide.run()->index());
+            if (!inks_) ink_.erase(page_of(guide));
             return true;
         case Key::t:
             clock_runs_ = !press.shift && !clock_runs_;
@@ -153,30 +179,31 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             return true;
         }
         case Key::f5:
+            if (!guide.is_shown()) end();
+            return true;
         case Key::f1:  // no help while presenting
         case Key::x:   // update() handles it while held
             return true;
         case Key::escape:
-            if (press.shift)
-                end();
-            else if (inks_)
-                inks_ = false;
+            leave_by_escape(press, guide);
             return true;
         default:
-            if (const int digit = digit_of(press.key); digit > 0 && !guide.run()->is_revealed()) {
-                vote(digit - 1, press.shift ? -1 : 1, guide);
-                return true;
-            }
-            return digit_of(press.key) >= 0;
+            return guide.is_shown() && take_in_lesson(press, guide, session);
     }
 }
 
 void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {
-    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x), session);
+    const bool holds = input.is_down(Key::x);
+    if (guide.is_shown()) guide.hold_before(holds, session);
+    const bool holds_freely = is_on_ && holds && !guide.is_shown();
+    if (holds_freely && !held_)
+        held_ = std::exchange(session.params, session.in_own_looks(session.before_latest_edit()));
+    else if (!holds_freely && held_)
+        session.params = session.in_own_looks(*std::exchange(held_, std::nullopt));
     if (!is_on_) return;
     presented_s_ += input.dt_s;
     if (clock_runs_) clock_s_ += input.dt_s;
-    if (!guide.is_shown()) end();
+    if (std::exchange(has_lesson_, guide.is_shown()) && !guide.is_shown()) end();
 }
 
 void PresenterMode::draw_ink(std::size_t step) {
@@ -215,9 +242,9 @@ void PresenterMode::draw_pointer() {
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
 }
 
-void PresenterMode::draw(std::size_t step) {
+void PresenterMode::draw(const Guide& guide) {
     if (!is_on_) return;
-    draw_ink(step);
+    draw_ink(page_of(guide));
     draw_pointer();
     ImDrawList* draw = ImGui::GetForegroundDrawList();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
