@@ -1,6 +1,8 @@
 // The search over everything: which entries fit typed words and in which order, and in the window and on stage, what is
 // offered and what choosing does.
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "exercise_desk.h"
 #include "ui/window/search_entries.h"
@@ -242,7 +244,10 @@ TEST_F(SearchTest, PresetsViewsAndCommandsDoWhatTheirControlsDo) {
 TEST_F(SearchTest, StepsAndExercisesOpen) {
     const LessonFile lesson = lessons().at(10);
     choose(lesson.questions.at(2).in_english().substr(0, 60).c_str(), lesson.questions.at(2).in_english());
-    for (int i = 0; i < 200 && !desk.workbench.guide.run(); ++i) ui.frame();
+    for (int i = 0; i < 2000 && !desk.workbench.guide.run(); ++i) {
+        ui.frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the file is read in the background
+    }
     ASSERT_NE(desk.workbench.guide.run(), nullptr);
     EXPECT_EQ(desk.workbench.guide.run()->lesson().id, lesson.id);
     EXPECT_EQ(desk.workbench.guide.run()->index(), 2U);

@@ -26,10 +26,10 @@ struct Remembered {
     std::optional<double> scale;
     std::optional<WindowPlace> window;
     LessonsProgress lessons = {};
-    std::string lesson = {};               ///< the id of the lesson that was open last; "" for none
     std::vector<std::string> recent = {};  ///< opened files, latest first
     std::optional<Language> language = {};
     Student student = {};
+    std::string lesson = {};  ///< the id of the lesson that was open last; "" for none
     bool operator==(const Remembered&) const = default;
 };
 

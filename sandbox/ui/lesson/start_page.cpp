@@ -85,9 +85,10 @@ std::vector<LessonGroup> groups_of(const std::vector<LessonFile>& lessons) {
 bool large_button(const char* label, const char* about, bool is_on = false) {
     ImGui::PushFont(widgets::CurrentContext().fonts.caption);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(26.0F), px(12.0F)});
-    if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
     const bool clicked = widgets::Button(label);
-    if (is_on) ImGui::PopStyleColor();
+    if (is_on)
+        ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().accent,
+                                            ImGui::GetStyle().FrameRounding, 0, px(2.5F));
     ImGui::PopStyleVar();
     ImGui::PopFont();
     widgets::Tooltip(label, about);
@@ -207,7 +208,7 @@ bool StartPage::draw(Guide& guide, PresenterMode& presenter, Session& session, c
                              "Move the camera, the light or a plane, and see at once how the picture and the "
                              "lecture's matrices follow. Each lesson asks before it shows the answer.");
     paragraph(tr(about), widgets::CurrentContext().fonts.text, ImGui::GetContentRegionAvail().x - px(150.0F))
-        .draw("about", palette().quiet);
+        .draw("about", gives_lecture_ ? palette().text : palette().quiet);
     if (button_at_right("Exercises")) {
         is_open_ = false;
         return true;
