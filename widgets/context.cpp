@@ -96,8 +96,8 @@ Group::~Group() {
     CurrentContext().label_path.pop_back();
 }
 
-void Record(const char* label) {
-    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+void Record(const char* label, std::string_view text) {
+    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text);
 }
 
 std::string LabelText(const char* label) {

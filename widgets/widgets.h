@@ -164,8 +164,8 @@ struct Group {
     Group& operator=(const Group&) = delete;
 };
 
-/// Records the last ImGui item under `label`, for items that this library does not draw.
-void Record(const char* label);
+/// Records the last ImGui item under `label` with the text that it shows, for items that this library does not draw.
+void Record(const char* label, std::string_view text = {});
 
 /// Counts the current window, a scrolling child or table, in Context::seen_share and used_share. Call before it ends.
 /// `is_filled`: another counted window fills it, so its own height is ignored.

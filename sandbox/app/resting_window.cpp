@@ -82,6 +82,7 @@ Status RestingWindow::rest(const PictureRequest& request) {
     Workbench& workbench = studio_.workbench;
     show(studio_, maximized(request.view));
     if (request.lesson) lead(studio_, *request.lesson);
+    if (request.presents && request.view == PictureView::window) workbench.presenter.begin();
 
     surroundings_ = {.size_px = request.size_px, .device_scale = request.dpi / usual_dpi, .input = {}};
     if (Status settled = settle(); !settled || !workbench.arrangement.bare) return settled;

@@ -76,6 +76,7 @@ Status WindowMemory::follow(const Requests& requests, Workbench& workbench, bool
     if (requests.chosen_language) now.language = requests.chosen_language;
     if (requests.chosen_scale) now.scale = requests.chosen_scale;
     now.lessons = workbench.progress;
+    now.lesson = workbench.last_lesson;
     now.recent = workbench.recent;
     if (keeps_answers) now.student = workbench.exercises.student();
     Status status = remember(now);
@@ -93,6 +94,7 @@ void WindowMemory::read_again(Workbench& workbench) {
 
 void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
     workbench.progress = remembered_.lessons;
+    workbench.last_lesson = remembered_.lesson;
     workbench.recent = remembered_.recent;
     if (!keeps_answers) return;
     const std::filesystem::path file = remembered_file();

@@ -74,7 +74,7 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "Draws a step of this lesson instead of STATE (viewing-sandbox lesson --list)");
     options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "Shows the step after its answer");
-    options.flag("--present", typed.presents, "Shows the step as in a lecture room");
+    options.flag("--present", typed.presents, "Shows the window as in a lecture room: the lesson's step, or STATE");
     options.text("--code", "ADDRESS", typed.code,
                  "Adds the QR code of a link to the step to what --present shows; ADDRESS is the part before the #");
     options.group("Exercise");
@@ -128,10 +128,11 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
-    const bool wants_lesson = typed.step || typed.revealed || typed.presents;
+    const bool wants_lesson = typed.step || typed.revealed;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
-        options.refuse("--step, --revealed and --present need --lesson");
+        options.refuse("--step and --revealed need --lesson");
     if (typed.code && !typed.presents) options.refuse("--code needs --present");
+    wish.picture.presents = typed.presents;
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty string");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
@@ -261,7 +262,7 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
         const UiParams looks = state.params.ui;
         const std::string code = typed.code ? address_option(options, "--code", typed.code) : "";
         state =
-            show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true, code}, wish.picture);
+            show_step({std::move(step->lesson), step->step, typed.revealed, false, true, code}, wish.picture);
         state.params.ui = looks;
     }
     return state;

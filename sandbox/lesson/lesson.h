@@ -148,6 +148,8 @@ struct LessonFile {
     int minutes = 0;
     int steps = 0;
     std::filesystem::path path;
+    std::string group = {};                  ///< the topic above it in a list, like a preset's; "" for none
+    std::vector<LessonText> questions = {};  ///< one for each step; empty where it cannot be read
 };
 
 /// Returns the lessons of the assets directory in the order of the lecture: by file name, which begins with a number. A

@@ -13,11 +13,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_steps = 200;
 
+/// Reads the topic under which lists show the lesson; "" if there is none.
+std::string group_at(const Json& document, const Where& where) {
+    if (!has(document, "group")) return "";
+    if (!document["group"].is_string()) where.key("group").refuse("must be a topic, such as \"Camera\"");
+    return document["group"].get<std::string>();
+}
+
 Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
     Lesson lesson;
     mistakes.part([&] {
         require_keys(document, where,
-                     {"lesson", "id", "title", "slides", "minutes", "picture", "needs", "tags", "steps"});
+                     {"lesson", "id", "title", "group", "slides", "minutes", "picture", "needs", "tags", "steps"});
     });
     if (!document.is_object()) return lesson;
     mistakes.part([&] {
@@ -26,6 +33,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     });
     mistakes.part([&] { lesson.id = name_at(document, "id", where); });
     mistakes.part([&] { lesson.title = text_at(document, "title", where, true); });
+    mistakes.part([&] { (void)group_at(document, where); });
     mistakes.part([&] { lesson.slides = read_slides(document, where); });
     mistakes.part([&] {
         if (has(document, "minutes")) lesson.minutes = read_whole(document["minutes"], where.key("minutes"), 1, 600);
@@ -65,9 +73,15 @@ LessonFile glance_at(const fs::path& path) {
         const Where root{"", ""};
         if (document.contains("id")) file.id = read_name(document["id"], root);
         if (document.contains("title")) file.title = read_text_of(document["title"], root);
+        file.group = group_at(document, root);
         file.slides = read_slides(document, root);
         if (document.contains("minutes")) file.minutes = read_whole(document["minutes"], root, 1, 600);
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
+        file.questions.resize(static_cast<std::size_t>(file.steps));
+        if (!document["steps"].is_array()) return true;
+        for (std::size_t i = 0; i < file.questions.size(); ++i)
+            if (const Json& step = document["steps"][i]; has(step, "ask") && has(step["ask"], "question"))
+                file.questions[i] = read_text_of(step["ask"]["question"], root);
         return true;
     });
     (void)glance;  // parts that cannot be read keep their defaults

@@ -72,6 +72,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"least", "the least of several, a number or a share in percent"},
     {"left", "how many are left, a whole number"},
     {"length", "a vector's length, a number"},
+    {"lesson", "a lesson's title"},
     {"light", "a light's number, or its name: the light, light 2"},
     {"lights", "the numbers of one or more lights, such as 1, 2"},
     {"list", "several texts of the catalog with commas between them"},

@@ -2,7 +2,9 @@
 // README says, and covered parts appear nowhere.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
+#include <thread>
 
 #include "desk.h"
 #include "readable.h"
@@ -551,6 +553,84 @@ TEST(LessonStrip, LeavingAndReturningKeepsTheStep) {
     desk.settle();
     EXPECT_TRUE(desk.workbench.guide.is_shown());
     EXPECT_EQ(desk.params(), lesson.steps[2].start.params);
+}
+
+// ---- the first page ----------------------------------------------------------------------------------------------
+
+class FirstPage : public ::testing::TestWithParam<Room> {
+protected:
+    static void open(Desk& desk) {
+        desk.workbench.start_page.open();
+        desk.apply_looks();
+        desk.ui.move_to({-1, -1});
+        desk.ui.frames(4);
+    }
+};
+
+TEST_P(FirstPage, FitsWithoutScrollingAndIsReadable) {
+    Desk desk(GetParam().size);
+    desk.params().ui.theme = GetParam().theme;
+    desk.params().ui.language = GetParam().language;
+    desk.workbench.progress["lens"] = {2, {0, 1}};
+    desk.workbench.last_lesson = "lens";
+    open(desk);
+    desk.apply_looks();
+    desk.ui.frames(3);
+    const std::vector<LessonFile> all = lessons();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const RecordedItem card = desk.ui.find("start/card " + std::to_string(i + 1));
+        EXPECT_LE(card.max.y, GetParam().size.y) << all[i].id;
+        EXPECT_LE(card.max.x, GetParam().size.x) << all[i].id;
+    }
+    for (const char* group : {"Camera", "Hidden surfaces", "Depth buffer", "Shadow", "Mirror"})
+        EXPECT_TRUE(desk.ui.has("start/" + std::string(group))) << group;
+    for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
+}
+INSTANTIATE_TEST_SUITE_P(Rooms, FirstPage,
+                         ::testing::Values(Room{{1280, 720}, Theme::dark}, Room{{1920, 1080}, Theme::light},
+                                           Room{{1280, 720}, Theme::dark, Language::ko},
+                                           Room{{1024, 768}, Theme::dark}));
+
+TEST(FirstPageLeads, StartOpensTheFirstLessonAndGoOnTheLastOne) {
+    Desk desk({1280, 720});
+    const auto wait = [&](const std::string& id) {
+        for (int i = 0; i < 2000; ++i) {
+            desk.ui.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the file is read in the background
+            const LessonRun* run = desk.workbench.guide.run();
+            if (run && run->lesson().id == id) return true;
+        }
+        return false;
+    };
+    const auto open = [&] {
+        desk.workbench.start_page.open();
+        desk.ui.frames(4);
+    };
+    open();
+    EXPECT_FALSE(desk.ui.has("start/Go on")) << "nobody was anywhere yet";
+    desk.ui.click("start/Start");
+    ASSERT_TRUE(wait("view-is-the-inverse"));
+    EXPECT_FALSE(desk.workbench.presenter.is_on());
+    desk.press(Key::page_down);
+    desk.press(Key::page_down);
+    desk.press(Key::page_down);
+    desk.settle();
+    const std::size_t reached = desk.workbench.guide.run()->index();
+    ASSERT_GE(reached, 1U);
+    desk.workbench.guide.close();
+    open();
+    desk.ui.click("start/Go on");
+    ASSERT_TRUE(wait("view-is-the-inverse"));
+    EXPECT_EQ(desk.workbench.guide.run()->index(), reached);
+    desk.workbench.guide.close();
+    open();
+    desk.ui.click("start/Give a lecture");
+    desk.ui.frames(2);
+    desk.ui.click("start/card 3");
+    ASSERT_TRUE(wait("lens"));
+    desk.ui.frames(2);
+    EXPECT_TRUE(desk.workbench.presenter.is_on());
+    EXPECT_EQ(desk.workbench.guide.run()->index(), 0U);
 }
 
 }  // namespace

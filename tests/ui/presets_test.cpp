@@ -164,7 +164,7 @@ TEST_F(PresetsTest, APresetsLooksEndWithIt) {
 // ---- the list ----------------------------------------------------------------------------------------------------
 
 TEST_F(PresetsTest, TheListOpensAtTheCurrentOne) {
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     const RecordedItem row = ui.find("top/walk"), search = ui.find("top/search");
     EXPECT_EQ(desk.workbench.wanted_preset_picture(), "walk");
@@ -173,7 +173,7 @@ TEST_F(PresetsTest, TheListOpensAtTheCurrentOne) {
 }
 
 TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpensIt) {
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     ui.type("polygon OFFSET");
     ui.frames(2);
@@ -197,7 +197,7 @@ TEST(PresetList, ALongTitleTakesTwoLines) {
     desk.params().ui.theme = Theme::projector;
     desk.params().ui.scale = 1.2;
     desk.apply_looks();
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     desk.ui.frames(3);
     const RecordedItem list = desk.ui.find("top/search"), row = desk.ui.find("top/fighting-reversed-clip-range"),
                        brief = desk.ui.find("top/fighting-offset");
@@ -206,7 +206,7 @@ TEST(PresetList, ALongTitleTakesTwoLines) {
 }
 
 TEST_F(PresetsTest, TitlesRankBeforeSentences) {
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     ui.type("mirror");
     ui.frames(2);
@@ -216,7 +216,7 @@ TEST_F(PresetsTest, TitlesRankBeforeSentences) {
 
 TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {
     const Params before = params;
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     ui.type("mirror");
     down(2);
@@ -228,7 +228,7 @@ TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {
 }
 
 TEST_F(PresetsTest, AnEmptyResultIsReportedAndEnterDoesNothing) {
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     ui.type("qqq");
     ui.frames(2);
@@ -248,7 +248,7 @@ TEST_F(PresetsTest, CtrlZWorksWhileAListIsOpen) {
         EXPECT_FALSE(params.cull.enabled);
         desk.press(Key::escape);
     }
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     params.cull.enabled = true;
     ui.type("mirror");

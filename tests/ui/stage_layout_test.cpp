@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "desk.h"
+#include "readable.h"
 #include "ui/parts/layout.h"
 
 namespace viewing::test {
@@ -116,6 +118,128 @@ TEST(StageLayout, TypeIsLargeEnoughForTheBackRow) {
             EXPECT_GE(type.matrix * pixels, room.y / 31.0F);
             EXPECT_GE(std::min({type.small, 16.0F}) * pixels, room.y / 40.0F);
         }
+}
+
+// ---- the stage without a lesson ----------------------------------------------------------------------------------
+
+class FreeStage : public ::testing::Test {
+protected:
+    static void enter(Desk& desk) {
+        desk.press(Key::f5);
+        desk.apply_looks();
+        desk.ui.move_to({-1, -1});
+        desk.ui.frames(5);
+    }
+    static void expect_good_stages(ImVec2 room, Language language) {
+        const bool is_wide = room.x > 1.5F * room.y;
+        Desk desk(room);
+        desk.params().ui.language = language;
+        enter(desk);
+        for (const NamedFile& preset : presets()) {
+            if (preset.sets_looks) continue;
+            SCOPED_TRACE(::testing::Message() << preset.name << " " << room.x << "×" << room.y);
+            desk.session.open(preset.name);
+            desk.settle();
+            desk.ui.frames(4);
+            ASSERT_TRUE(desk.workbench.presenter.is_on());
+            const Layout layout = desk.layout();
+            ASSERT_FALSE(layout.caption.empty());
+            EXPECT_GE(layout.caption.min.y, layout.camera.max.y);
+            const Rect hero{layout.camera.min, layout.beside.empty() ? layout.camera.max : layout.beside.max};
+            EXPECT_GE(hero.width() * hero.height() / (room.x * layout.caption.min.y), is_wide ? 0.5F : 0.4F);
+            std::size_t entries = 0;
+            for (const RecordedItem& item : desk.recorded()) {
+                const bool is_entry =
+                    item.window.find("matrices") != std::string::npos && item.label.find("/r") != std::string::npos;
+                if (!is_entry) continue;
+                ++entries;
+                EXPECT_TRUE(item.min.y >= layout.matrices.min.y && item.max.y <= layout.matrices.max.y + 1.0F &&
+                            item.max.x <= room.x)
+                    << item.label << " is not whole";
+            }
+            EXPECT_EQ(entries % 16, 0U);
+            EXPECT_EQ(entries == 0, layout.matrices.empty());
+            // In a narrow hall a lower view may be narrower than its longest lines.
+            for (const std::string& text : unreadable(desk))
+                if (is_wide || !text.starts_with("lower views")) ADD_FAILURE() << text;
+        }
+    }
+};
+
+/// The main view has half of a wide stage above the caption; matrices are whole, and no text is cut off.
+TEST_F(FreeStage, EveryPresetFitsAWideStage) {
+    expect_good_stages({1920, 1080}, Language::en);
+}
+TEST_F(FreeStage, EveryPresetFitsANarrowStage) {
+    expect_good_stages({1024, 768}, Language::ko);
+}
+
+TEST_F(FreeStage, F5AndEscapeLeadThereAndBackWithNothingChanged) {
+    Desk desk({1280, 720}, "shadow-anti");
+    const Params before = desk.params();
+    const Layout window = desk.layout();
+    for (const Key leaves : {Key::f5, Key::escape}) {
+        enter(desk);
+        EXPECT_TRUE(desk.workbench.presenter.is_on());
+        EXPECT_TRUE(desk.layout().top_bar.empty() || desk.layout().top_bar.height() < 1.0F);
+        EXPECT_TRUE(desk.ui.has("matrices/S/r0c0"));
+        EXPECT_FALSE(desk.ui.has("matrices/P/r0c0"));
+        desk.press(leaves);
+        desk.apply_looks();
+        desk.ui.frames(3);
+        EXPECT_FALSE(desk.workbench.presenter.is_on());
+        EXPECT_EQ(desk.params(), before);
+        EXPECT_FALSE(desk.session.can_undo());
+        EXPECT_EQ(desk.layout().camera.max.x, window.camera.max.x);
+        EXPECT_EQ(desk.layout().camera.max.y, window.camera.max.y);
+    }
+}
+
+TEST_F(FreeStage, HasTheKeysOfALessonsStage) {
+    Desk desk({1280, 720}, "walk");
+    enter(desk);
+    PresenterMode& presenter = desk.workbench.presenter;
+    const Params before = desk.params();
+    for (const Key blank : {Key::b, Key::period, Key::comma}) {
+        desk.press(blank);
+        EXPECT_TRUE(presenter.is_blank());
+        desk.press(Key::space);
+        EXPECT_FALSE(presenter.is_blank());
+    }
+    desk.press(Key::p);
+    EXPECT_TRUE(presenter.is_frozen());
+    desk.press(Key::p);
+    desk.press(Key::i);
+    EXPECT_TRUE(presenter.takes_mouse());
+    desk.press(Key::escape);
+    EXPECT_FALSE(presenter.takes_mouse());
+    EXPECT_TRUE(presenter.is_on()) << "Escape put the ink away first";
+    desk.press(Key::t);
+    EXPECT_TRUE(presenter.has_running_clock());
+    desk.press(Key::l);
+    EXPECT_EQ(desk.params(), before);
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(desk.session.preset()->name, "walk-slows") << "a clicker goes on to the next preset";
+    EXPECT_TRUE(presenter.is_on());
+}
+
+/// X shows the state before the latest edit while it is held, and leaves no trace.
+TEST_F(FreeStage, XComparesWithTheStateBefore) {
+    Desk desk({1280, 720}, "walk");
+    desk.params().projection.fovy = 20.0;
+    desk.ui.frames(3);
+    enter(desk);
+    const Params edited = desk.params();
+    desk.hold(Key::x);
+    desk.ui.frames(3);
+    EXPECT_NE(desk.params().projection.fovy, 20.0);
+    desk.let_go(Key::x);
+    desk.ui.frames(3);
+    EXPECT_EQ(desk.params(), edited);
+    desk.undo();
+    EXPECT_NE(desk.params().projection.fovy, 20.0);
+    EXPECT_FALSE(desk.session.can_undo()) << "holding X was no step";
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ Result<Params> apply_settings(Params params, std::span<const std::string> settin
 /// exactly `after`.
 std::vector<std::string> settings_to(Params before, Params after);
 
-/// Returns the setting that gives a field its default: "depth.func" → "depth.func=less".
+/// Returns the setting that gives a field its value in `params`: "depth.func" → "depth.func=less".
+std::string setting_of(std::string_view path, const Params& params);
+/// Returns the setting that gives a field its default.
 std::string default_setting(std::string_view path);
 
 /// Reads and writes a scene: {"objects": [...]}.

@@ -131,10 +131,14 @@ std::vector<std::string> settings_to(Params before, Params after) {
     return settings;
 }
 
-std::string default_setting(std::string_view path) {
-    Params defaults;
-    const Json value = field_as_json(field(path), defaults);
+std::string setting_of(std::string_view path, const Params& params) {
+    Params copy = params;
+    const Json value = field_as_json(field(path), copy);
     return std::string(path) + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+std::string default_setting(std::string_view path) {
+    return setting_of(path, {});
 }
 
 Result<Params> apply_settings(Params params, std::span<const std::string> settings, const std::string& source) {

@@ -104,6 +104,7 @@ Remembered remembered_in(const Json& document, const Where& where) {
                                         pair_in(window, "size", 1, inside), window.value("maximised", Json()) == true};
     }
     if (document.contains("lessons")) remembered.lessons = lessons_in(document["lessons"], where.key("lessons"));
+    if (document.contains("lesson")) remembered.lesson = read_name(document["lesson"], where.key("lesson"));
     if (document.contains("recent")) {
         const Where inside = where.key("recent");
         require_array(document["recent"], inside, most_recent, "a list of files");
@@ -156,6 +157,7 @@ Remembered merged(const Remembered& kept, const Remembered& known, const Remembe
     take_what_changed(&Remembered::window);
     take_what_changed(&Remembered::language);
     take_what_changed(&Remembered::student);
+    take_what_changed(&Remembered::lesson);
     merged.lessons = merged_lessons(kept.lessons, known.lessons, now.lessons);
     merged.recent = merged_recent(kept.recent, known.recent, now.recent);
     return merged;
@@ -193,6 +195,7 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
                               {"size", {window->size.x, window->size.y}},
                               {"maximised", window->maximized}};
     if (!remembered.lessons.empty()) document["lessons"] = lessons_as_json(remembered.lessons);
+    if (!remembered.lesson.empty()) document["lesson"] = remembered.lesson;
     if (remembered.student != Student{})
         document["student"] = {{"course", remembered.student.course},
                                {"number", remembered.student.number},

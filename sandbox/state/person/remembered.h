@@ -29,6 +29,7 @@ struct Remembered {
     std::vector<std::string> recent = {};  ///< opened files, latest first
     std::optional<Language> language = {};
     Student student = {};
+    std::string lesson = {};  ///< the id of the lesson that was open last; "" for none
     bool operator==(const Remembered&) const = default;
 };
 

@@ -21,20 +21,25 @@ float text_height(const Card& card, float width, const widgets::Context& context
            context.fonts.note->FontSize;
 }
 
-void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID texture, bool is_chosen,
-               bool is_hovered) {
-    const widgets::Context& context = widgets::CurrentContext();
+/// Draws a card's ground and its picture, whose edges at the card's own edges are round.
+void draw_ground(ImVec2 min, ImVec2 max, ImVec2 picture_max, ImTextureID texture, ImDrawFlags corners,
+                 bool is_hovered) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ImVec2 max(min.x + size.width, min.y + size.height);
     const float rounding = px(6.0F);
     draw->AddRectFilled(min, max, is_hovered ? palette().field_hovered : palette().field, rounding);
-    const ImVec2 picture_max(max.x, min.y + size.picture);
-    draw->AddRectFilled(min, picture_max, palette().view_ground, rounding, ImDrawFlags_RoundCornersTop);
-    if (texture)
-        draw->AddImageRounded(texture, min, picture_max, {0.0F, 1.0F}, {1.0F, 0.0F}, IM_COL32_WHITE, rounding,
-                              ImDrawFlags_RoundCornersTop);
-    const ImVec2 text(min.x + px(inset), picture_max.y + px(inset));
-    const Paragraph title = paragraph(card.title, context.fonts.heading, size.width - px(2.0F * inset));
+    draw->AddRectFilled(min, picture_max, palette().view_ground, rounding, corners);
+    if (!texture) return;
+    // A narrower picture shows the middle of the thumbnail.
+    const float share = std::min(1.0F, (picture_max.x - min.x) / (picture_max.y - min.y) * 9.0F / 16.0F);
+    draw->AddImageRounded(texture, min, picture_max, {0.5F - 0.5F * share, 1.0F}, {0.5F + 0.5F * share, 0.0F},
+                          IM_COL32_WHITE, rounding, corners);
+}
+
+/// Draws a card's title from `text` on, its note and its sign at the lower edge, and its frame.
+void draw_text(const Card& card, ImVec2 min, ImVec2 max, ImVec2 text, bool is_chosen) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const Paragraph title = paragraph(card.title, context.fonts.heading, max.x - text.x - px(inset));
     draw->AddText(title.font, title.font->FontSize, text, palette().text, title.lines.c_str());
     const ImVec2 note(text.x, max.y - px(inset) - context.fonts.note->FontSize);
     draw->AddText(context.fonts.note, context.fonts.note->FontSize, note, palette().quiet, card.note.c_str());
@@ -48,10 +53,31 @@ void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID t
                   is_chosen         ? palette().accent
                   : card.is_current ? palette().text
                                     : palette().border,
-                  rounding, 0, px(is_framed ? 2.5F : 1.0F));
+                  px(6.0F), 0, px(is_framed ? 2.5F : 1.0F));
+}
+
+void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID texture, bool is_chosen,
+               bool is_hovered) {
+    const ImVec2 max(min.x + size.width, min.y + size.height), picture_max(max.x, min.y + size.picture);
+    draw_ground(min, max, picture_max, texture, ImDrawFlags_RoundCornersTop, is_hovered);
+    draw_text(card, min, max, {min.x + px(inset), picture_max.y + px(inset)}, is_chosen);
 }
 
 }  // namespace
+
+float least_height(const Card& card, const FlatCard& size) {
+    return text_height(card, size.width - size.picture, widgets::CurrentContext()) + px(2.0F * inset);
+}
+
+bool draw_flat_card(const Card& card, const char* name, const FlatCard& size, ImTextureID texture) {
+    const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.width, min.y + size.height);
+    const bool clicked = ImGui::InvisibleButton(name, {size.width, size.height});
+    widgets::Record(name);
+    draw_ground(min, max, {min.x + size.picture, max.y}, size.picture > 0.0F ? texture : nullptr,
+                ImDrawFlags_RoundCornersLeft, ImGui::IsItemHovered());
+    draw_text(card, min, max, {min.x + size.picture + px(inset), min.y + px(inset)}, false);
+    return clicked;
+}
 
 int card_columns() {
     const float width = ImGui::GetIO().DisplaySize.x - px(2.0F * page_margin) - ImGui::GetStyle().ScrollbarSize;

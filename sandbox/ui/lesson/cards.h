@@ -22,6 +22,16 @@ struct Card {
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
                int chosen);
 
+/// The size of a card that has its picture at the left of its text.
+struct FlatCard {
+    float width = 0.0F, picture = 0.0F;  ///< pixels; without a picture: 0
+    float height = 0.0F;
+};
+/// Returns the smallest height of such a card at which its text is not cut off.
+float least_height(const Card& card, const FlatCard& size);
+/// Draws such a card at the cursor; returns whether it was clicked. `name` is its ImGui id and its recorded label.
+bool draw_flat_card(const Card& card, const char* name, const FlatCard& size, ImTextureID texture);
+
 /// Margin between the window's edge and a page's cards, in design pixels.
 inline constexpr float page_margin = 30.0F;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "state/fields.h"
 #include "text/catalogue.h"
@@ -11,6 +13,11 @@
 
 namespace viewing {
 namespace {
+
+/// The page that ink is drawn on: the lesson's step, or one more for all states without a lesson.
+std::size_t page_of(const Guide& guide) {
+    return guide.is_shown() ? guide.run()->index() : std::numeric_limits<std::size_t>::max();
+}
 
 bool is_modifier(Key key) {
     return key == Key::shift || key == Key::ctrl || key == Key::alt || key == Key::super;
@@ -26,7 +33,7 @@ void PresenterMode::begin() {
 }
 
 void PresenterMode::end() {
-    is_on_ = is_frozen_ = shows_overview_ = shows_code_ = inks_ = clock_runs_ = false;
+    is_on_ = has_lesson_ = is_frozen_ = shows_overview_ = shows_code_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
     votes_.close();
@@ -83,20 +90,7 @@ bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Sessio
     return true;
 }
 
-bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
-    if (is_modifier(press.key) || !guide.is_shown()) return false;
-    if (shows_overview_) return take_in_overview(press, guide, session);
-    if (!is_on_) return false;
-    if (blank_ != Blank::none) {  // any key only restores the picture
-        blank_ = Blank::none;
-        return true;
-    }
-    if (votes_.take(press, *guide.run())) return true;
-    if (press.ctrl && press.key == Key::z && inks_) {
-        if (std::vector<Stroke>& strokes = ink_[guide.run()->index()]; !strokes.empty()) strokes.pop_back();
-        return true;
-    }
-    if (press.ctrl) return false;
+bool PresenterMode::take_in_lesson(const KeyPress& press, Guide& guide, Session& session) {
     switch (press.key) {
         case Key::page_down:
             guide.next(session);
@@ -113,15 +107,43 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
         case Key::backspace:
             guide.go_back(session);
             return true;
+        case Key::o:
+            show_overview(guide);
+            return true;
+        default:
+            return digit_of(press.key) >= 0;
+    }
+}
+
+/// A stray Escape must not end a lesson. Without a lesson nothing is lost.
+void PresenterMode::leave_by_escape(const KeyPress& press, const Guide& guide) {
+    if (press.shift || (!inks_ && !shows_code_ && !guide.is_shown()))
+        end();
+    else if (!std::exchange(shows_code_, false))
+        inks_ = false;
+}
+
+bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
+    if (is_modifier(press.key)) return false;
+    if (shows_overview_ && guide.is_shown()) return take_in_overview(press, guide, session);
+    if (!is_on_) return false;
+    if (blank_ != Blank::none) {  // any key only restores the picture
+        blank_ = Blank::none;
+        return true;
+    }
+    if (guide.is_shown() && votes_.take(press, *guide.run())) return true;
+    if (press.ctrl && press.key == Key::z && inks_) {
+        if (std::vector<Stroke>& strokes = ink_[page_of(guide)]; !strokes.empty()) strokes.pop_back();
+        return true;
+    }
+    if (press.ctrl) return false;
+    switch (press.key) {
         case Key::period:
         case Key::b:
             blank_ = Blank::black;
             return true;
         case Key::comma:
             blank_ = Blank::white;
-            return true;
-        case Key::o:
-            show_overview(guide);
             return true;
         case Key::p:
             is_frozen_ = !is_frozen_;
@@ -131,7 +153,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             return true;
         case Key::i:
             inks_ = !inks_;
-            if (!inks_) ink_.erase(guide.run()->index());
+            if (!inks_) ink_.erase(page_of(guide));
             return true;
         case Key::q:
             shows_code_ = !shows_code_;
@@ -147,25 +169,29 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             return true;
         }
         case Key::f5:
+            if (!guide.is_shown()) end();
+            return true;
         case Key::f1:  // no help while presenting
         case Key::x:   // update() handles it while held
             return true;
         case Key::escape:
-            if (press.shift)
-                end();
-            else if (!std::exchange(shows_code_, false))
-                inks_ = false;
+            leave_by_escape(press, guide);
             return true;
         default:
-            return digit_of(press.key) >= 0;
+            return guide.is_shown() && take_in_lesson(press, guide, session);
     }
 }
 
 void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {
-    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x) && !takes_letters(), session);
+    const bool holds = input.is_down(Key::x) && !takes_letters();
+    if (guide.is_shown()) guide.hold_before(holds, session);
+    const bool holds_freely = is_on_ && holds && !guide.is_shown();
+    if (holds_freely && !held_)
+        held_ = std::exchange(session.params, session.in_own_looks(session.before_latest_edit()));
+    else if (!holds_freely && held_)
+        session.params = session.in_own_looks(*std::exchange(held_, std::nullopt));
     if (!is_on_) return;
-    if (!guide.run()) return end();
-    const std::pair now(guide.run()->index(), guide.run()->is_revealed());
+    const std::pair now(page_of(guide), guide.is_shown() && guide.run()->is_revealed());
     const auto before = std::exchange(shown_step_, now);
     if (before && *before != now) {  // both would hide the answer
         votes_.close();
@@ -173,7 +199,7 @@ void PresenterMode::update(const FrameInput& input, Guide& guide, Session& sessi
     }
     presented_s_ += input.dt_s;
     if (clock_runs_) clock_s_ += input.dt_s;
-    if (!guide.is_shown()) end();
+    if (std::exchange(has_lesson_, guide.is_shown()) && !guide.is_shown()) end();
 }
 
 void PresenterMode::draw_ink(std::size_t step) {
@@ -214,10 +240,10 @@ void PresenterMode::draw_pointer(const Rect& room) {
     draw->PopClipRect();
 }
 
-void PresenterMode::draw(const LessonRun& run, const Rect& room) {
+void PresenterMode::draw(const Guide& guide, const Rect& room) {
     if (!is_on_) return;
-    votes_.draw(run, room);
-    draw_ink(run.index());
+    if (guide.is_shown()) votes_.draw(*guide.run(), room);
+    draw_ink(page_of(guide));
     draw_pointer(room);
     ImDrawList* draw = ImGui::GetForegroundDrawList();
     const ImVec2 size = ImGui::GetIO().DisplaySize;

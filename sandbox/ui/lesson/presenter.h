@@ -1,5 +1,6 @@
-// Presenter mode for lessons. It handles a clicker's keys and a few more, and draws overlays: a blank screen, a
-// pointer, ink, and votes. Everything underneath stays live. Read session/guide.h for the navigation through a lesson.
+// Presenter mode: a lesson's step or, without a lesson, the present state, in front of an audience. It handles a
+// clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath stays
+// live. Read session/guide.h for the navigation through a lesson.
 #pragma once
 
 #include <map>
@@ -39,7 +40,11 @@ public:
     /// Returns "3:20" while there is a timer, otherwise "".
     std::string clock() const;
     bool has_running_clock() const { return is_on_ && clock_runs_; }
+    /// Whether X is held without a lesson: `params` are then those from before the latest edit.
+    bool holds_before() const { return held_.has_value(); }
     double presented_s() const { return presented_s_; }  ///< seconds since presenting began
+    /// Whether the screen is black or white.
+    bool is_blank() const { return is_on_ && blank_ != Blank::none; }
     /// Whether ink or a blank screen keeps the mouse from reaching the views.
     bool takes_mouse() const { return is_on_ && (inks_ || blank_ != Blank::none); }
 
@@ -50,18 +55,22 @@ public:
     bool takes_letters() const { return is_on_ && votes_.is_typing(); }
 
     /// Draws on top of everything else. `room`: the part of the window above the lesson's text.
-    void draw(const LessonRun& run, const Rect& room);
+    void draw(const Guide& guide, const Rect& room);
 
 private:
     enum class Blank { none, black, white };
     enum class Pointer { none, spot, spotlight };
     using Stroke = std::vector<ImVec2>;  ///< in fractions of the window
 
+    /// Handles the keys that belong to a lesson.
+    bool take_in_lesson(const KeyPress& press, Guide& guide, Session& session);
+    void leave_by_escape(const KeyPress& press, const Guide& guide);
     bool take_in_overview(const KeyPress& press, Guide& guide, Session& session);
     void draw_ink(std::size_t step);
     void draw_pointer(const Rect& room);
 
-    bool is_on_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false, inks_ = false,
+    bool is_on_ = false, has_lesson_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false,
+         inks_ = false,
          clock_runs_ = false;
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
@@ -71,7 +80,8 @@ private:
     int choice_ = 0;     ///< the step chosen in the overview
     std::string typed_;  ///< the digits of a step number that have been typed so far
     double clock_s_ = 0.0, presented_s_ = 0.0;
-    std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step
+    std::map<std::size_t, std::vector<Stroke>> ink_;  ///< by step; those without a lesson come last
+    std::optional<Params> held_;                      ///< the parameters that return when X is released
     std::optional<bool> wants_full_screen_;
 };
 

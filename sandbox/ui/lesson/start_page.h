@@ -1,5 +1,5 @@
-// The start page: the lessons as pictures in lecture order, each with its progress, and buttons that lead past them to
-// a recent file, the exercises, or the free view. Also the page that shows a lesson's steps.
+// The first page: what the program is, where to begin, and the lessons in groups by topic, each with its progress.
+// Buttons lead past them to a recent file, the exercises, or the free view. Also the page that shows a lesson's steps.
 #pragma once
 
 #include <functional>
@@ -26,21 +26,35 @@ struct CardPicture {
 class StartPage {
 public:
     bool is_open() const { return is_open_; }
-    void open() { is_open_ = true; }
+    void open() {
+        is_open_ = true;
+        gives_lecture_ = false;
+    }
     void close() { is_open_ = false; }
 
     /// Returns the lessons; reads the list on first use.
     const std::vector<LessonFile>& lessons();
 
-    /// Draws the page over the whole window and opens the lesson that the user chooses. Returns true if the caller
-    /// should open the exercises. `recent`: recently opened files, latest first.
-    bool draw(Guide& guide, Session& session, const LessonsProgress& progress, const std::vector<std::string>& recent,
-              const Pictures& pictures);
+    /// What the page knows of earlier uses of the program.
+    struct Past {
+        const LessonsProgress& progress;
+        const std::string& last_lesson;          ///< the id of the lesson that was open last; "" for none
+        const std::vector<std::string>& recent;  ///< opened files, latest first
+    };
+    /// Draws the page over the whole window and opens the lesson that the user chooses, on stage for a lecture. Returns
+    /// true if the caller should open the exercises.
+    bool draw(Guide& guide, PresenterMode& presenter, Session& session, const Past& past, const Pictures& pictures);
     /// Returns the pictures that the page shows.
     std::vector<CardPicture> wanted_pictures();
 
 private:
+    /// Draws what leads to a lesson at once. Returns the chosen place in lessons(), or none.
+    std::optional<std::size_t> draw_beginnings(const Past& past);
+    std::optional<std::size_t> draw_groups(const Past& past, const Pictures& pictures);
+
     bool is_open_ = false;
+    bool gives_lecture_ = false;  ///< the next lesson is opened on stage
+    bool continues_ = false;      ///< the chosen lesson is opened where the user left it, not at its beginning
     std::optional<std::vector<LessonFile>> lessons_;
 };
 

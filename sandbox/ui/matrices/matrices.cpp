@@ -234,9 +234,9 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
     });
 }
 
-void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
+void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
+                          const std::vector<std::string>& listed) {
     const widgets::Group group("matrices");
-    const std::vector<std::string>& listed = session.params.view.layout.matrices;
     const auto has = [&listed](const char* name) {
         return std::find(listed.begin(), listed.end(), name) != listed.end();
     };

@@ -14,7 +14,8 @@ struct MatrixChoice {
 /// Draws the column. `before` holds the numbers before the latest edit; entries that differ are tinted.
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
 
-/// Draws only the matrices that the state lists (view.layout.matrices), in that order.
-void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
+/// Draws only these matrices, in this order; the names are those of view.layout.matrices.
+void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
+                          const std::vector<std::string>& listed);
 
 }  // namespace viewing

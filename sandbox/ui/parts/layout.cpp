@@ -92,11 +92,16 @@ void place_column(const std::vector<StagePart>& parts, const Rect& column, float
     }
 }
 
-/// Lays out a lesson's step for an audience: the main view as large as possible, at its right a column with everything
-/// else that the step names, from the top: views, matrices, controls. The column is as narrow as its parts allow.
-void lay_out_stage(Layout& layout, const Rect& area, float scale, const Arrangement& arrangement) {
+/// Lays out a lesson's step or a state for an audience: the main view as large as possible, at its right a column with
+/// everything else that is named, from the top: views, matrices, controls. The column is as narrow as its parts allow.
+/// A preset's caption is below them, like a lesson's texts.
+void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& arrangement) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;
+    if (arrangement.caption_px > 0.0F) {
+        layout.caption = rounded(area.min.x, area.max.y - arrangement.caption_px, area.max.x, area.max.y);
+        area.max.y = layout.caption.min.y - gap;
+    }
     constexpr float endless = 1e6F;
     std::vector<StagePart> parts;
     if (arrangement.maximized == ViewName::none) {
@@ -137,7 +142,6 @@ void lay_out_stage(Layout& layout, const Rect& area, float scale, const Arrangem
             return;
         default:
             layout.camera = hero;
-            cut_caption(layout, arrangement.caption_px, 3.0F * scale);
             divide_camera(layout, arrangement, gap);
     }
 }

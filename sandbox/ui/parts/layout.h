@@ -32,7 +32,8 @@ struct Telling {
     bool is_on() const { return matrices > 0 || control_rows > 0; }
 };
 
-/// The lower views that a step of a lesson names: only these are on stage. Least sizes in design pixels.
+/// The lower views on stage: those that a step of a lesson names or, without a lesson, those that fit. Least sizes in
+/// design pixels.
 struct StageViews {
     bool left = false, right = false;
     ImVec2 least_left{0, 0}, least_right{0, 0};
@@ -58,7 +59,7 @@ struct Arrangement {
     float caption_px = 0.0F;   ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;     ///< height of the lesson's strip below everything, in pixels
     bool has_strip = true;     ///< shows a lesson's strip; false for pictures without the lesson's text
-    bool presents = false;     ///< a lesson in front of an audience: no bars, text legible from the back row
+    bool presents = false;     ///< in front of an audience: no bars, text legible from the back row
     bool embedded = false;     ///< part of another page: no bars, no shortcuts of its own
 };
 

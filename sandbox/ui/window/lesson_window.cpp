@@ -64,6 +64,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     presenter.update(input, guide, session);
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     LessonRun* const run = guide.run();
+    arrangement.stage = {};
     if (!run || !guide.is_shown()) {
         if (std::exchange(leads_, false)) {
             stage = {};
@@ -78,6 +79,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     const Lesson& lesson = run->lesson();
     if (!lesson.sheet) {
         LessonProgress& known = progress[lesson.id];
+        last_lesson = lesson.id;
         for (const std::size_t step : known.done)  // another window may have added some
             if (step < lesson.steps.size()) run->set_done(step);
         known.step = run->index();
@@ -108,6 +110,8 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
 }
 
 bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
+    const bool searches = press.ctrl && press.key == Key::p && !typed_matrix_.is_open() && !presenter.is_blank();
+    if (searches) return false;
     if (typed_matrix_.is_open() || exercise_page.is_open()) {
         if (press.key == Key::escape) typed_matrix_.is_open() ? typed_matrix_.close() : exercise_page.close();
         return press.key != Key::f11;
@@ -145,15 +149,16 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         if (wishes.leave) guide.leave();
     }
     draw_overview(presenter, guide, session, pictures);
-    if (start_page.draw(guide, session, progress, recent, pictures)) exercise_page.open(exercises);
+    if (start_page.draw(guide, presenter, session, {progress, last_lesson, recent}, pictures))
+        exercise_page.open(exercises);
     draw_exercises(session, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float bottom = layout.strip.empty() ? window_px.y : layout.strip.min.y;
     const Rect above{{0.0F, 0.0F}, {window_px.x, bottom}};
-    if (guide.run() && presenter.shows_code())
+    if (presenter.shows_code())
         draw_code_plate(link_for_code(guide, session, link_address), link_address, above);
-    if (guide.run()) presenter.draw(*guide.run(), above);
+    presenter.draw(guide, above);
 }
 
 void Workbench::remember_opened(const Session& session) {

@@ -4,12 +4,12 @@
 //
 
 #include <algorithm>
-#include <utility>
 
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
+#include "ui/window/search_entries.h"
 
 namespace viewing {
 namespace {
@@ -68,13 +68,7 @@ bool is_found(const NamedFile& preset, std::string_view search) {
     std::string all = preset.name;
     for (const std::string* text : {&preset.title, &preset.about, &preset.group})
         all.append("\n").append(*text).append("\n").append(tr(text->c_str()));
-    all = in_lower_case(std::move(all));
-    while (!search.empty()) {
-        const std::string_view word = search.substr(0, search.find(' '));
-        search.remove_prefix(std::min(search.size(), word.size() + 1));
-        if (all.find(in_lower_case(std::string(word))) == std::string::npos) return false;
-    }
-    return true;
+    return contains_words(in_lower_case(std::move(all)), search);
 }
 
 bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
@@ -125,11 +119,10 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     wanted_picture_.clear();
     const bool clicked = widgets::ClosedList("##preset", shown.c_str(), width);
     widgets::Tooltip("Presets",
-                     "Complete states in the order of the lecture (Ctrl+P). Page down and Page up go to the next and "
+                     "Complete states in the order of the lecture. Page down and Page up go to the next and "
                      "the previous one.");
     const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2.0F));
-    const bool opens = clicked || std::exchange(requested_, false);
-    if (opens) {
+    if (clicked) {
         search_.clear();
         marked_ = current ? current->name : presets.empty() ? "" : presets.front().name;
         ImGui::OpenPopup("presets");
@@ -153,7 +146,7 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     if (search_ != search_before) found = found_by(presets, search_);
     const bool is_lost = place_of(found, marked_) == static_cast<std::ptrdiff_t>(found.size());
     if (!found.empty() && (is_lost || search_ != search_before)) marked_ = best_of(found, search_).name;
-    const bool scroll = opens || marked_ != marked_before || ImGui::IsWindowAppearing();
+    const bool scroll = clicked || marked_ != marked_before || ImGui::IsWindowAppearing();
     ImGui::BeginChild("list", {0.0F, 0.0F});
     const NamedFile* chosen = draw_list(found, current, scroll);
     ImGui::EndChild();

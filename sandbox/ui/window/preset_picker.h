@@ -13,8 +13,6 @@ namespace viewing {
 
 class PresetPicker {
 public:
-    /// Opens the list in the next frame, as a click on the closed list does.
-    void open() { requested_ = true; }
     bool is_open() const { return is_open_; }
     const std::string& search() const { return search_; }
     /// Whether the list is open and its search is empty, so that undo and redo cannot be meant for the search text.
@@ -35,7 +33,7 @@ private:
     std::string search_;
     std::string marked_;  ///< the row that Enter chooses
     std::string wanted_picture_;
-    bool requested_ = false, is_open_ = false;
+    bool is_open_ = false;
 };
 
 /// Returns whether the preset's title, sentence, name or topic contains every word of `search`, in English or in the

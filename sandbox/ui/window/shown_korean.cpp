@@ -28,6 +28,11 @@ void Workbench::want_korean(const Session& session) {
     korean.want(session.message.text);
     korean.want(lesson_trouble);
     korean.want(preset_picker_.search());
+    korean.want(search_.typed());
+    for (const SearchEntry& entry : search_.entries()) {
+        korean.want(entry.title);
+        korean.want(entry.note);
+    }
     if (file_dialog_.is_open()) file_dialog_.want(korean);
     if (const auto* scene = std::get_if<std::string>(&session.params.scene)) korean.want(*scene);
     if (start_page.is_open()) {

@@ -59,15 +59,15 @@ BigView big_view(ViewName hovered) {
     }
 }
 
-void arrange(Arrangement& arrangement, const Params& params) {
+void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices) {
     static constexpr std::array views = {ViewName::none, ViewName::camera, ViewName::lower_left, ViewName::lower_right,
                                          ViewName::matrices};
     const LayoutParams& layout = params.view.layout;
     arrangement.maximized = views[static_cast<std::size_t>(layout.big)];
     Telling& telling = arrangement.telling;
-    telling.matrices = static_cast<int>(layout.matrices.size());
+    telling.matrices = static_cast<int>(matrices.size());
     telling.short_matrices = telling.tall_matrices = 4.0F;
-    for (const std::string& name : layout.matrices) {
+    for (const std::string& name : matrices) {
         telling.short_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 147.0F;
         telling.tall_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 230.0F;
     }
@@ -80,6 +80,29 @@ void arrange(Arrangement& arrangement, const Params& params) {
     arrangement.matrices_folded = is_folded(params, "matrices");
     arrangement.stage.least_left = least_size_on_stage(topic_of(params, Slot::left));
     arrangement.stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
+}
+
+std::vector<std::string> matrices_on_stage(const Params& params, std::string_view group) {
+    const bool is_of_depth = group == "Depth buffer" || group == "Depth fighting";
+    if (is_of_depth) return {"P"};
+    if (group == "Hidden surfaces") return {};
+    if (group == "Camera") return {"V", "P"};
+    std::vector<std::string> matrices;
+    if (params.shadow.enabled && group != "Mirror") matrices.emplace_back("S");
+    if (params.reflection.enabled && group != "Shadow") matrices.emplace_back("R");
+    return matrices.empty() ? std::vector<std::string>{"V", "P"} : matrices;
+}
+
+void open_lower_views(Arrangement& arrangement, Slot first) {
+    // The stage is always as high as this, because everything on it grows with the window.
+    constexpr float height = 30.0F * stage_type.caption, least_view = 170.0F;
+    const float room = height - (arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
+    // No view makes the column wider than a matrix does, so that the main view keeps its share in a narrow hall.
+    for (ImVec2* least : {&arrangement.stage.least_left, &arrangement.stage.least_right})
+        least->x = std::min(least->x, 430.0F);
+    const int fitting = std::clamp(static_cast<int>(room / least_view), 0, 2);
+    arrangement.stage.left = fitting == 2 || (fitting == 1 && first == Slot::left);
+    arrangement.stage.right = fitting == 2 || (fitting == 1 && first == Slot::right);
 }
 
 namespace {
@@ -112,8 +135,8 @@ Rect views_area(const Layout& layout, const Arrangement& arrangement) {
                 {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, bottom}};
     const Rect none;
     const Rect area =
-        around({layout.camera, layout.beside, layout.caption, layout.lower_in_column ? none : layout.lower_left,
-                layout.lower_in_column ? none : layout.lower_right},
+        around({layout.camera, layout.beside, arrangement.presents ? none : layout.caption,
+                layout.lower_in_column ? none : layout.lower_left, layout.lower_in_column ? none : layout.lower_right},
                layout.header_height);
     return area.empty() ? Rect{layout.status_bar.min, layout.status_bar.min} : area;
 }

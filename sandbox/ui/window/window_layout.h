@@ -2,10 +2,13 @@
 // and the Look menu change the layout through these functions.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "state/params.h"
 #include "ui/parts/layout.h"
+#include "ui/parts/topics.h"
 
 namespace viewing {
 
@@ -19,8 +22,15 @@ constexpr int rows_of_lamps = 2;
 /// Returns the view that the key M enlarges: the one under the pointer, otherwise the camera's.
 BigView big_view(ViewName hovered);
 
-/// Copies the state's layout into the arrangement.
-void arrange(Arrangement& arrangement, const Params& params);
+/// Copies the state's layout into the arrangement. `matrices`: those to show beside a large view.
+void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices);
+
+/// Returns the matrices that a state on stage is about if it lists none, in the order of the lecture: what moves the
+/// camera, or what makes the shadow and the mirror image. `group`: the open preset's topic, or "".
+std::vector<std::string> matrices_on_stage(const Params& params, std::string_view group);
+
+/// Opens the lower views on stage that fit beside the matrices; if only one fits, `first`.
+void open_lower_views(Arrangement& arrangement, Slot first);
 
 /// Returns the area of the views' window.
 Rect views_area(const Layout& layout, const Arrangement& arrangement);

@@ -38,7 +38,8 @@ Arrangement Workbench::arranged(const Session& session) const {
     Arrangement now = arrangement;
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
-    if (!arrangement.bare) arrange(now, session.params);
+    if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
+    if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
     const auto has = [](const std::vector<std::string>& names, const char* name) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -62,12 +63,19 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
     const Rect& last = now.halves ? bare.beside : bare.camera;
-    const Caption caption =
-        caption_of(*preset, widgets, {last.max.x - bare.camera.min.x, bare.camera.height()}, caption_fold_);
+    const float width = now.presents ? bare.top_bar.width() - 2.0F * bare.camera.min.x : last.max.x - bare.camera.min.x;
+    const Caption caption = caption_of(*preset, widgets, {width, bare.camera.height()}, caption_fold_);
     now.caption_px = caption.height_px;
     Layout layout = lay_out(window_px, widgets.scale, now);
     layout.caption_is_folded = caption.is_folded;
     return layout;
+}
+
+std::vector<std::string> Workbench::listed_matrices(const Session& session) const {
+    const std::vector<std::string>& listed = session.params.view.layout.matrices;
+    if (!listed.empty() || place() != Place::stage) return listed;
+    const NamedFile* const preset = open_preset(session);
+    return matrices_on_stage(session.params, preset ? preset->group : "");
 }
 
 const NamedFile* Workbench::open_preset(const Session& session) const {
@@ -144,7 +152,7 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
         paste(guide, session);
     if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
     if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
-    if (key == Key::p) preset_picker_.open();
+    if (key == Key::p) search_.open();
     if (key == Key::plus) choose_scale(session, session.params.ui.scale + 0.1, requests);
     if (key == Key::minus) choose_scale(session, session.params.ui.scale - 0.1, requests);
     if (key == Key::zero) choose_scale(session, 1.0, requests);
@@ -153,7 +161,8 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput stays true for one frame after typing ends.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool in_dialog = help_.is_open() || file_dialog_.is_open() || session.asks_to_read() != nullptr;
+    const bool in_dialog =
+        help_.is_open() || file_dialog_.is_open() || search_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
         if (arrangement.embedded) break;  // the embedding page handles keys
@@ -172,6 +181,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if ((typing && !can_undo) || in_dialog) continue;
         if (press.ctrl) handle_shortcut(press, session, requests);
         if (press.ctrl || in_list) continue;
+        if (key == Key::f5) presenter.begin();
         if (key == Key::m)
             session.params.view.layout.big =
                 session.params.view.layout.big == BigView::none ? big_view(views.hovered) : BigView::none;
@@ -219,10 +229,10 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
-        if (session.params.view.layout.matrices.empty())
+        if (const std::vector<std::string> listed = listed_matrices(session); listed.empty())
             draw_matrices(session, derived, before, matrix_choice_);
         else
-            draw_listed_matrices(session, derived, before, matrix_choice_);
+            draw_listed_matrices(session, derived, before, matrix_choice_, listed);
         widgets::CountScrolled(widgets.scrolled_count > 0);
         ImGui::End();
     }
@@ -241,6 +251,12 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     views.hovered_pixel.reset();
     draw_camera_view(views, session, derived, problems, layout.camera, pictures, input, motion);
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
+    if (arranged_now.presents && !layout.caption.empty()) {
+        ImGui::End();
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+        begin_area("caption", layout.caption);
+        ImGui::PopStyleVar();
+    }
     if (const NamedFile* preset = open_preset(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
     if (layout.lower_in_column) {
@@ -353,6 +369,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     session.message.is_drawn = true;
     file_dialog_.draw(session);
     help_.draw();
+    draw_search(session, now, requests);
     draw_permission(session);
     want_korean(session);
 
@@ -360,7 +377,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
     const bool rests = !ImGui::IsAnyItemActive() && !widgets::MayBeTakenBack(widgets) && !session.is_moving() &&
                        !is_playing(views) && !replay.is_playing();
-    if (rests && !guide.is_revealing()) session.rest();
+    if (rests && !guide.is_revealing() && !presenter.holds_before()) session.rest();
     return requests;
 }
 

@@ -21,6 +21,7 @@
 #include "ui/window/dialogs.h"
 #include "ui/window/help.h"
 #include "ui/window/preset_picker.h"
+#include "ui/window/search_box.h"
 #include "ui/window/syllables.h"
 
 namespace viewing {
@@ -63,6 +64,7 @@ public:
     Replay replay;                           ///< the replay of a flight or a hand-in, while it plays
     bool is_checking = false;                ///< an answer is being judged in the background
     LessonsProgress progress;                ///< the user's progress in every lesson
+    std::string last_lesson;                 ///< the id of the lesson that was open last; "" for none
     std::vector<std::string> recent;         ///< opened files, latest first
     std::string link_address = link_base();  ///< the part of a link in front of its #
     std::string lesson_trouble;              ///< why an answer could not be judged; "": no problem
@@ -73,6 +75,9 @@ public:
     Layout layout(ImVec2 window_px, const Session& session) const;
     /// Returns the user's arrangement, combined with the state's (view.layout).
     Arrangement arranged(const Session& session) const;
+
+    /// Returns what the open search offers; empty while it is closed.
+    const std::vector<SearchEntry>& searched() const { return search_.entries(); }
 
     /// Goes to an exercise of the student's sheet once it is generated. `replays`: also plays the recorded solution.
     void go_to_exercise(const std::string& id, bool replays);
@@ -117,6 +122,15 @@ private:
     /// Returns the preset `places` after the open one in lecture order; null past the ends.
     const NamedFile* preset_at(const Session& session, int places) const;
     void choose_scale(Session& session, double scale, Requests& requests);
+    Place place() const;
+    /// Returns the matrices to show; empty for all. The free stage has room for two.
+    std::vector<std::string> listed_matrices(const Session& session) const;
+    std::vector<SearchEntry> offered_to_search(const Session& session);
+    /// Draws the search and carries out what the user chooses in it.
+    void draw_search(Session& session, const Layout& layout, Requests& requests);
+    void carry_out(MenuCommand command, Session& session);
+    /// Shows a topic in a lower view and makes that view visible.
+    void show_topic(Topic topic, Session& session, const Layout& layout);
     void draw_file_menu(Session& session, Requests& requests);
     void draw_look_menu(Session& session, Requests& requests);
     /// Starts a recording, or ends it and writes its file in the background.
@@ -146,6 +160,8 @@ private:
     std::string wanted_exercise_;  ///< the exercise to open once it is generated
     bool wants_replay_ = false;
     PresetPicker preset_picker_;
+    SearchBox search_;
+    std::optional<std::vector<ExerciseTitle>> exercise_titles_;  ///< read when the search first opens
     int korean_scene_version_ = -1;  ///< version of the scene whose object names were collected
     std::shared_ptr<const Lesson> korean_lesson_;
     Language korean_language_ = Language::en;

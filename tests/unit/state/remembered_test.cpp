@@ -29,8 +29,14 @@ TEST_F(RememberedTest, ReadsBackOrIsEmptyWithoutAFile) {
     for (const Remembered& each :
          {Remembered{}, Remembered{Theme::projector, 1.3, WindowPlace{{-1600, 40}, {1200, 700}, true}},
           Remembered{Theme::light, std::nullopt, WindowPlace{{0, 0}, {800, 600}, false}},
-          Remembered{
-              {}, {}, {}, {{"lens", {3, {0, 2}}}, {"rays", {}}}, {"/home/ann/a b.json", "/tmp/x.obj"}, Language::ko}}) {
+          Remembered{{},
+                     {},
+                     {},
+                     {{"lens", {3, {0, 2}}}, {"rays", {}}},
+                     {"/home/ann/a b.json", "/tmp/x.obj"},
+                     Language::ko,
+                     {},
+                     "rays"}}) {
         ASSERT_TRUE(write_remembered(file, each));
         EXPECT_EQ(*read_remembered(file), each);
     }

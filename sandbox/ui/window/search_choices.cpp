@@ -1,0 +1,92 @@
+// What the window offers to the search, and what a choice does: the same as the control or the key that it names.
+#include <utility>
+
+#include "lesson/exercise.h"
+#include "state/file/json.h"
+#include "ui/window/areas.h"
+#include "ui/window/workbench.h"
+
+namespace viewing {
+
+Place Workbench::place() const {
+    if (presenter.is_on()) return guide.is_shown() ? Place::lesson_on_stage : Place::stage;
+    return guide.is_shown() ? Place::lesson : Place::window;
+}
+
+std::vector<SearchEntry> Workbench::offered_to_search(const Session& session) {
+    if (!exercise_titles_) {
+        exercise_titles_.emplace();
+        for (const Result<Exercise>& exercise : viewing::exercises())
+            if (exercise) exercise_titles_->push_back({exercise->id, exercise->title});
+    }
+    SearchLimits limits;
+    limits.place = place();
+    // On a lesson's stage, only the lower views of the step have a place.
+    limits.may_choose_view = limits.place != Place::lesson_on_stage;
+    limits.movable = views.movable;
+    limits.covered = widgets.targets.covered;
+    return search_entries({presets_, start_page.lessons(), *exercise_titles_}, limits, session.params);
+}
+
+void Workbench::show_topic(Topic topic, Session& session, const Layout& layout) {
+    Params& params = session.params;
+    if (!is_shown(params, topic)) choose_topic(params, Slot::right, topic);
+    const Slot slot = topic_of(params, Slot::left) == topic ? Slot::left : Slot::right;
+    const bool is_hidden = (slot == Slot::left ? layout.lower_left : layout.lower_right).empty();
+    if (!is_hidden) return;
+    params.view.layout.big = BigView::none;
+    views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
+}
+
+void Workbench::carry_out(MenuCommand command, Session& session) {
+    switch (command) {
+        case MenuCommand::save_as_step:
+            return file_dialog_.show(FileDialog::Purpose::save_step);
+        case MenuCommand::copy_link:
+            return copy_link(guide, session);
+        case MenuCommand::reset_all:
+            return session.reset();
+        case MenuCommand::lessons:
+            return start_page.open();
+        case MenuCommand::exercises:
+            return exercise_page.open(exercises);
+        case MenuCommand::leave_lesson:
+            return guide.leave();
+    }
+}
+
+void Workbench::draw_search(Session& session, const Layout& layout, Requests& requests) {
+    const std::optional<SearchChoice> choice = search_.draw([&] { return offered_to_search(session); });
+    if (!choice) return;
+    start_page.close();
+    exercise_page.close();
+    presenter.close_overview();
+    if (const auto* preset = std::get_if<PresetChoice>(&*choice)) {
+        session.open(preset->name);
+    } else if (const auto* lesson = std::get_if<LessonPlace>(&*choice)) {
+        const auto known = progress.find(lesson->id);
+        guide.open(lesson->file, lesson->step.value_or(known == progress.end() ? 0 : known->second.step));
+    } else if (const auto* exercise = std::get_if<ExerciseChoice>(&*choice)) {
+        exercises.open();
+        go_to_exercise(exercise->id, false);
+    } else if (const auto* field = std::get_if<FieldChoice>(&*choice)) {
+        const UiParams looks = session.params.ui;
+        const std::string settings[] = {field->setting};
+        Result<Params> changed = apply_settings(session.params, settings, "");
+        if (!changed) return session.report(Error{changed.error()});
+        session.params = *std::move(changed);
+        const UiParams& now = session.params.ui;
+        if (now.theme != looks.theme) requests.chosen_theme = now.theme;
+        if (now.scale != looks.scale) requests.chosen_scale = now.scale;
+        if (now.language != looks.language) requests.chosen_language = now.language;
+    } else if (const auto* topic = std::get_if<Topic>(&*choice)) {
+        show_topic(*topic, session, layout);
+    } else if (const auto* command = std::get_if<const WindowCommand*>(&*choice)) {
+        if (const auto* key = std::get_if<KeyPress>(&(*command)->does))
+            waiting_.pressed.push_back(*key);  // pressed in the next frame, when nobody types
+        else
+            carry_out(std::get<MenuCommand>((*command)->does), session);
+    }
+}
+
+}  // namespace viewing

@@ -1,0 +1,96 @@
+// What the search (Ctrl+P) offers in the present state, and which of it fits the typed words. Pure functions;
+// search_box.h draws the result, and search_choices.cpp carries it out.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lesson/lesson.h"
+#include "state/fields.h"
+#include "state/presets.h"
+#include "ui/parts/input.h"
+
+namespace viewing {
+
+/// The order decides between entries that fit equally well.
+enum class EntryKind { command, field, trouble, preset, view, lesson, step, exercise };
+const char* name_of_kind(EntryKind kind);
+
+/// A command without a key of its own.
+enum class MenuCommand { save_as_step, copy_link, reset_all, lessons, exercises, leave_lesson };
+
+/// Where the user is. Keys differ between these places.
+enum class Place { window, lesson, stage, lesson_on_stage };
+
+/// A command of the window: a key, or an item of a menu.
+struct WindowCommand {
+    const char* label;
+    const char* keys;  ///< as the help shows them
+    std::variant<KeyPress, MenuCommand> does;
+    unsigned places;  ///< a bit for each Place where it exists
+
+    bool is_in(Place place) const { return ((places >> static_cast<unsigned>(place)) & 1U) != 0; }
+};
+std::span<const WindowCommand> window_commands();
+
+struct PresetChoice {
+    std::string name;
+};
+struct LessonPlace {
+    std::string id, file;
+    std::optional<std::size_t> step;  ///< none: where the user left the lesson
+};
+struct ExerciseChoice {
+    std::string id;
+};
+/// A setting as on the command line; "" if its value is still to be typed after `path`.
+struct FieldChoice {
+    std::string_view path;
+    std::string setting;
+};
+using SearchChoice = std::variant<PresetChoice, LessonPlace, ExerciseChoice, FieldChoice, Topic, const WindowCommand*>;
+
+struct SearchEntry {
+    EntryKind kind;
+    std::string title;  ///< in the current language
+    std::string note;   ///< at the right: a key, a value, a heading
+    SearchChoice choice;
+    std::string names;  ///< found first: the title and other names, in both languages, in lower case
+    std::string about;  ///< found next: descriptions
+};
+
+struct ExerciseTitle {
+    std::string id;
+    LessonText title;
+};
+
+/// What the window can be searched for. The lists are those of the assets.
+struct SearchLists {
+    std::span<const NamedFile> presets;
+    std::span<const LessonFile> lessons;
+    std::span<const ExerciseTitle> exercises;
+};
+
+/// What may be found: never more than the window's own controls would allow.
+struct SearchLimits {
+    Place place = Place::window;
+    bool may_choose_view = true;                      ///< otherwise the lower views are those of the step
+    std::optional<std::vector<std::string>> movable;  ///< the fields and groups that may change; nullopt: all
+    std::vector<std::string> covered;                 ///< parts that are hidden until answered (lesson/targets.h)
+};
+
+std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params);
+
+/// Returns the entries that contain every word of `query`, best first: words in names before words in descriptions,
+/// starts of words before other places, short titles before long ones. A field also fits if its name is followed by a
+/// value ("near 0.0001"); its choice is then that setting. If no entry has every word, returns those with the most.
+std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most = 12);
+
+/// Whether a text in lower case contains every word of `query`.
+bool contains_words(std::string_view text, std::string_view query);
+
+}  // namespace viewing
