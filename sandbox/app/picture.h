@@ -23,6 +23,7 @@ struct LessonPicture {
     bool revealed = false;
     bool presents = false;  ///< shows the step as the audience sees it
     bool has_strip = true;  ///< shows the lesson strip with the step's texts
+    bool ends = false;      ///< shows the card that follows the step
 };
 
 /// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself

@@ -18,6 +18,7 @@
 #include "cli/values.h"
 #include "frame/finite.h"
 #include "gl/facts.h"
+#include "lesson/run.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
 
@@ -29,7 +30,7 @@ struct TypedSnapshot {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
     std::optional<std::string> dpi;
-    bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
+    bool fail_if_blank = false, revealed = false, ends = false, presents = false, labels = false, transparent = false;
 };
 
 /// The checked options.
@@ -52,12 +53,13 @@ void declare(Options& options, TypedSnapshot& typed) {
     options.text("-o,--output", "OUT.png", typed.output,
                  "File to write; - for standard output. OUT.svg and OUT.pdf contain shapes and text instead of pixels "
                  "(with GL's part as an embedded image). All formats carry the state that they show");
-    options.text("--view", "VIEW", typed.view,
-                 "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
-                 "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
-                 "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-                 "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
-                 "view that would need scrolling is scaled down to fit");
+    options.text(
+        "--view", "VIEW", typed.view,
+        "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
+        "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
+        "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
+        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
+        "view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,
         "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");
@@ -73,6 +75,7 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "Draws a step of this lesson instead of STATE (viewing-sandbox lesson --list)");
     options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "Shows the step after its answer");
+    options.flag("--end", typed.ends, "Shows the card that ends a lesson, after its last step");
     options.flag("--present", typed.presents, "Shows the step as in a lecture room");
     options.group("Exercise");
     options.text(
@@ -125,9 +128,9 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
-    const bool wants_lesson = typed.step || typed.revealed || typed.presents;
+    const bool wants_lesson = typed.step || typed.revealed || typed.presents || typed.ends;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
-        options.refuse("--step, --revealed and --present need --lesson");
+        options.refuse("--step, --revealed, --end and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty string");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
@@ -255,7 +258,10 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
                 "--lesson: a step has its own state, so STATE and --mesh are not allowed and --set takes only ui.… "
                 "fields");
         const UiParams looks = state.params.ui;
-        state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true}, wish.picture);
+        if (typed.ends && !LessonRun(step->lesson, step->step).end())
+            options.refuse("--end: no card follows this step; give the --step that ends a lesson");
+        state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true, typed.ends},
+                          wish.picture);
         state.params.ui = looks;
     }
     return state;

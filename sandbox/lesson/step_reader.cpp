@@ -333,11 +333,12 @@ void read_reveal(const Json& object, LessonStep& step, const Where& where) {
 
 LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
     require_keys(object, where,
-                 {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
+                 {"id", "slides", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
                   "claims_before", "note"});
     LessonStep step;
     step.id = name_at(object, "id", where);
     const Where inside{where.prefix + "step " + excerpt(step.id) + ": ", ""};
+    step.slides = read_slides(object, inside);
     step.start = read_start(object, folder, presets, inside);
     // A step without a layout, such as one saved in the window, shows both.
     step.names_lower_left = !has(object, "layout") || has(object["layout"], "lower_left");
