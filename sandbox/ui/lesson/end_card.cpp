@@ -63,7 +63,7 @@ std::vector<std::string> EndCard::texts(const LessonRun& run) {
 
 CardPicture EndCard::wanted_picture(const LessonRun& run) {
     const std::shared_ptr<const Lesson> lesson = run.shared_lesson();
-    const std::size_t step = run.index();
+    const std::size_t step = lesson->lecture ? lesson->lecture->parts[lesson->lecture->part_of(run.index())].first : 0;
     return {"end/" + lesson->id + "/" + std::to_string(step),
             [lesson, step]() -> Result<LoadedState> {
                 LoadedState state = lesson->steps[step].start;
@@ -86,7 +86,7 @@ EndCard::Wishes EndCard::draw(const LessonRun& run, bool presents, const Picture
     std::string title = lesson_->title.shown();
     if (lesson_->lecture) title = lesson_->lecture->parts[lesson_->lecture->part_of(run.index())].title.shown();
     ImGui::SetCursorPos({ImGui::GetCursorPosX() + (room.x - whole) * 0.5F,
-                         ImGui::GetCursorPosY() + std::max(0.0F, room.y - picture * 1.2F) * 0.3F});
+                         ImGui::GetCursorPosY() + std::max(0.0F, room.y - picture * 9.0F / 16.0F - line * 8.0F) * 0.4F});
     ImGui::BeginGroup();
     paragraph(say("What you have seen: {lesson}", "lesson"_a = title), fonts.caption, whole)
         .draw("title", palette().quiet);
