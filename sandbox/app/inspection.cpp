@@ -40,15 +40,8 @@ void Inspection::explain(const ShownFrame& shown, const Session& session) {
     const Shows shows = shown.params.view.shows;
     const bool is_read = shows == Shows::color || shows == Shows::facing || shows == Shows::shadow_w;
     const Viewport viewport = renderer_.viewport(shown.camera_px, shown.params.depth.format);
-    why_ = std::make_shared<const Why>(why({shown.params,
-                                            shown.derived,
-                                            shown.plan,
-                                            *finder_,
-                                            viewport,
-                                            shown.problems,
-                                            pixel.pixel,
-                                            is_read ? std::optional(pixel.color) : std::nullopt,
-                                            {}}));
+    why_ = std::make_shared<const Why>(why({shown.params, shown.derived, shown.plan, *finder_, viewport, shown.problems,
+                                            pixel.pixel, is_read ? std::optional(pixel.color) : std::nullopt, {}}));
 }
 
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {

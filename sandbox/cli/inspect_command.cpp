@@ -51,8 +51,7 @@ ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
     options.text("--size", "WxH", size_text, size_help);
     add_device_option(options, device_text);
     options.group("Explanation");
-    options.flag("--why", explains,
-                 "Explains the color instead: all passes, mirrors and lights, and the fix for what is wrong");
+    options.flag("--why", explains, "Explains the color instead: all passes, mirrors and lights, and the fix for what is wrong");
     options.text("--format", "FORMAT", format, "json (default) or, with --why, text");
     if (!options.parse(arguments)) return ExitStatus::done;
 
@@ -111,10 +110,8 @@ constinit const Command inspect_command{
     "is compared with) and \"rounding\" (surfaces so close that the rounding of GL decides, not the codes) appear only "
     "if true. Mirror image and shadows are left out. \"raster\" appears only if visibility.raster makes a picture of "
     "few large pixels: its size and the pixel of it that this one shows, whose center the fragments then refer to; "
-    "null beside the picture. With --why, the command instead explains the color: everything on the ray, each pass "
-    "with "
-    "its tests and what it writes, the path from mirror to mirror, each light and what is in its way, and every "
-    "problem "
+    "null beside the picture. With --why, the command instead explains the color: everything on the ray, each pass with "
+    "its tests and what it writes, the path from mirror to mirror, each light and what is in its way, and every problem "
     "whose fix changes this pixel. \"predicted\" is the color computed from this explanation, \"read_back\" the one in "
     "the buffer.",
     "inspect --pixel 640,360\n"

@@ -61,9 +61,9 @@ struct Pass {
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
-    bool is_mirror_image = false;          ///< also true if the pass draws only part of one
+    bool is_mirror_image = false;        ///< also true if the pass draws only part of one
     std::vector<std::size_t> mirrors_met;  ///< planes, in the order in which the line of sight meets them
-    std::vector<ClipPlane> clip_planes;    ///< at most most_clip_planes
+    std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
     CullParams cull;

@@ -31,11 +31,11 @@ struct Level {
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
     bool flips_winding = false;
-    int deepest = 0;                         ///< reflection_depth()
-    int region = 0;                          ///< the stencil's low bits where the level is drawn; 0 for level 0
+    int deepest = 0;  ///< reflection_depth()
+    int region = 0;                       ///< the stencil's low bits where the level is drawn; 0 for level 0
     std::vector<std::size_t> mirrors_met{};  ///< the mirrors on the way, in order
-    std::optional<ClipPlane> clip{};         ///< in scene space: keeps everything in front of the last mirror
-    bool is_fresh = true;                    ///< nothing has been drawn here yet
+    std::optional<ClipPlane> clip{};      ///< in scene space: keeps everything in front of the last mirror
+    bool is_fresh = true;                 ///< nothing has been drawn here yet
 
     const DerivedPlane& plane(std::size_t index) const { return derived.planes[index]; }
     double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }

@@ -75,7 +75,8 @@ std::span<const ShaderConstant> shader_constants() {
 const std::string& shader_constant_lines() {
     static const std::string lines = [] {
         std::string made;
-        for (const ShaderConstant& each : constants) made += fmt::format("#define {} {}\n", each.name, each.value);
+        for (const ShaderConstant& each : constants)
+            made += fmt::format("#define {} {}\n", each.name, each.value);
         return made;
     }();
     return lines;

@@ -50,16 +50,17 @@ Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& stat
     };
     std::vector<Why> made;
     for (const glm::ivec2& pixel : pixels)
-        made.push_back(
-            why({params, derived, *frame, finder, viewport, problems, pixel, color_at(*picture, pixel), solve}));
+        made.push_back(why(
+            {params, derived, *frame, finder, viewport, problems, pixel, color_at(*picture, pixel), solve}));
     return made;
 }
 
 Json why_as_json(const Why& why) {
     Json rows = Json::array(), touches = Json::array();
     for (const WhyRow& row : why.rows) {
-        Json json = {
-            {"kind", kind_names[static_cast<std::size_t>(row.kind)]}, {"title", row.title}, {"say", row.sentence}};
+        Json json = {{"kind", kind_names[static_cast<std::size_t>(row.kind)]},
+                     {"title", row.title},
+                     {"say", row.sentence}};
         if (row.after) json[row.kind == WhyRow::Kind::fault ? "with_fix" : "after"] = as_text(*row.after);
         if (row.pass >= 0) json["pass"] = row.pass + 1;
         if (!row.fix.empty()) json["fix"] = row.fix;

@@ -63,8 +63,7 @@ protected:
                 chain_as_rounded(frame, finder, pixel, why_px,
                                  {static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
                                   static_cast<std::uint8_t>(read.b)});
-            const std::optional<Color> predicted = predicted_color(frame, chain),
-                                       at_first = predicted_color(frame, exact);
+            const std::optional<Color> predicted = predicted_color(frame, chain), at_first = predicted_color(frame, exact);
             if (!predicted) continue;
             seen.by_rounding += *predicted == *at_first ? 0 : 1;
             if (testing::worst_channel(read, {predicted->r, predicted->g, predicted->b}) <= 1) {
@@ -77,8 +76,7 @@ protected:
                 // The floor's pattern has edges, too.
                 const glm::ivec3 step(there.color.r - chain.color.r, there.color.g - chain.color.g,
                                       there.color.b - chain.color.b);
-                at_edge = at_edge || touches_of(there) != touches_of(chain) ||
-                          glm::any(glm::greaterThan(glm::abs(step), glm::ivec3(3)));
+                at_edge = at_edge || touches_of(there) != touches_of(chain) || glm::any(glm::greaterThan(glm::abs(step), glm::ivec3(3)));
             }
             if (at_edge) {
                 ++seen.at_edges;
@@ -94,10 +92,9 @@ protected:
                 for (const Touch& touch : chain.touches)
                     text += "\n   " + frame.passes[touch.fragment.pass].name + " " + touch.fragment.object +
                             (touch.fragment.culled ? " culled" : "") + (touch.fragment.cut_off ? " cut" : "") +
-                            (touch.fragment.stencil_fails ? " stencil" : "") +
-                            (touch.fragment.passes ? " passes" : "") + (touch.paints ? " paints" : "") + " depth " +
-                            std::to_string(touch.fragment.stored) + " against " +
-                            std::to_string(touch.fragment.compared_with) + " stencil " +
+                            (touch.fragment.stencil_fails ? " stencil" : "") + (touch.fragment.passes ? " passes" : "") +
+                            (touch.paints ? " paints" : "") + " depth " + std::to_string(touch.fragment.stored) +
+                            " against " + std::to_string(touch.fragment.compared_with) + " stencil " +
                             std::to_string(touch.fragment.stencil_after) + " -> " + std::to_string(touch.after.r) +
                             " " + std::to_string(touch.after.g) + " " + std::to_string(touch.after.b) + " z " +
                             std::to_string(touch.fragment.eye_z);

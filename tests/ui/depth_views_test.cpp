@@ -4,12 +4,12 @@
 #include <map>
 
 #include "desk.h"
-#include "frame/depth/fragment_text.h"
 #include "frame/depth/fragments.h"
 #include "frame/draw_calls.h"
 #include "ui/depth/cell_layout.h"
 #include "ui/depth/cell_view.h"
 #include "ui/depth/draw_steps.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/depth/pixel_view.h"
 #include "ui/window/theme.h"
 

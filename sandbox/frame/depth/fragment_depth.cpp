@@ -113,8 +113,8 @@ double projected_depth_of(const FramePlan& plan, const PixelTriangle& seen, cons
     if (offset.factor != 0.0) {
         double steepest = 0.0;
         for (const glm::dvec2 beside_px : {glm::dvec2(neighbors_px.x, 0.0), glm::dvec2(0.0, neighbors_px.y)})
-            steepest =
-                std::max(steepest, std::abs(projected_depth(plan, triangle, weights_beside(seen, beside_px)) - here));
+            steepest = std::max(steepest,
+                                std::abs(projected_depth(plan, triangle, weights_beside(seen, beside_px)) - here));
         depth += offset.factor * steepest;
     }
     if (offset.units != 0.0) depth += offset.units * unit_of(plan, seen);

@@ -1,5 +1,5 @@
-// GL's tests of a fragment, in words and with the numbers being compared. Pure functions. See ui/depth/pixel_view.cpp
-// and cell_view.cpp for usage.
+// GL's tests of a fragment, in words and with the numbers being compared. Pure functions. See ui/depth/pixel_view.cpp and
+// cell_view.cpp for usage.
 #pragma once
 
 #include <optional>

@@ -90,9 +90,9 @@ private:
         const glm::dvec4 clip = clip_from_world_ * placed, view = pass_.view_from_world * placed;
         ProjectedCorner made{clip.z, clip.w, view.z, view.w};
         if (plan_.has_logarithm_per_vertex())
-            made.z =
-                clip.w *
-                (2.0 * window_depth(plan_.lens, DepthMapping::logarithmic, std::max(-view.z / view.w, 1e-30)) - 1.0);
+            made.z = clip.w * (2.0 * window_depth(plan_.lens, DepthMapping::logarithmic,
+                                                  std::max(-view.z / view.w, 1e-30)) -
+                               1.0);
         if (pass_.forces_sign && placed.w < 0.0) {
             seen.offset_px = -seen.offset_px;
             seen.w = -seen.w;
@@ -185,9 +185,9 @@ public:
         made.object_index = met.object;
         made.triangle = static_cast<int>(met.place);
         made.eye_z = -met.hit.distance;
-        made.window_depth =
-            met.projected ? projected_depth_of(plan_, met.triangle, *met.projected, met.hit, met.offset, neighbors_px_)
-                          : depth_of(plan_, met.triangle, met.hit, met.offset, neighbors_px_);
+        made.window_depth = met.projected ? projected_depth_of(plan_, met.triangle, *met.projected, met.hit,
+                                                               met.offset, neighbors_px_)
+                                          : depth_of(plan_, met.triangle, met.hit, met.offset, neighbors_px_);
         made.depth_error = depth_error(plan_, met.triangle, met.hit, met.offset, neighbors_px_, size_px_);
         made.stored = code_of(made.window_depth, precision_);
         made.within = stored_within(made.window_depth, made.depth_error, precision_);
@@ -332,8 +332,8 @@ std::vector<Fragment> FragmentFinder::everything_at(const FramePlan& plan, glm::
     return replayed(plan, pixel, size_px, Scope::everything, as_rounded);
 }
 
-std::vector<Fragment> FragmentFinder::replayed(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px, Scope scope,
-                                               std::span<const std::size_t> as_rounded) const {
+std::vector<Fragment> FragmentFinder::replayed(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
+                                               Scope scope, std::span<const std::size_t> as_rounded) const {
     const bool lists_all = scope == Scope::everything;
     static const Mesh quad = quad_mesh();
     static const BoxTree quad_tree = BoxTree::of_triangles(quad);

@@ -18,11 +18,11 @@ namespace viewing {
 inline constexpr int no_object = std::numeric_limits<int>::min();
 
 struct Fragment {
-    std::string object;     ///< "plane" for the patch
-    std::size_t pass = 0;   ///< index in FramePlan::passes
-    int object_index = -1;  ///< in the scene; −1 − i: the patch of plane i; no_object: a square over the picture
-    int triangle = 0;       ///< index in the object's mesh, or in a method's order
-    double eye_z = 0.0;     ///< negative in front of the camera
+    std::string object;         ///< "plane" for the patch
+    std::size_t pass = 0;       ///< index in FramePlan::passes
+    int object_index = -1;      ///< in the scene; −1 − i: the patch of plane i; no_object: a square over the picture
+    int triangle = 0;           ///< index in the object's mesh, or in a method's order
+    double eye_z = 0.0;         ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, with a decal's offset, before rounding to a code
     double depth_error = 0.0;   ///< how far GL's window depth may differ: depth_error()
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
@@ -40,11 +40,11 @@ struct Fragment {
     bool stencil_fails = false;        ///< its pass's stencil test rejects it
     bool decided_by_rounding = false;  ///< GL's decision contradicts these codes: see reconcile()
 
-    glm::dvec3 weights{0.0};      ///< of the triangle's corners, sum 1
-    glm::dvec3 point_scene{0.0};  ///< in world space, before the pass's S or R
-    bool cut_off = false;         ///< a clip plane of the pass rejects it: only everything_at() lists it
+    glm::dvec3 weights{0.0};         ///< of the triangle's corners, sum 1
+    glm::dvec3 point_scene{0.0};     ///< in world space, before the pass's S or R
+    bool cut_off = false;            ///< a clip plane of the pass rejects it: only everything_at() lists it
     int stencil_before = 0, stencil_after = 0;
-    std::uint32_t depth_after = 0;  ///< the code in the buffer after it
+    std::uint32_t depth_after = 0;   ///< the code in the buffer after it
 };
 
 /// Keeps a scene's triangles in box trees for fast repeated queries; make one finder per scene.

@@ -41,17 +41,17 @@ std::optional<Blocker> blocker(const FragmentFinder& finder, const glm::dvec3& p
         const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
         const Ray ray{glm::dvec3(model_from_world * glm::dvec4(point_world, 1.0)), glm::dmat3(model_from_world) * way};
         const Mesh& mesh = *object.mesh;
-        finder.triangles_of(index).each([&](const Bounds& box) { return meets(ray, box, limit); },
-                                        [&](std::uint32_t triangle) {
-                                            std::array<glm::dvec3, 3> corners;
-                                            for (std::size_t k = 0; k < 3; ++k)
-                                                corners[k] =
-                                                    mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
-                                            const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
-                                            if (!hit || hit->t <= nearest || hit->t >= limit) return;
-                                            limit = hit->t;
-                                            found = Blocker{static_cast<int>(index), point_world + hit->t * way};
-                                        });
+        finder.triangles_of(index).each(
+            [&](const Bounds& box) { return meets(ray, box, limit); },
+            [&](std::uint32_t triangle) {
+                std::array<glm::dvec3, 3> corners;
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners[k] = mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
+                const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
+                if (!hit || hit->t <= nearest || hit->t >= limit) return;
+                limit = hit->t;
+                found = Blocker{static_cast<int>(index), point_world + hit->t * way};
+            });
     }
     return found;
 }

@@ -154,8 +154,8 @@ std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& ch
         case Shows::stencil:
             return stencil_color(chain.stencil);
         case Shows::overdraw: {
-            const auto count = static_cast<std::size_t>(std::count_if(chain.touches.begin(), chain.touches.end(),
-                                                                      [](const Touch& touch) { return touch.paints; }));
+            const auto count = static_cast<std::size_t>(
+                std::count_if(chain.touches.begin(), chain.touches.end(), [](const Touch& touch) { return touch.paints; }));
             return overdraw_colors[std::min(count, overdraw_colors.size() - 1)];
         }
         case Shows::fighting:

@@ -36,9 +36,8 @@ struct PixelChain {
 /// Replays the frame at a pixel without multisampling. `plan` must belong to the finder's scene.
 PixelChain pixel_chain(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px);
 
-/// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may
-/// have the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact
-/// depths.
+/// Replays the frame as GL may have rounded it: depth comparisons of values that differ by less than GL's error may have
+/// the opposite outcome. Returns the first such chain that predicts this color; without one, the chain of exact depths.
 PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder, glm::ivec2 pixel, glm::ivec2 size_px,
                             const Color& read_back);
 

@@ -125,9 +125,10 @@ ShadedPoint point_of_patch(const FramePlan& plan, const Pass& pass, const Fragme
     for (const glm::dvec2& beside_px : {glm::dvec2(right, 0.0), glm::dvec2(0.0, up)})
         width += glm::abs(at(weights_beside(seen, beside_px)) - here);
 
-    const glm::dvec3 position = fragment.weights.x * placed(placed_from_patch, corners[0]) +
-                                fragment.weights.y * placed(placed_from_patch, corners[1]) +
-                                fragment.weights.z * placed(placed_from_patch, corners[2]);
+    const glm::dvec3 position =
+        fragment.weights.x * placed(placed_from_patch, corners[0]) +
+        fragment.weights.y * placed(placed_from_patch, corners[1]) +
+        fragment.weights.z * placed(placed_from_patch, corners[2]);
     glm::dvec3 normal = direction_of(normal_matrix(glm::dmat3(placed_from_patch))[1]);
     const glm::dvec3 to_eye = glm::dvec3(pass.eye_world) - pass.eye_world.w * glm::dvec3(placed_from_patch[3]);
     if (glm::dot(normal, to_eye) < 0.0) normal = -normal;
@@ -138,8 +139,7 @@ ShadedPoint point_of_patch(const FramePlan& plan, const Pass& pass, const Fragme
 void light(SurfaceColor& made, const Pass& pass, const ShadedPoint& point, bool has_highlight) {
     const glm::dvec3 eye = glm::dvec3(pass.eye_world) - pass.eye_world.w * point.position_world;
     glm::dvec3 normal = direction_of(point.normal_world);
-    if (point.face_world != glm::dvec3(0.0) &&
-        glm::dot(normal, point.face_world) * glm::dot(point.face_world, eye) < 0.0)
+    if (point.face_world != glm::dvec3(0.0) && glm::dot(normal, point.face_world) * glm::dot(point.face_world, eye) < 0.0)
         normal = -normal;
     made.albedo_linear = point.albedo_linear;
     made.ambient_linear = point.albedo_linear * (ambient_light + sky_light * glm::dot(normal, pass.sky_world));
@@ -149,7 +149,8 @@ void light(SurfaceColor& made, const Pass& pass, const ShadedPoint& point, bool 
         const glm::dvec4& position = pass.lights_world[i];
         const glm::dvec3 to_light = direction_of(glm::dvec3(position) - position.w * point.position_world);
         LightShare share{.light = pass.lights[i], .cosine = glm::dot(normal, to_light)};
-        share.adds_linear = point.albedo_linear * (diffuse_light * pass.light_strength * std::max(share.cosine, 0.0));
+        share.adds_linear =
+            point.albedo_linear * (diffuse_light * pass.light_strength * std::max(share.cosine, 0.0));
         if (has_highlight && share.cosine > 0.0) {
             const double shine = std::max(glm::dot(normal, direction_of(to_light + direction_of(eye))), 0.0);
             share.highlight = highlight_light * pass.light_strength * std::pow(shine, shininess);
@@ -190,7 +191,7 @@ SurfaceColor surface_color(const FramePlan& plan, const Scene& scene, const Frag
     const double shade = 0.62 + 0.38 * std::abs(normal.y * 0.35 + normal.z * 0.65);
     if (pass.shading == Shading::caster_w) {
         const glm::dvec4 position(point.position_world, 1.0);
-        const std::size_t kind = glm::dot(plan.caster_w, position) <= 0.0     ? 2
+        const std::size_t kind = glm::dot(plan.caster_w, position) <= 0.0 ? 2
                                  : glm::dot(plan.caster_side, position) < 0.0 ? 1
                                                                               : 0;
         made.srgb = srgb_of(caster_colors[kind]) * shade;

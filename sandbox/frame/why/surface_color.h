@@ -11,10 +11,10 @@ namespace viewing {
 
 /// What one light adds to a surface.
 struct LightShare {
-    std::size_t light = 0;        ///< index in Derived::lights_world
-    double cosine = 0.0;          ///< n · l̂, both unit vectors; not positive: the surface faces away
-    glm::dvec3 adds_linear{0.0};  ///< linear light: diffuse and highlight
-    double highlight = 0.0;       ///< the highlight's part of it
+    std::size_t light = 0;         ///< index in Derived::lights_world
+    double cosine = 0.0;           ///< n · l̂, both unit vectors; not positive: the surface faces away
+    glm::dvec3 adds_linear{0.0};   ///< linear light: diffuse and highlight
+    double highlight = 0.0;        ///< the highlight's part of it
 };
 
 struct SurfaceColor {

@@ -68,11 +68,13 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const int seen = surface ? surface->fragment.object_index : image->fragment.object_index;
     std::vector<std::string> casters;
     for (const std::string& caster : made.casters) casters.push_back(object_text(caster));
-    std::string said = casters.empty() ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
-                                       : say("Seen here: {surface}, in the shadow of {casters}.",
-                                             "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
+    std::string said = casters.empty()
+                           ? say("Seen here: {surface}.", "surface"_a = surface_name(question, seen))
+                           : say("Seen here: {surface}, in the shadow of {casters}.",
+                                 "surface"_a = surface_name(question, seen), "casters"_a = joined(casters));
     if (image && surface)
-        said += " " + say("{share} of the color is the mirror image of {object}.", "share"_a = percent(image->share, 0),
+        said += " " + say("{share} of the color is the mirror image of {object}.",
+                          "share"_a = percent(image->share, 0),
                           "object"_a = surface_name(question, image->fragment.object_index));
     const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
                                     [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
@@ -110,9 +112,10 @@ Why why(const WhyQuestion& question) {
         }
     }
     made.has_mirror = !images_of(made, question.plan).empty();
-    made.has_shadow = std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
-        return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;
-    });
+    made.has_shadow =
+        std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
+            return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;
+        });
     add_ray_row(made, question);
     add_pass_rows(made, question);
     add_mirror_rows(made, question);

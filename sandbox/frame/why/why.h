@@ -1,5 +1,5 @@
-// "Why this pixel?": the chain of a pixel in sentences, in the order in which it happened, with the lines to draw in
-// the views. Every sentence is computed from the replayed frame. Read pixel_chain.h first.
+// "Why this pixel?": the chain of a pixel in sentences, in the order in which it happened, with the lines to draw in the
+// views. Every sentence is computed from the replayed frame. Read pixel_chain.h first.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ struct Why {
     std::optional<Color> predicted;  ///< none: this picture's colors are not computed
     std::optional<Color> read_back;  ///< the question's
     bool by_rounding = false;        ///< the prediction follows GL where two depths differ by less than rounding
-    std::string surface;             ///< name in the scene of what is seen, "plane" for a patch; "" for the background
-    std::vector<std::string> casters;             ///< names of the objects whose shadow is on it
+    std::string surface;               ///< name in the scene of what is seen, "plane" for a patch; "" for the background
+    std::vector<std::string> casters;  ///< names of the objects whose shadow is on it
     bool has_shadow = false, has_mirror = false;  ///< a shadow or a mirror image is part of the color
 };
 

@@ -92,8 +92,7 @@ std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*
     std::string all;
     for (const std::string& one : said) all += (all.empty() ? "" : "; ") + one;
     if (left > 0)
-        all += "; " +
-               say_count(static_cast<std::int64_t>(left), "one more changes nothing", "{count} more change nothing");
+        all += "; " + say_count(static_cast<std::int64_t>(left), "one more changes nothing", "{count} more change nothing");
     return all + ".";
 }
 
@@ -109,7 +108,8 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
                    "cosine"_a = number_text(share->cosine, 2));
     const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
     double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
-    for (const LightShare& one : surface.color.lights) all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
+    for (const LightShare& one : surface.color.lights)
+        all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
     return say("n·ℓ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
                "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
@@ -138,8 +138,8 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
                        "caster"_a = caster, "p"_a = point_text(p));
     }
     if (s.w != 0.0)
-        said +=
-            " " + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
+        said += " " + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w),
+                          "w"_a = number_text(s.w, 2));
     const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
     said += " ";
     if (is_missing_light)
@@ -196,8 +196,7 @@ std::vector<PathPoint> path_of(const Derived& derived, const std::vector<std::si
 /// Returns the eye as the world behind the pass's mirrors sees it.
 glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
     glm::dvec4 eye = question.derived.eye_world;
-    for (const std::size_t mirror : pass.mirrors_met)
-        eye = mirror_matrix(question.derived.planes[mirror].unit_plane) * eye;
+    for (const std::size_t mirror : pass.mirrors_met) eye = mirror_matrix(question.derived.planes[mirror].unit_plane) * eye;
     return eye;
 }
 
@@ -226,8 +225,7 @@ void add_ray_row(Why& made, const WhyQuestion& question) {
     for (const Touch& touch : made.chain.touches) {
         const Fragment& one = touch.fragment;
         const Pass& pass = question.plan.passes[one.pass];
-        if (pass.is_mirror_image || !is_surface(pass) || !known.insert({one.object_index, one.triangle}).second)
-            continue;
+        if (pass.is_mirror_image || !is_surface(pass) || !known.insert({one.object_index, one.triangle}).second) continue;
         met.push_back(&one);
     }
     std::stable_sort(met.begin(), met.end(), [](const auto* a, const auto* b) { return a->eye_z > b->eye_z; });
@@ -242,13 +240,11 @@ void add_ray_row(Why& made, const WhyQuestion& question) {
                                      : say("{surface} (back) at z = {z}", "surface"_a = name, "z"_a = z);
     }
     if (met.size() > most)
-        said +=
-            ", " + say_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces");
+        said += ", " + say_count(static_cast<std::int64_t>(met.size() - most), "one more surface", "{count} more surfaces");
     made.rows.push_back({.kind = WhyRow::Kind::ray,
                          .title = tr("Ray"),
-                         .sentence = said.empty()
-                                         ? tr("The ray meets no surface.")
-                                         : say("The ray meets, from near to far: {surfaces}.", "surfaces"_a = said),
+                         .sentence = said.empty() ? tr("The ray meets no surface.")
+                                                  : say("The ray meets, from near to far: {surfaces}.", "surfaces"_a = said),
                          .is_quiet = met.empty()});
     if (met.empty()) return;
     made.lines.push_back({.kind = WhyLine::Kind::sight,
@@ -266,29 +262,27 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
             if (touch.fragment.pass == number) touches.push_back(&touch);
         if (touches.empty()) continue;
         const Pass& pass = plan.passes[number];
-        if (std::all_of(touches.begin(), touches.end(),
-                        [](const Touch* touch) { return touch->fragment.stencil_fails; })) {
+        if (std::all_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->fragment.stencil_fails; })) {
             ++kept_out;
             continue;
         }
         const bool changes =
             std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->fragment.passes; });
-        const bool paints =
-            std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->paints; });
-        made.rows.push_back({.kind = WhyRow::Kind::pass,
-                             .title = say("Pass {number}, {pass}", "number"_a = number + 1, "pass"_a = pass.name),
-                             .sentence = outcomes(question, touches),
-                             .after = paints ? std::optional(touches.back()->after) : std::nullopt,
-                             .pass = static_cast<int>(number),
-                             .is_quiet = !changes});
-    }
-    if (kept_out > 0)
+        const bool paints = std::any_of(touches.begin(), touches.end(), [](const Touch* touch) { return touch->paints; });
         made.rows.push_back(
             {.kind = WhyRow::Kind::pass,
-             .title = tr("Stencil"),
-             .sentence = say_count(kept_out, "One more pass covers this pixel, but the stencil keeps it out.",
-                                   "{count} more passes cover this pixel, but the stencil keeps them out."),
-             .is_quiet = true});
+             .title = say("Pass {number}, {pass}", "number"_a = number + 1, "pass"_a = pass.name),
+             .sentence = outcomes(question, touches),
+             .after = paints ? std::optional(touches.back()->after) : std::nullopt,
+             .pass = static_cast<int>(number),
+             .is_quiet = !changes});
+    }
+    if (kept_out > 0)
+        made.rows.push_back({.kind = WhyRow::Kind::pass,
+                             .title = tr("Stencil"),
+                             .sentence = say_count(kept_out, "One more pass covers this pixel, but the stencil keeps it out.",
+                                                   "{count} more passes cover this pixel, but the stencil keeps them out."),
+                             .is_quiet = true});
 }
 
 namespace {
@@ -302,18 +296,16 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
     const std::vector<PathPoint> path = path_of(question.derived, pass.mirrors_met, eye, q);
     std::string way;
     for (const PathPoint& point : path)
-        way +=
-            say("{plane} at {point}", "plane"_a = planes_name(std::array{point.mirror}, question.derived.planes.size()),
-                "point"_a = point_text(point.world)) +
-            " → ";
+        way += say("{plane} at {point}", "plane"_a = planes_name(std::array{point.mirror}, question.derived.planes.size()),
+                   "point"_a = point_text(point.world)) +
+               " → ";
     const std::string object = surface_name(question, image->fragment.object_index);
-    made.rows.push_back(
-        {.kind = WhyRow::Kind::mirror,
-         .title = tr("Mirror"),
-         .sentence = say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,
-                         "object"_a = object, "q"_a = point_text(q), "product"_a = mirror_product(question, pass),
-                         "image"_a = point_text(image_world)),
-         .after = image->after});
+    made.rows.push_back({.kind = WhyRow::Kind::mirror,
+                         .title = tr("Mirror"),
+                         .sentence = say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.",
+                                         "way"_a = way, "object"_a = object, "q"_a = point_text(q),
+                                         "product"_a = mirror_product(question, pass), "image"_a = point_text(image_world)),
+                         .after = image->after});
     const std::size_t row = made.rows.size() - 1;
     glm::dvec3 from = eye;
     for (const PathPoint& point : path) {
@@ -343,8 +335,7 @@ void add_lights(Why& made, const WhyQuestion& question, const Touch* surface) {
         if (is_patch) {
             const std::size_t plane = pass.plane;
             const DerivedPlane& receiver = question.derived.planes[plane];
-            const bool reaches =
-                receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
+            const bool reaches = receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
             const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, plane, light, pass.mirrors_met);
             if (shadow.first) {
                 row.sentence = shadow_sentence(question, shadow, plane, light);
@@ -360,9 +351,8 @@ void add_lights(Why& made, const WhyQuestion& question, const Touch* surface) {
             }
         } else {
             row.sentence = lit_sentence(question, *surface, light);
-            const bool faces =
-                std::any_of(surface->color.lights.begin(), surface->color.lights.end(),
-                            [&](const LightShare& one) { return one.light == light && one.cosine > 0.0; });
+            const bool faces = std::any_of(surface->color.lights.begin(), surface->color.lights.end(),
+                                           [&](const LightShare& one) { return one.light == light && one.cosine > 0.0; });
             if (in_way && faces) {
                 caster_name = surface_name(question, in_way->object_index);
                 row.sentence += " " + say("{caster} is in its way, but planar shadows fall on planes only.",
@@ -404,8 +394,8 @@ void add_sample_row(Why& made, const WhyQuestion& question) {
     static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
     std::vector<std::pair<std::string, int>> seen;
     for (const glm::ivec2& place : places) {
-        const PixelChain chain =
-            pixel_chain(question.plan, question.finder, 4 * question.pixel + place, 4 * question.viewport.size_px);
+        const PixelChain chain = pixel_chain(question.plan, question.finder, 4 * question.pixel + place,
+                                             4 * question.viewport.size_px);
         const Touch* surface = chain.surface(question.plan);
         const std::string name =
             surface ? surface_name(question, surface->fragment.object_index) : tr("the background");
@@ -446,18 +436,17 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
     if (question.plan.shows == Shows::stencil)
         said = say("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
     if (question.plan.shows == Shows::depth)
-        said = made.chain.has_depth
-                   ? say("depth code {code} is shown as {color}",
-                         "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
-                   : say("nothing wrote depth: shown as {color}", "color"_a = result);
+        said = made.chain.has_depth ? say("depth code {code} is shown as {color}",
+                                          "code"_a = code_text(made.chain.stored, precision(question)),
+                                          "color"_a = result)
+                                    : say("nothing wrote depth: shown as {color}", "color"_a = result);
     if (question.read_back)
         said += is_same_color(color, *question.read_back)
-                    ? (made.by_rounding
-                           ? std::string(", ") + tr("as read back; two depths are so close that rounding decides")
-                           : std::string(", ") + tr("as read back"))
+                    ? (made.by_rounding ? std::string(", ") + tr("as read back; two depths are so close that rounding decides")
+                                        : std::string(", ") + tr("as read back"))
                     : ", " + say("but {color} is read back",
-                                 "color"_a =
-                                     hex_color(question.read_back->r, question.read_back->g, question.read_back->b));
+                                 "color"_a = hex_color(question.read_back->r, question.read_back->g,
+                                                       question.read_back->b));
     made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "frame/depth/fragment_text.h"
 #include "text/catalogue.h"
+#include "frame/depth/fragment_text.h"
 
 namespace viewing {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/depth/fragment_text.h"
 #include "text/catalogue.h"
 #include "ui/depth/cell_bar.h"
 #include "ui/depth/cell_layout.h"
 #include "ui/depth/cell_text.h"
 #include "ui/depth/draw_steps.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 #include "ui/parts/view_window.h"

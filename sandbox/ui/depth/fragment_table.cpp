@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "frame/depth/fragment_text.h"
 #include "text/catalogue.h"
+#include "frame/depth/fragment_text.h"
 #include "ui/depth/pixel_numbers.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "frame/depth/fragment_text.h"
 #include "text/catalogue.h"
+#include "frame/depth/fragment_text.h"
 
 namespace viewing {
 namespace {

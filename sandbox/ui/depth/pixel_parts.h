@@ -8,8 +8,7 @@
 
 namespace viewing {
 
-/// Draws the header line. `surface` is left out of it if it is empty, and stands on a line of its own if it does not
-/// fit.
+/// Draws the header line. `surface` is left out of it if it is empty, and stands on a line of its own if it does not fit.
 void draw_pixel_headline(ViewParams& view, glm::ivec2 pixel, const Color& color, const std::string& surface);
 
 /// Releases the pinned pixel: the views follow the pointer again.

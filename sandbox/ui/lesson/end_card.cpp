@@ -85,8 +85,9 @@ EndCard::Wishes EndCard::draw(const LessonRun& run, bool presents, const Picture
     const float gap = line * 1.5F, picture = std::floor(whole * 0.46F), width = whole - picture - gap;
     std::string title = lesson_->title.shown();
     if (lesson_->lecture) title = lesson_->lecture->parts[lesson_->lecture->part_of(run.index())].title.shown();
-    ImGui::SetCursorPos({ImGui::GetCursorPosX() + (room.x - whole) * 0.5F,
-                         ImGui::GetCursorPosY() + std::max(0.0F, room.y - picture * 9.0F / 16.0F - line * 8.0F) * 0.4F});
+    ImGui::SetCursorPos(
+        {ImGui::GetCursorPosX() + (room.x - whole) * 0.5F,
+         ImGui::GetCursorPosY() + std::max(0.0F, room.y - picture * 9.0F / 16.0F - line * 8.0F) * 0.4F});
     ImGui::BeginGroup();
     paragraph(say("What you have seen: {lesson}", "lesson"_a = title), fonts.caption, whole)
         .draw("title", palette().quiet);

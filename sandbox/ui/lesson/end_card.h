@@ -20,7 +20,7 @@ public:
     };
     /// Draws the card over the whole window. `presents`: for the room, without buttons.
     Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
-    /// Returns the picture that the card shows: the lesson's last one, after its answer.
+    /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
     static CardPicture wanted_picture(const LessonRun& run);
     /// Returns the card's texts that are in no lesson's steps, for the fonts.
     std::vector<std::string> texts(const LessonRun& run);

@@ -73,7 +73,7 @@ struct ViewState {
     LightRays light_rays;                   ///< of the observer's view
     std::optional<Stage::Target> target;    ///< the place that a lesson marks
     WhyState why;
-    PinnedPixel pinned;  ///< the pixel that the state pins, in the camera's picture
+    PinnedPixel pinned;                     ///< the pixel that the state pins, in the camera's picture
 };
 
 /// Returns whether a hidden-surface method, the draw calls or the passes are playing.

@@ -74,8 +74,8 @@ bool draw_row(Session& session, const WhyRow& row, const RowPlace& place, int nu
     ImGui::PopFont();
     const bool has_fix = !row.fix.empty() && widgets::OffersButton("Fix");
     ImGui::PushID(number);
-    const bool stops =
-        row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) && widgets::Offers("control:view.pass");
+    const bool stops = row.pass >= 0 && is_drawn_by_gl_alone(session.params.visibility.method) &&
+                       widgets::Offers("control:view.pass");
     const bool is_pressed = ImGui::InvisibleButton("row", {place.width, height});
     const bool over = ImGui::IsItemHovered();
     widgets::Record(("why: " + row.title).c_str());

@@ -48,8 +48,7 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         "What this view shows",
         "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
         "camera stays; why a pixel has its color; the depth buffer and its analysis (histogram, precision, codes, one "
-        "pixel, a block of pixels, depth fighting); the lecture's display(); the lecture's derivation and code for "
-        "shadow and mirror, and four "
+        "pixel, a block of pixels, depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, and four "
         "ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the tree, the "
         "drawing order and the growth of the cost.");
     ImGui::SameLine(0.0F, px(12.0F));
@@ -99,8 +98,7 @@ void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
     if (!state.hovered_pixel) return;
     state.told_pixel = state.hovered_pixel;
-    if (examines_pixel(params) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        pin(params, state.pinned, *state.hovered_pixel);
+    if (examines_pixel(params) && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, state.pinned, *state.hovered_pixel);
 }
 
 }  // namespace
