@@ -136,7 +136,7 @@ function(add_page)
                           # Node.
                           RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
     set(assets)
-    foreach(name scenes presets lessons exercises text lecture.json)
+    foreach(name scenes presets lessons lectures exercises text lecture.json)
         list(APPEND assets "SHELL:--embed-file ${PROJECT_SOURCE_DIR}/assets/${name}@/assets/${name}")
     endforeach()
     target_link_options(web PRIVATE ${assets} -fwasm-exceptions -O2

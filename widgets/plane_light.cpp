@@ -14,21 +14,25 @@ double NormalLength(const glm::dvec4& plane) {
     return glm::length(glm::dvec3(plane));
 }
 
-/// Draws buttons for the coordinate planes through the origin and for normalizing. Returns whether `plane` was edited.
-bool PlaneButtons(glm::dvec4& plane) {
+/// Draws buttons for the coordinate planes, moved by `d`, and for normalizing. Returns whether `plane` was edited.
+bool PlaneButtons(glm::dvec4& plane, const glm::dvec3& d) {
     struct Preset {
-        const char* name;
-        glm::dvec4 plane;
-        const char* tip;
+        const char *name, *tip, *moved_tip;
     };
-    static const Preset presets[] = {
-        {"yz", {1.0, 0.0, 0.0, 0.0}, marked("The vertical plane x = 0: a = 1, the rest 0.")},
-        {"xz", {0.0, 1.0, 0.0, 0.0}, marked("The ground plane y = 0: b = 1, the rest 0.")},
-        {"xy", {0.0, 0.0, 1.0, 0.0}, marked("The vertical plane z = 0: c = 1, the rest 0.")}};
+    static constexpr Preset presets[] = {
+        {"yz", marked("The vertical plane x = 0: a = 1, the rest 0."),
+         marked("A vertical plane with a = 1 that cuts no object. Press again for x = 0.")},
+        {"xz", marked("The ground plane y = 0: b = 1, the rest 0."),
+         marked("A level plane with b = 1 that cuts no object. Press again for y = 0.")},
+        {"xy", marked("The vertical plane z = 0: c = 1, the rest 0."),
+         marked("A vertical plane with c = 1 that cuts no object. Press again for z = 0.")}};
     const glm::dvec4 before = plane;
-    for (const Preset& preset : presets) {
-        if (SmallButton(preset.name)) plane = preset.plane;
-        Tooltip(preset.name, preset.tip);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Preset& preset = presets[axis];
+        glm::dvec4 through_origin(0.0), moved(0.0, 0.0, 0.0, d[axis]);
+        through_origin[axis] = moved[axis] = 1.0;
+        if (SmallButton(preset.name)) plane = plane == moved ? through_origin : moved;
+        Tooltip(preset.name, d[axis] == 0.0 ? preset.tip : preset.moved_tip);
         ImGui::SameLine(0.0F, inner::Px(4));
     }
     const bool is_unit = std::abs(NormalLength(plane) - 1.0) < 1e-12;
@@ -39,8 +43,8 @@ bool PlaneButtons(glm::dvec4& plane) {
 
 }  // namespace
 
-bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& default_value,
-                   std::span<const Links> links) {
+bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& default_value, std::span<const Links> links,
+                   const glm::dvec3& d_of_buttons) {
     static constexpr const char* names[] = {"a", "b", "c", "d"};
     const double defaults[] = {default_value.x, default_value.y, default_value.z, default_value.w};
     const NumberStyle style{.step = 0.01, .decimals = 3, .role = Role::plane};
@@ -62,7 +66,7 @@ bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& defau
     }
     {
         const Group group(label);
-        changed |= PlaneButtons(plane);
+        changed |= PlaneButtons(plane, d_of_buttons);
     }
     ImGui::EndGroup();
     return changed;

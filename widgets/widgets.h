@@ -292,10 +292,11 @@ bool Section(const char* label, bool open_by_default = true, const char* note = 
 
 // ---- the lecture's things --------------------------------------------------------------------------
 
-/// Edits a plane a x + b y + c z + d = 0 with four numbers, the buttons yz, xz and xy (which set d = 0), and Normalize.
-/// Rejects edits that would make the normal zero. `links`: one per component.
+/// Edits a plane a x + b y + c z + d = 0 with four numbers, the buttons yz, xz and xy, and Normalize.
+/// Rejects edits that would make the normal zero. `links`: one per component. `d_of_buttons`: the d that yz, xz and xy
+/// set; pressed again, they set d = 0.
 bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& default_value,
-                   std::span<const Links> links = {});
+                   std::span<const Links> links = {}, const glm::dvec3& d_of_buttons = glm::dvec3(0.0));
 
 /// Edits a point light (w = 1) or parallel light (w = 0) with two radio buttons, three numbers and w. The four
 /// components are never all zero.

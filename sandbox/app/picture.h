@@ -24,6 +24,7 @@ struct LessonPicture {
     bool presents = false;          ///< shows the step as the audience sees it
     bool has_strip = true;          ///< shows the lesson strip with the step's texts
     std::string code_address = {};  ///< adds the QR code of a link that begins like this; "": no code
+    bool ends = false;              ///< shows the card that follows the step
 };
 
 /// The content of a picture: the whole window, the camera's picture or one of its buffers, or another view by itself

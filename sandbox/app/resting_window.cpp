@@ -27,6 +27,7 @@ void lead(Studio& studio, const LessonPicture& wanted) {
         guide.reveal(studio.session);
         guide.next(studio.session);  // ends the reveal immediately
     }
+    if (wanted.ends) guide.run()->show_end(true);
     if (wanted.presents) studio.workbench.presenter.begin();
     if (!wanted.code_address.empty()) {
         studio.workbench.link_address = wanted.code_address;

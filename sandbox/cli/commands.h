@@ -23,8 +23,8 @@ struct Command {
 };
 
 extern const Command open_command, snapshot_command, compare_command, matrices_command, inspect_command,
-    measure_command, lesson_command, exercises_command, grade_command, suite_command, sweep_command, state_command,
-    params_command, presets_command, doctor_command;
+    measure_command, lesson_command, lecture_command, exercises_command, grade_command, suite_command, sweep_command,
+    state_command, params_command, presets_command, doctor_command;
 
 /// Returns all commands, in the order of --help.
 std::span<const Command* const> commands();

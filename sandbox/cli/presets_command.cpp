@@ -17,18 +17,16 @@ std::string line(const NamedFile& file, const char* mark) {
 }
 
 Json preset_as_json(const NamedFile& file, const char* kind) {
-    return {{"name", file.name},
-            {"title", tr(file.title.c_str())},
-            {"about", tr(file.about.c_str())},
-            {"group", file.group},
-            {"kind", kind}};
+    return {{"name", file.name},   {"title", tr(file.title.c_str())}, {"about", tr(file.about.c_str())},
+            {"group", file.group}, {"slides", file.slides},           {"kind", kind}};
 }
 
 ExitStatus run_presets(const Command& self, const Arguments& arguments) {
     Options options(self);
     bool json = false;
     std::optional<std::string> typed_language;
-    options.flag("--json", json, "Prints JSON instead: name, title, about, group and kind (preset or scene) of each");
+    options.flag("--json", json,
+                 "Prints JSON instead: name, title, about, group, slides and kind (preset or scene) of each");
     options.text("--language", "en|ko", typed_language, "Of titles and sentences; default en");
     if (!options.parse(arguments)) return ExitStatus::done;
 

@@ -19,10 +19,10 @@
 namespace viewing {
 namespace {
 
-constexpr std::array all_commands{&open_command,     &lesson_command,  &exercises_command, &grade_command,
-                                  &snapshot_command, &compare_command, &matrices_command,  &inspect_command,
-                                  &measure_command,  &suite_command,   &sweep_command,     &state_command,
-                                  &params_command,   &presets_command, &doctor_command};
+constexpr std::array all_commands{&open_command,    &lesson_command,   &lecture_command, &exercises_command,
+                                  &grade_command,   &snapshot_command, &compare_command, &matrices_command,
+                                  &inspect_command, &measure_command,  &suite_command,   &sweep_command,
+                                  &state_command,   &params_command,   &presets_command, &doctor_command};
 
 std::string main_help() {
     std::string text =

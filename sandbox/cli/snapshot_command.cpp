@@ -18,6 +18,7 @@
 #include "cli/values.h"
 #include "frame/finite.h"
 #include "gl/facts.h"
+#include "lesson/run.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
 
@@ -29,7 +30,7 @@ struct TypedSnapshot {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
     std::optional<std::string> dpi, code;
-    bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
+    bool fail_if_blank = false, revealed = false, ends = false, presents = false, labels = false, transparent = false;
 };
 
 /// The checked options.
@@ -74,6 +75,7 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "Draws a step of this lesson instead of STATE (viewing-sandbox lesson --list)");
     options.text("--step", "N", typed.step, "Number of the step, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "Shows the step after its answer");
+    options.flag("--end", typed.ends, "Shows the card that ends a lesson, after its last step");
     options.flag("--present", typed.presents, "Shows the window as in a lecture room: the lesson's step, or STATE");
     options.text("--code", "ADDRESS", typed.code,
                  "Adds the QR code of a link to the step to what --present shows; ADDRESS is the part before the #");
@@ -128,9 +130,9 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
-    const bool wants_lesson = typed.step || typed.revealed;
+    const bool wants_lesson = typed.step || typed.revealed || typed.ends;
     if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
-        options.refuse("--step and --revealed need --lesson");
+        options.refuse("--step, --revealed and --end need --lesson");
     if (typed.code && !typed.presents) options.refuse("--code needs --present");
     wish.picture.presents = typed.presents;
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
@@ -260,9 +262,11 @@ LoadedState state_of(const Options& options, const TypedSnapshot& typed, const S
                 "--lesson: a step has its own state, so STATE and --mesh are not allowed and --set takes only ui.… "
                 "fields");
         const UiParams looks = state.params.ui;
+        if (typed.ends && !LessonRun(step->lesson, step->step).end())
+            options.refuse("--end: no card follows this step; give the --step that ends a lesson");
         const std::string code = typed.code ? address_option(options, "--code", typed.code) : "";
-        state =
-            show_step({std::move(step->lesson), step->step, typed.revealed, false, true, code}, wish.picture);
+        state = show_step({std::move(step->lesson), step->step, typed.revealed, false, true, code, typed.ends},
+                          wish.picture);
         state.params.ui = looks;
     }
     return state;

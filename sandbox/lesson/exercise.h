@@ -34,6 +34,9 @@ struct Exercise {
 /// Returns the exercises of the assets directory in order of file name, with an error in place of each unreadable one.
 std::vector<Result<Exercise>> exercises();
 
+/// Returns the title of one of the program's exercises, by its id; empty if there is none.
+LessonText exercise_title(const std::string& id);
+
 /// Loads exercises from these files and folders (in a folder, in order of file name); if `files` is empty, loads those
 /// of the assets directory. Fails with the first error.
 Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& files);

@@ -203,6 +203,15 @@ Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& fil
     return all;
 }
 
+LessonText exercise_title(const std::string& id) {
+    const Result<std::string> text = read_text_file(assets_directory() / "exercises" / (id + ".json"));
+    if (!text) return {};
+    const Result<LessonText> title = guarded([&] {
+        return text_at(parse_document(*text, ""), "title", Where{"", ""}, false);
+    });
+    return title ? *title : LessonText{};
+}
+
 Result<std::size_t> find_exercise(const std::vector<Exercise>& exercises, const std::string& name) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < exercises.size(); ++i) {

@@ -1,6 +1,6 @@
-// A guided lesson, as its file describes it. Each step asks a question before it shows the answer. Each step's state is
-// complete, so a step can be revisited, reached directly and tested alone. Read reader.cpp for the file, judge.h for
-// answers, and run.h for the progress through a lesson.
+// A guided lesson, as its file describes it, or a lecture made of lessons, steps and presets. Each step asks a question
+// before it shows the answer. Each step's state is complete, so a step can be revisited, reached directly and tested
+// alone. Read reader.cpp for the file, judge.h for answers, and run.h for the progress through a lesson.
 #pragma once
 
 #include <array>
@@ -103,8 +103,9 @@ struct LessonTarget {
 
 struct LessonStep {
     std::string id;
-    LoadedState start;  ///< before the answer, including the layout
-    Params revealed;    ///< after the answer: with a goal's model and the reveal's changes
+    std::vector<int> slides;  ///< those that this step is about; without its own, the lesson's
+    LoadedState start;        ///< before the answer, including the layout
+    Params revealed;          ///< after the answer: with a goal's model and the reveal's changes
     bool names_lower_left = false, names_lower_right = false;  ///< in the layout; the stage shows no other lower views
     std::optional<LessonTarget> target;
     LessonText say;
@@ -113,6 +114,28 @@ struct LessonStep {
     Reveal reveal;
     std::vector<std::string> claims_before, claims;
     LessonText note;
+    /// Whether the step asks nothing, like a preset in a lecture: a sentence stands in place of the question.
+    bool only_shows() const { return ask.kind == AskKind::choice && ask.choices.empty(); }
+};
+
+/// What the card at the end of a lesson says.
+struct LessonEnd {
+    std::vector<LessonText> says;  ///< what was seen, in three sentences; empty: there is no card
+    std::string exercise;          ///< the exercise that fits, by its id; "": none
+};
+
+/// The parts of a lecture: each is a lesson, some of its steps, or a preset.
+struct Lecture {
+    struct Part {
+        LessonText title;
+        std::string lesson;  ///< "" for a preset
+        int minutes = 0;
+        std::size_t first = 0, count = 0;  ///< its steps among the lecture's
+        LessonEnd end;
+    };
+    std::vector<Part> parts;
+    /// Returns the index of the part that a step belongs to.
+    std::size_t part_of(std::size_t step) const;
 };
 
 /// One student's exercises, if the steps are exercises; one entry per step.
@@ -138,6 +161,8 @@ struct Lesson {
     std::optional<LoadedState> picture;                    ///< shown on the lesson's card instead of the first step
     std::filesystem::path file;
     std::optional<Sheet> sheet = {};
+    LessonEnd end = {};
+    std::optional<Lecture> lecture = {};  ///< its steps are then those of all parts, one after another
 };
 
 /// The part of a lesson that a list shows.
@@ -155,13 +180,18 @@ struct LessonFile {
 /// Returns the lessons of the assets directory in the order of the lecture: by file name, which begins with a number. A
 /// lesson that cannot be read is listed by its file name; loading it reports why.
 std::vector<LessonFile> lessons();
+/// Returns the lectures of the assets directory, by file name.
+std::vector<LessonFile> lectures();
 
-/// Loads the lesson with that id, or the file at that path. The error is one sentence that names the file, the step and
-/// the field.
+/// Loads the lesson or the lecture with that id, or the file at that path. The error is one sentence that names the
+/// file, the step and the field.
 Result<Lesson> load_lesson(const std::string& argument);
 
-/// Reads a lesson from a string. `source` ("mine.json") starts every message; files of its scenes are relative to
-/// `folder`.
+/// Returns a sentence for each mistake in a lecture's file; the error says why it cannot be read at all.
+Result<std::vector<std::string>> lecture_mistakes(const std::string& argument);
+
+/// Reads a lesson or a lecture from a string. `source` ("mine.json") starts every message; files of its scenes are
+/// relative to `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
 /// Returns all mistakes of such a text, each as parse_lesson() would say it; empty if it can be read. What only follows

@@ -41,12 +41,64 @@ std::string time_text(const Lesson& lesson, double presented_s) {
                "left"_a = minutes_of(left_s));
 }
 
-/// Whether the lecturer is behind schedule, assuming that all steps take equally long.
+/// The time from when to when a step is planned, in seconds.
+struct Planned {
+    double from_s = 0.0, to_s = 0.0;
+};
+
+/// Returns the plan for the current step, assuming that all steps of a part take equally long. A lesson is one part.
+Planned planned(const LessonRun& run) {
+    const Lesson& lesson = run.lesson();
+    double before_min = 0.0, minutes = lesson.minutes;
+    std::size_t first = 0, count = lesson.steps.size();
+    if (lesson.lecture) {
+        const std::size_t now = lesson.lecture->part_of(run.index());
+        for (std::size_t i = 0; i < now; ++i) before_min += lesson.lecture->parts[i].minutes;
+        const Lecture::Part& part = lesson.lecture->parts[now];
+        minutes = part.minutes;
+        first = part.first;
+        count = part.count;
+    }
+    const auto at_s = [&](std::size_t step) {
+        return 60.0 * (before_min + minutes * static_cast<double>(step - first) / static_cast<double>(count));
+    };
+    return {at_s(run.index()), at_s(run.index() + 1)};
+}
+
+/// Whether the lecturer is behind schedule.
 bool is_late(const LessonRun& run, double presented_s) {
     constexpr double patience_s = 120.0;
+    return run.lesson().minutes > 0 && presented_s > planned(run).to_s + patience_s;
+}
+
+/// Returns how far a lecture is ahead of its plan or behind it.
+std::string plan_text(const LessonRun& run, double presented_s) {
+    const Planned plan = planned(run);
+    const int behind = minutes_of(presented_s - plan.to_s), ahead = minutes_of(plan.from_s - presented_s);
+    if (behind > 0) return say("{minutes} min behind", "minutes"_a = behind);
+    if (ahead > 0) return say("{minutes} min ahead", "minutes"_a = ahead);
+    return tr("on time");
+}
+
+/// Returns the lecture's current part: which one, its planned minutes, and the step inside it.
+std::string part_text(const LessonRun& run) {
+    const Lecture& lecture = *run.lesson().lecture;
+    const std::size_t now = lecture.part_of(run.index());
+    const Lecture::Part& part = lecture.parts[now];
+    return say("part {part} / {parts}, {minutes} min · step {step} / {steps}", "part"_a = now + 1,
+               "parts"_a = lecture.parts.size(), "minutes"_a = part.minutes, "step"_a = run.index() - part.first + 1,
+               "steps"_a = part.count);
+}
+
+std::string next_text(const LessonRun& run) {
     const Lesson& lesson = run.lesson();
-    const double share = static_cast<double>(run.index() + 1) / static_cast<double>(lesson.steps.size());
-    return lesson.minutes > 0 && presented_s > lesson.minutes * 60.0 * share + patience_s;
+    if (run.is_last()) return tr(lesson.lecture ? marked("End of the lecture.") : marked("End of the lesson."));
+    const std::size_t next = run.index() + 1;
+    const LessonStep& step = lesson.steps[next];
+    const std::string begins = step.only_shows() ? step.say.shown() : step.ask.question.shown();
+    if (!lesson.lecture) return begins;
+    const Lecture::Part& part = lesson.lecture->parts[lesson.lecture->part_of(next)];
+    return part.first == next && !step.only_shows() ? part.title.shown() + ": " + begins : begins;
 }
 
 }  // namespace
@@ -79,22 +131,34 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
-    static constexpr const char* phases[] = {marked("asking"), marked("showing"), marked("answered")};
+    static constexpr const char* phases[] = {marked("asking"), marked("showing"), marked("answered"),
+                                             marked("end of the lesson")};
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
     Notes notes;
     notes.title = lesson.title.shown();
-    notes.place = std::to_string(run.index() + 1) + " / " + std::to_string(lesson.steps.size()) + " · " +
-                  tr(phases[static_cast<std::size_t>(phase)]) + " · " + time_text(lesson, presented_s);
+    notes.place =
+        lesson.lecture ? part_text(run) : std::to_string(run.index() + 1) + " / " + std::to_string(lesson.steps.size());
+    if (!step.only_shows() || phase == StepPhase::ended)
+        notes.place += std::string(" · ") + tr(phases[static_cast<std::size_t>(phase)]);
+    notes.place += " · " + time_text(lesson, presented_s);
+    if (lesson.lecture) {
+        notes.title += " · " + lesson.lecture->parts[lesson.lecture->part_of(run.index())].title.shown();
+        notes.place += " · " + plan_text(run, presented_s);
+    }
     notes.is_late = is_late(run, presented_s);
-    const std::string next =
-        run.is_last() ? tr("End of the lesson.") : lesson.steps[run.index() + 1].ask.question.shown();
-    const Notes::Part parts[] = {{tr("Say"), step.say.shown()},
-                                 {tr("Ask"), step.ask.question.shown()},
-                                 {tr("Answer"), answer_in_words(step.ask, surroundings)},
-                                 {tr("Reveal"), step.reveal.say.shown()},
-                                 {tr("Note"), step.note.shown()},
-                                 {tr("Then"), next}};
+    std::vector<Notes::Part> parts;
+    if (phase == StepPhase::ended && run.end())
+        for (const LessonText& said : run.end()->says) parts.push_back({tr("Say"), said.shown()});
+    else if (step.only_shows())
+        parts = {{tr("Say"), step.say.shown()}, {"", step.ask.question.shown()}};
+    else
+        parts = {{tr("Say"), step.say.shown()},
+                 {tr("Ask"), step.ask.question.shown()},
+                 {tr("Answer"), answer_in_words(step.ask, surroundings)},
+                 {tr("Reveal"), step.reveal.say.shown()},
+                 {tr("Note"), step.note.shown()}};
+    parts.push_back({tr("Then"), next_text(run)});
     for (const Notes::Part& part : parts)
         if (!part.text.empty()) notes.parts.push_back(part);
     return notes;

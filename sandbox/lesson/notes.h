@@ -15,17 +15,18 @@ namespace viewing {
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
 
 /// The phase of a step; the second line of the notes shows it.
-enum class StepPhase { asks, shows, answered };
+enum class StepPhase { asks, shows, answered, ended };
 
 /// The lecturer's page in the current language.
 struct Notes {
     std::string title;
-    std::string place;  ///< "3 / 8 · asking · 12 of 15 min, 3 left"
+    /// "3 / 8 · asking · 12 of 15 min, 3 left"; in a lecture, "part 2 / 9, 8 min · …, 2 behind"
+    std::string place;
     struct Part {
         std::string label, text;
     };
     std::vector<Part> parts;  ///< say, ask, answer, reveal, note, and what comes next
-    bool is_late = false;     ///< more than two minutes behind, assuming steps of equal length
+    bool is_late = false;     ///< more than two minutes behind, assuming steps of equal length in a part
 };
 
 /// Returns the page for the current step. `presented_s` counts from the start of the lesson.

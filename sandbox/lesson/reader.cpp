@@ -1,6 +1,8 @@
-// Reads lesson files with the same checks as state files. Every message names the file, the step and the field.
+// Reads lesson and lecture files with the same checks as state files. Every message names the file, the step and the
+// field.
 #include <algorithm>
 
+#include "lesson/lecture_reader.h"
 #include "lesson/step_reader.h"
 #include "platform/file.h"
 #include "state/scene.h"
@@ -20,11 +22,39 @@ std::string group_at(const Json& document, const Where& where) {
     return document["group"].get<std::string>();
 }
 
+/// Reads what the lesson's last card says: three sentences, and the exercise that fits.
+LessonEnd read_end(const Json& document, const Where& where) {
+    LessonEnd end;
+    if (!has(document, "end")) return end;
+    const Json& object = document["end"];
+    const Where inside = where.key("end");
+    require_keys(object, inside, {"says", "exercise"});
+    const Where says = inside.key("says");
+    constexpr std::size_t sentences = 3;
+    if (!has(object, "says")) says.refuse("is missing: three sentences");
+    require_array(object["says"], says, sentences, "a list of three sentences");
+    if (object["says"].size() != sentences) says.refuse("must have three sentences");
+    for (std::size_t i = 0; i < sentences; ++i) {
+        end.says.push_back(read_text_of(object["says"][i], says.at(i)));
+        if (end.says.back().empty()) says.at(i).refuse("must not be empty");
+    }
+    if (!has(object, "exercise")) return end;
+    end.exercise = read_name(object["exercise"], inside.key("exercise"));
+    std::vector<std::string> known;
+    for (const fs::path& path : files_in(assets_directory() / "exercises", ".json"))
+        known.push_back(path.stem().string());
+    if (std::find(known.begin(), known.end(), end.exercise) == known.end())
+        inside.key("exercise")
+            .refuse("there is no exercise " + excerpt(end.exercise) + suggestion(end.exercise, known));
+    return end;
+}
+
 Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
     Lesson lesson;
     mistakes.part([&] {
-        require_keys(document, where,
-                     {"lesson", "id", "title", "group", "slides", "minutes", "picture", "needs", "tags", "steps"});
+        require_keys(
+            document, where,
+            {"lesson", "id", "title", "group", "slides", "minutes", "picture", "needs", "tags", "steps", "end"});
     });
     if (!document.is_object()) return lesson;
     mistakes.part([&] {
@@ -40,6 +70,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     });
     mistakes.part([&] { lesson.needs = names_at(document, "needs", where); });
     mistakes.part([&] { lesson.tags = read_tags(document, where); });
+    mistakes.part([&] { lesson.end = read_end(document, where); });
     const Where steps = where.key("steps");
     const bool are_steps = mistakes.part([&] {
         if (!has(document, "steps")) steps.refuse("is missing: a list of steps");
@@ -53,6 +84,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     if (!are_steps) return lesson;
     for (std::size_t i = 0; i < document["steps"].size(); ++i) {
         lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i), mistakes));
+        if (lesson.steps.back().slides.empty()) lesson.steps.back().slides = lesson.slides;
         const std::string& id = lesson.steps.back().id;
         const auto count = std::count_if(lesson.steps.begin(), lesson.steps.end(),
                                          [&](const LessonStep& step) { return !id.empty() && step.id == id; });
@@ -77,6 +109,8 @@ LessonFile glance_at(const fs::path& path) {
         file.slides = read_slides(document, root);
         if (document.contains("minutes")) file.minutes = read_whole(document["minutes"], root, 1, 600);
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
+        if (document.contains("parts"))
+            for (const Json& part : document["parts"]) file.minutes += read_whole(part.at("minutes"), root, 1, 600);
         file.questions.resize(static_cast<std::size_t>(file.steps));
         if (!document["steps"].is_array()) return true;
         for (std::size_t i = 0; i < file.questions.size(); ++i)
@@ -93,8 +127,10 @@ LessonFile glance_at(const fs::path& path) {
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const fs::path& folder) {
     return guarded([&] {
         const Where root{source + ": ", ""};
+        const Json document = parse_document(json, root.prefix);
         Mistakes mistakes;
-        Lesson lesson = read_lesson(parse_document(json, root.prefix), folder, root, mistakes);
+        Lesson lesson = is_lecture(document) ? read_lecture(document, folder, root, mistakes)
+                                             : read_lesson(document, folder, root, mistakes);
         mistakes.refuse();
         return lesson;
     });
@@ -107,36 +143,68 @@ std::vector<std::string> lesson_mistakes(std::string_view json, const std::strin
     return mistakes.all();
 }
 
-std::vector<LessonFile> lessons() {
+namespace {
+
+std::vector<LessonFile> listed(const char* folder) {
     std::vector<LessonFile> files;
     const fs::path assets = assets_directory();
     if (assets.empty()) return files;
-    for (const fs::path& path : files_in(assets / "lessons", ".json")) files.push_back(glance_at(path));
+    for (const fs::path& path : files_in(assets / folder, ".json")) files.push_back(glance_at(path));
     return files;
 }
 
-Result<Lesson> load_lesson(const std::string& argument) {
-    fs::path path(argument);
-    std::string source = argument;
-    if (!path.has_parent_path() && path.extension() != ".json") {
-        const std::vector<LessonFile> known = lessons();
-        const auto at =
-            std::find_if(known.begin(), known.end(), [&](const LessonFile& file) { return file.id == argument; });
-        if (at == known.end()) {
-            std::vector<std::string> ids;
-            for (const LessonFile& file : known) ids.push_back(file.id);
-            return Error{one_line(argument) +
-                         ": neither a file nor a lesson (viewing-sandbox lesson --list lists them)" +
-                         suggestion(argument, ids)};
+/// A lesson's or a lecture's file, and the name that messages call it by.
+struct NamedSource {
+    fs::path path;
+    std::string source;
+};
+
+Result<NamedSource> source_of(const std::string& argument) {
+    const fs::path path(argument);
+    if (path.has_parent_path() || path.extension() == ".json") return NamedSource{path, argument};
+    std::vector<std::string> ids;
+    for (const std::vector<LessonFile>& files : {lessons(), lectures()})
+        for (const LessonFile& file : files) {
+            if (file.id == argument) return NamedSource{file.path, file.path.filename().string()};
+            ids.push_back(file.id);
         }
-        path = at->path;
-        source = path.filename().string();
-    }
-    const Result<std::string> text = read_text_file(path);
+    return Error{one_line(argument) + ": neither a file nor a lesson (viewing-sandbox lesson --list lists them)" +
+                 suggestion(argument, ids)};
+}
+
+}  // namespace
+
+std::vector<LessonFile> lessons() {
+    return listed("lessons");
+}
+
+std::vector<LessonFile> lectures() {
+    return listed("lectures");
+}
+
+Result<Lesson> load_lesson(const std::string& argument) {
+    const Result<NamedSource> named = source_of(argument);
+    if (!named) return Error{named.error()};
+    const Result<std::string> text = read_text_file(named->path);
     if (!text) return Error{text.error()};
-    Result<Lesson> lesson = parse_lesson(*text, source, path.parent_path());
-    if (lesson) lesson->file = path;
+    Result<Lesson> lesson = parse_lesson(*text, named->source, named->path.parent_path());
+    if (lesson) lesson->file = named->path;
     return lesson;
+}
+
+Result<std::vector<std::string>> lecture_mistakes(const std::string& argument) {
+    const Result<NamedSource> named = source_of(argument);
+    if (!named) return Error{named.error()};
+    const Result<std::string> text = read_text_file(named->path);
+    if (!text) return Error{text.error()};
+    return guarded([&] {
+        const Where root{named->source + ": ", ""};
+        const Json document = parse_document(*text, root.prefix);
+        if (!is_lecture(document)) root.refuse("is not a lecture: it must have \"lecture\": 1 and \"parts\"");
+        Mistakes mistakes;
+        read_lecture(document, named->path.parent_path(), root, mistakes);
+        return mistakes.all();
+    });
 }
 
 }  // namespace viewing

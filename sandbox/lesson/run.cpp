@@ -18,6 +18,16 @@ LessonRun::LessonRun(Lesson lesson, std::size_t step)
 
 void LessonRun::go_to(std::size_t step) {
     index_ = std::min(step, lesson_->steps.size() - 1);
+    shows_end_ = false;
+}
+
+const LessonEnd* LessonRun::end() const {
+    const LessonEnd* end = is_last() ? &lesson_->end : nullptr;
+    if (lesson_->lecture) {
+        const Lecture::Part& part = lesson_->lecture->parts[lesson_->lecture->part_of(index_)];
+        end = index_ + 1 == part.first + part.count ? &part.end : nullptr;
+    }
+    return end && !end->says.empty() ? end : nullptr;
 }
 
 void LessonRun::take(const Verdict& verdict) {

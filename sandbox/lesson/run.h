@@ -23,12 +23,19 @@ public:
     bool is_first() const { return index_ == 0; }
     bool is_last() const { return index_ + 1 == lesson_->steps.size(); }
 
-    bool is_revealed() const { return now().revealed; }
+    bool is_revealed() const { return now().revealed || step().only_shows(); }
     /// Shows the step's answer, after a right answer or on request.
     void reveal() { now().revealed = true; }
     /// Shows the question again.
     void cover() { now().revealed = false; }
     void go_to(std::size_t step);
+
+    /// Returns the card that follows this step: after a lesson's last step, and between the parts of a lecture; null
+    /// if none does.
+    const LessonEnd* end() const;
+    /// Whether that card is shown instead of the step. go_to() hides it.
+    bool shows_end() const { return shows_end_; }
+    void show_end(bool shows) { shows_end_ = shows && end(); }
 
     /// Returns the answer entered or chosen so far; each step keeps its own.
     Answer& answer() { return now().answer; }
@@ -71,6 +78,7 @@ private:
 
     std::shared_ptr<const Lesson> lesson_;  ///< shared with copies, since it never changes
     std::size_t index_ = 0;
+    bool shows_end_ = false;
     std::vector<Visit> visits_;
 };
 

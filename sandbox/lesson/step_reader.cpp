@@ -368,13 +368,14 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
     LessonStep step;
     mistakes.part([&] {
         require_keys(object, where,
-                     {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
+                     {"id", "slides", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
                       "claims_before", "note"});
     });
     if (!object.is_object()) return step;
     Where inside = where;
     if (mistakes.part([&] { step.id = name_at(object, "id", where); }))
         inside = {where.prefix + "step " + excerpt(step.id) + ": ", ""};
+    mistakes.part([&] { step.slides = read_slides(object, inside); });
     mistakes.part([&] { step.start = read_start(object, folder, presets, inside); });
     const bool shows_both = !has(object, "layout");  // such as one saved in the window
     step.names_lower_left = shows_both || has(object["layout"], "lower_left");

@@ -69,15 +69,6 @@ std::vector<std::string> names_at(const Json& object, const char* key, const Whe
     return names;
 }
 
-std::vector<int> read_slides(const Json& object, const Where& where) {
-    std::vector<int> slides;
-    if (!has(object, "slides")) return slides;
-    require_array(object["slides"], where.key("slides"), 100, "a list of slide numbers");
-    for (std::size_t i = 0; i < object["slides"].size(); ++i)
-        slides.push_back(read_whole(object["slides"][i], where.key("slides").at(i), 1, 9999));
-    return slides;
-}
-
 std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where) {
     std::vector<std::pair<std::string, LessonText>> tags;
     if (!has(object, "tags")) return tags;

@@ -47,7 +47,6 @@ LessonText text_at(const Json& object, const char* key, const Where& where, bool
 std::string name_at(const Json& object, const char* key, const Where& where);
 std::vector<std::string> names_at(const Json& object, const char* key, const Where& where);
 
-std::vector<int> read_slides(const Json& object, const Where& where);
 std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where);
 
 inline constexpr std::size_t most_entries = 64;  ///< the maximum number of entries in a list

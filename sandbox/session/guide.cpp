@@ -131,6 +131,7 @@ void Guide::next(Session& session) {
         return update(session, 0.0);
     }
     if (!run_->is_revealed() && !is_sheet()) return reveal(session);
+    if (run_->end() && !run_->shows_end()) return run_->show_end(true);
     if (run_->is_last()) return;
     run_->go_to(run_->index() + 1);
     if (!is_sheet()) run_->cover();
@@ -139,7 +140,8 @@ void Guide::next(Session& session) {
 
 void Guide::previous(Session& session) {
     if (!is_shown()) return;
-    if (run_->is_revealed() && !is_sheet())
+    if (run_->shows_end()) return run_->show_end(false);
+    if (run_->is_revealed() && !is_sheet() && !run_->step().only_shows())
         run_->cover();
     else if (!run_->is_first())
         run_->go_to(run_->index() - 1);

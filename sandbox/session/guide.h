@@ -50,7 +50,8 @@ public:
     /// reveals the covered parts.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// Goes to the question's answer, then to the next step's question; in a sheet, goes directly to the next step. If
-    /// a reveal is in progress, only finishes it. Does nothing after the last step.
+    /// a reveal is in progress, only finishes it. A card that ends a lesson comes before the next step; after the last
+    /// one, nothing follows.
     void next(Session& session);
     /// Goes back to the question, then to the previous step, with its answer if that was shown; in a sheet, goes
     /// directly to the previous step.

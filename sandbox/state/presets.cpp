@@ -9,6 +9,7 @@
 #include "state/file/document.h"
 #include "state/file/json.h"
 #include "state/file/link.h"
+#include "state/file/reader.h"
 #include "state/scene.h"
 #include "text/words.h"
 
@@ -36,6 +37,8 @@ NamedFile named_file(const fs::path& path) {
         take("about", named.about);
         take("group", named.group);
         take("mended_by", named.mended_by);
+        const Result<std::vector<int>> slides = guarded([&] { return read_slides(*document, Where{"", ""}); });
+        if (slides) named.slides = *slides;
         named.sets_looks = document->contains("ui");
     }
     return named;

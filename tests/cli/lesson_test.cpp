@@ -145,5 +145,23 @@ TEST_F(LessonCommand, ALessonGivenAsAStateIsReported) {
     EXPECT_TRUE(has(expect(2, {"state", "mine.json"}).err, "viewing-sandbox lesson mine.json"));
 }
 
+TEST_F(LessonCommand, ALectureIsCheckedAndHandedOut) {
+    EXPECT_TRUE(has(expect(0, {"lecture", "--list"}).out, "viewing-75 "));
+    EXPECT_TRUE(has(expect(0, {"lecture", "--check"}).out, "36 steps, 75 minutes\n"));
+    write("mine.json", R"({"lecture": 1, "id": "mine", "title": "Mine", "parts": [
+        {"preset": "room", "title": "A room", "say": "Three planes.", "minutes": 2},
+        {"lesson": "rays", "steps": [1], "minutes": 4}]})");
+    EXPECT_TRUE(has(expect(0, {"lecture", "mine.json", "--check"}).out, "2 parts, 2 steps, 6 minutes\n"));
+    const std::string page = expect(0, {"lecture", "mine.json", "--handout", "-"}).out;
+    for (const char* part : {"Three planes.", "A ray through each pixel", "keep-all", "Student number"})
+        EXPECT_TRUE(has(page, part)) << part;
+    write("mine.json", R"({"lecture": 1, "id": "mine", "title": "Mine", "parts": [
+        {"lesson": "rayz", "minutes": 4}, {"lesson": "rays", "minutes": 0}]})");
+    const Ended broken = expect(2, {"lecture", "--check", "mine.json"});
+    EXPECT_TRUE(has(broken.out, "parts[0].lesson: ") && has(broken.out, "parts[1].minutes: ")) << broken.out;
+    EXPECT_TRUE(has(broken.err, "2 mistakes"));
+    EXPECT_TRUE(has(expect(2, {"lecture", "rays"}).err, "is a lesson, not a lecture"));
+}
+
 }  // namespace
 }  // namespace cli_tests

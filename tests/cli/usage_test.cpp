@@ -12,7 +12,7 @@ namespace {
 class Usage : public Program {};
 
 const std::vector<std::string> command_names{"open",  "snapshot", "compare", "matrices", "inspect", "measure",
-                                             "state", "params",   "presets", "doctor",   "lesson"};
+                                             "state", "params",   "presets", "doctor",   "lesson",  "lecture"};
 
 TEST_F(Usage, HelpNamesEveryCommandAndEveryExitStatus) {
     for (const char* asked : {"--help", "-h", "help"}) {

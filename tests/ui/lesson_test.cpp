@@ -313,12 +313,69 @@ TEST(OnStage, AClickerNeverSkipsAnAnswer) {
     }
     EXPECT_TRUE(guide.run()->is_last());
     EXPECT_TRUE(guide.run()->is_revealed());
+    EXPECT_TRUE(guide.run()->shows_end());
+    desk.press(Key::page_down);
+    EXPECT_TRUE(guide.run()->shows_end()) << "nothing follows";
     desk.press(Key::page_up);
     desk.settle();
-    EXPECT_FALSE(guide.run()->is_revealed()) << "goes back to the question first";
+    EXPECT_FALSE(guide.run()->shows_end());
+    EXPECT_TRUE(guide.run()->is_revealed()) << "goes back to the last answer first";
+    desk.press(Key::page_up);
+    desk.settle();
+    EXPECT_FALSE(guide.run()->is_revealed()) << "then to its question";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_EQ(guide.run()->index(), lesson.steps.size() - 2);
+}
+
+/// Page Down alone leads through all parts of the lecture, with each question before its answer and a card after each
+/// lesson that asks for one. Page Up leads back to the beginning.
+TEST(OnStage, AWholeLectureWithOneKey) {
+    Desk desk({1280, 720});
+    const Lesson lecture = lesson_of("viewing-75");
+    begin(desk, lecture, 0, true);
+    Guide& guide = desk.workbench.guide;
+    guide.moves = false;
+    std::vector<std::string> seen, expected;
+    for (std::size_t step = 0; step < lecture.steps.size(); ++step) {
+        const std::string name = std::to_string(step);
+        const Lecture::Part& part = lecture.lecture->parts[lecture.lecture->part_of(step)];
+        if (!lecture.steps[step].only_shows()) expected.push_back(name + " asks");
+        expected.push_back(name + " shows");
+        if (step + 1 == part.first + part.count && !part.end.says.empty()) expected.push_back(name + " ends");
+    }
+    const auto now = [&] {
+        const LessonRun& run = *guide.run();
+        return std::to_string(run.index()) + (run.shows_end() ? " ends" : run.is_revealed() ? " shows" : " asks");
+    };
+    for (int press = 0; press < 300; ++press) {
+        if (!seen.empty() && seen.back() == now() && !guide.is_revealing()) break;
+        if (seen.empty() || seen.back() != now()) seen.push_back(now());
+        desk.press(Key::page_down);
+        if (guide.is_revealing()) desk.press(Key::page_down);
+    }
+    EXPECT_EQ(seen, expected);
+    for (int press = 0; press < 300 && now() != "0 shows"; ++press) desk.press(Key::page_up);
+    EXPECT_EQ(now(), "0 shows");
+}
+
+TEST(LessonEnd, TheCardNamesWhatComesNextAndOpensIt) {
+    Desk desk({1280, 720});
+    const Lesson lesson = lesson_of("depth-fighting");
+    begin(desk, lesson, lesson.steps.size() - 1, false);
+    EXPECT_FALSE(desk.ui.has("end/sentence 1"));
+    desk.workbench.guide.run()->show_end(true);
+    desk.ui.frames(3);
+    for (const char* part : {"end/sentence 1", "end/sentence 2", "end/sentence 3", "end/needs", "end/exercise"})
+        EXPECT_TRUE(desk.ui.has(part)) << part;
+    desk.ui.click("end/Back to the last step");
+    EXPECT_FALSE(desk.workbench.guide.run()->shows_end());
+    desk.workbench.guide.run()->show_end(true);
+    desk.ui.frames(3);
+    desk.ui.click("end/next");
+    for (int frame = 0; frame < 2000 && desk.workbench.guide.run()->lesson().id == lesson.id; ++frame) desk.ui.frame();
+    EXPECT_EQ(desk.workbench.guide.run()->lesson().id, "similar-triangles");
+    EXPECT_FALSE(desk.workbench.guide.run()->shows_end());
 }
 
 TEST(OnStage, AccidentalKeysDoNothing) {

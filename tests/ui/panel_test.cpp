@@ -386,10 +386,18 @@ TEST_F(PanelTest, CombosChooseByName) {
 
 TEST_F(PanelTest, PlaneButtonsAndNormalize) {
     desk.enter("plane/equation/d", "2");
-    desk.click("plane/equation/yz");
-    EXPECT_EQ(params.planes.front().equation, glm::dvec4(1, 0, 0, 0));
-    desk.click("plane/equation/xy");
-    EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 0, 1, 0));
+    const Bounds& bounds = desk.session.scene().bounds_world;
+    for (const auto& [button, axis] : {std::pair{"yz", 0}, std::pair{"xy", 2}}) {
+        glm::dvec4 coordinate_plane(0.0);
+        coordinate_plane[axis] = 1.0;
+        desk.click(std::string("plane/equation/") + button);
+        const glm::dvec4 clear = params.planes.front().equation;
+        EXPECT_EQ(glm::dvec3(clear), glm::dvec3(coordinate_plane));
+        EXPECT_GT(bounds.min[axis] + clear.w, 0.0) << "all objects are in front of the plane";
+        EXPECT_GT(params.camera.position[axis] + clear.w, 0.0) << "and so is the eye";
+        desk.click(std::string("plane/equation/") + button);
+        EXPECT_EQ(params.planes.front().equation, coordinate_plane) << "pressed again: through the origin";
+    }
     desk.click("plane/equation/xz");
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
     EXPECT_FALSE(ui.find("plane/equation/Normalize").enabled);

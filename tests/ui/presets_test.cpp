@@ -211,7 +211,17 @@ TEST_F(PresetsTest, TitlesRankBeforeSentences) {
     ui.type("mirror");
     ui.frames(2);
     EXPECT_TRUE(ui.has("top/room")) << "its sentence mentions mirrors";
-    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "mirror-derivation");
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "observer-rays") << "a title: Rays, mirrored eye, image space";
+}
+
+TEST_F(PresetsTest, ASlidesNumberFindsItsPresets) {
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    ui.type("s23");
+    ui.frames(2);
+    for (const char* name : {"top/mirror-yz", "top/mirror-xz", "top/mirror-xy"}) EXPECT_TRUE(ui.has(name)) << name;
+    EXPECT_FALSE(ui.has("top/walk"));
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "mirror-yz");
 }
 
 TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {

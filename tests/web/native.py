@@ -44,5 +44,5 @@ def share_beyond(levels, one, other):
 
 def parameters(argument):
     """Returns only the fields of a state, without the file's description of itself."""
-    told = ("title", "about", "group", "mended_by")
+    told = ("title", "about", "group", "mended_by", "slides")
     return {name: value for name, value in state("--", argument).items() if name not in told}

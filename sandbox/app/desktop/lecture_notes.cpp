@@ -12,7 +12,8 @@ namespace viewing {
 Status LectureNotes::follow(const Guide& guide, const Session& session, double presented_s) {
     const LessonRun* const run = guide.run();
     if (target_.empty() || !run) return std::monostate{};
-    const StepPhase phase = !run->is_revealed()    ? StepPhase::asks
+    const StepPhase phase = run->shows_end()       ? StepPhase::ended
+                            : !run->is_revealed()  ? StepPhase::asks
                             : guide.is_revealing() ? StepPhase::shows
                                                    : StepPhase::answered;
     const Shown now{run->shared_lesson(),    run->index(),     phase, static_cast<int>(presented_s / 60.0),

@@ -99,13 +99,17 @@ std::string handout(Headless& headless, const Lesson& lesson, bool with_answers)
                        "</style>\n";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
-        page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
-                std::to_string(lesson.steps.size()) + "</h1>\n";
+        page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " + std::to_string(lesson.steps.size());
+        if (lesson.lecture) page += " · " + escaped(lesson.lecture->parts[lesson.lecture->part_of(i)].title.shown());
+        page += "</h1>\n";
         if (i == 0) page += person_line();
         page += step_picture(headless, lesson, i);
-        page +=
-            paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) + answers(step.ask);
-        if (with_answers) page += answer_of(step);
+        page += paragraph("say", step.say.shown());
+        if (step.only_shows())
+            page += paragraph("say", step.ask.question.shown());
+        else
+            page += paragraph("question", step.ask.question.shown()) + answers(step.ask) +
+                    (with_answers ? answer_of(step) : "");
         page += "</section>\n";
     }
     return page + "</html>\n";

@@ -366,6 +366,15 @@ void check_together(const Params& params, const std::string& prefix) {
     check_overrides(params, root.key("overrides.further"));
 }
 
+std::vector<int> read_slides(const Json& object, const Where& where) {
+    std::vector<int> slides;
+    if (!object.contains("slides")) return slides;
+    require_array(object["slides"], where.key("slides"), 100, "a list of slide numbers");
+    for (std::size_t i = 0; i < object["slides"].size(); ++i)
+        slides.push_back(read_whole(object["slides"][i], where.key("slides").at(i), 1, 9999));
+    return slides;
+}
+
 Titles take_titles(Json& document, const Where& where) {
     Titles titles;
     if (!document.is_object()) {
@@ -386,6 +395,8 @@ Titles take_titles(Json& document, const Where& where) {
     take("about", titles.about);
     take("group", titles.group);
     take("mended_by", titles.mended_by);
+    titles.slides = read_slides(document, where);
+    document.erase("slides");
     return titles;
 }
 

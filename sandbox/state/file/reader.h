@@ -63,6 +63,9 @@ Json params_as_document(Params params);
 /// far, a nonzero normal, a nonzero light, and planes and lights that exist.
 void check_together(const Params& params, const std::string& prefix);
 
+/// Reads "slides", the slides of the lecture that something is for; empty if there are none.
+std::vector<int> read_slides(const Json& object, const Where& where);
+
 /// Checks the titles of a file, which are all optional, removes them from the tree, and returns them.
 Titles take_titles(Json& document, const Where& where);
 

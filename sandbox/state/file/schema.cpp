@@ -182,6 +182,7 @@ Json scene_of(Json properties) {
 Json with_titles(const Json& properties) {
     Json all = Json::object();
     for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};
+    all["slides"] = {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 1}, {"maximum", 9999}}}};
     all.update(properties);
     return all;
 }

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace viewing {
 
 /// The titles of a file; a missing one is "".
 struct Titles {
-    std::string schema;     ///< "$schema": where editors find the schema
-    std::string title;      ///< a few words
-    std::string about;      ///< a sentence
-    std::string group;      ///< the heading above it in a list
-    std::string mended_by;  ///< for a state that breaks the picture: the setting that fixes it
+    std::string schema;            ///< "$schema": where editors find the schema
+    std::string title;             ///< a few words
+    std::string about;             ///< a sentence
+    std::string group;             ///< the heading above it in a list
+    std::string mended_by;         ///< for a state that breaks the picture: the setting that fixes it
+    std::vector<int> slides = {};  ///< the slides of the lecture that it is for
     bool operator==(const Titles&) const = default;
 };
 

@@ -1,6 +1,6 @@
 // Presenter mode: a lesson's step or, without a lesson, the present state, in front of an audience. It handles a
-// clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath stays
-// live. Read session/guide.h for the navigation through a lesson.
+// clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath
+// stays live. Read session/guide.h for the navigation through a lesson.
 #pragma once
 
 #include <map>
@@ -70,8 +70,7 @@ private:
     void draw_pointer(const Rect& room);
 
     bool is_on_ = false, has_lesson_ = false, is_frozen_ = false, shows_overview_ = false, shows_code_ = false,
-         inks_ = false,
-         clock_runs_ = false;
+         inks_ = false, clock_runs_ = false;
     Blank blank_ = Blank::none;
     Pointer pointer_ = Pointer::none;
     VotePanel votes_;

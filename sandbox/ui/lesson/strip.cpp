@@ -90,6 +90,8 @@ float buttons_height(const LessonRun& run, float width, const widgets::Context& 
 
 /// Returns the lesson's title or, for an exercise, the exercise's number, title, and points.
 std::string title_of(const LessonRun& run) {
+    if (run.lesson().lecture && !run.step().only_shows())
+        return run.lesson().lecture->parts[run.lesson().lecture->part_of(run.index())].title.shown();
     if (!run.lesson().sheet) return run.lesson().title.shown();
     const Sheet::Item& item = run.lesson().sheet->items[run.index()];
     const std::string number = item.exercise.substr(0, item.exercise.find('-'));
@@ -183,11 +185,12 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
             button(!run.is_first(), marked("this is the first exercise"), marked("The previous exercise."));
         wishes.next = button(!run.is_last(), marked("this is the last exercise"), marked("The next exercise."));
     } else {
-        wishes.previous = button(!run.is_first() || is_revealed, marked("this is the first step"),
-                                 marked("Goes back to the question first, then to the previous step."));
+        wishes.previous =
+            button(!run.is_first() || (is_revealed && !run.step().only_shows()), marked("this is the first step"),
+                   marked("Goes back to the question first, then to the previous step."));
         wishes.next =
             is_revealed
-                ? button(!run.is_last(), marked("this is the last step"), marked("The next step."))
+                ? button(!run.is_last() || run.end(), marked("this is the last step"), marked("The next step."))
                 : button(true, "", marked("Shows the result and explains it. You learn more if you answer first."));
     }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&

@@ -196,7 +196,7 @@ void mirror_form(const MirrorDerivation& found) {
         "The slide divides n·q + d by |n| once. That makes k a distance, but the n that k multiplies must also have "
         "length 1. For a plane as typed, divide by |n|² instead.");
     if (found.plane == MirrorPlane::general)
-        widgets::Note("The plane's buttons yz, xz and xy give the three cases on the slide.");
+        widgets::Note("The presets mirror-yz, mirror-xz and mirror-xy show the three cases on the slide.");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "ui/planes/shadow_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "frame/effect.h"
@@ -67,8 +68,22 @@ PlaneParams another_plane(const Params& params) {
     return {.equation = walls[0]};
 }
 
-/// Draws a plane's equation, size and flags.
-void plane_controls(Params& params, std::size_t index) {
+/// Returns the d of the three coordinate planes. A plane that would cut the objects stands behind them instead, as seen
+/// from the eye.
+glm::dvec3 d_clear_of(const Bounds& bounds, const glm::dvec3& eye) {
+    constexpr double touch = 1e-6, gap = 0.2, grid = 0.5;
+    glm::dvec3 d(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double min = bounds.min[axis], max = bounds.max[axis];
+        if (min >= -touch || max <= touch) continue;
+        const bool is_from_above = eye[axis] >= (min + max) * 0.5;
+        d[axis] = is_from_above ? -std::floor((min - gap) / grid) * grid : -std::ceil((max + gap) / grid) * grid;
+    }
+    return d;
+}
+
+/// Draws a plane's equation, size and flags. `bounds`: of all objects.
+void plane_controls(Params& params, std::size_t index, const Bounds& bounds) {
     static const PlaneParams defaults;
     PlaneParams& plane = params.planes[index];
     std::span<const widgets::Links> links;
@@ -81,7 +96,8 @@ void plane_controls(Params& params, std::size_t index) {
     };
     if (is_drawn(equation, marked("equation"))) {
         const widgets::TargetScope scope(name(equation));
-        widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
+        widgets::PlaneEquation("equation", plane.equation, defaults.equation, links,
+                               d_clear_of(bounds, params.camera.position));
         widgets::MarkTarget(name(equation));
         if (!widgets::IsPartCovered(name(equation))) explain(equation, marked("plane"));
     }
@@ -114,7 +130,7 @@ void plane_controls(Params& params, std::size_t index) {
     toggle("plane.gloss", marked("Gloss"), plane.gloss, defaults.gloss);
 }
 
-void further_planes(Params& params) {
+void further_planes(Params& params, const Bounds& bounds) {
     if (widgets::IsListing()) return;
     for (std::size_t index = 1; index < params.planes.size(); ++index) {
         const std::size_t number = index + 1;
@@ -122,7 +138,7 @@ void further_planes(Params& params) {
         const std::string headline = say("Plane {number}", "number"_a = number) + "###Plane " + id;
         if (!details(headline.c_str())) continue;
         const widgets::Group group(("plane " + id).c_str());
-        plane_controls(params, index);
+        plane_controls(params, index, bounds);
         const std::string remove = say("Remove plane {number}", "number"_a = number) + "###remove plane " + id;
         if (widgets::SmallButton(remove.c_str())) return remove_plane(params, index);
     }
@@ -193,13 +209,13 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
 void draw_plane_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
     if (!widgets::Section("Plane  n·p + d = 0", true, "", troubles(problems, {"plane"}).c_str())) return;
     const widgets::Group group("plane");
-    plane_controls(session.params, 0);
+    plane_controls(session.params, 0, session.scene().bounds_world);
     const glm::dvec4& unit = derived.planes.front().unit_plane;
     const std::string note =
         say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
             "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
     if (!widgets::IsListing() || widgets::IsHighlighted("text:unit normal")) named_note("text:unit normal", note);
-    further_planes(session.params);
+    further_planes(session.params, session.scene().bounds_world);
 }
 
 void draw_shadow_and_reflection_section(Session& session, const std::vector<Problem>& problems) {

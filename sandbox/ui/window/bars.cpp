@@ -154,6 +154,13 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     if (item(recorder.is_recording() ? marked("Stop recording") : marked("Record a flight"), "F9"))
         toggle_recording(session);
     if (item(marked("Reset all"), "")) session.reset();
+    if (!lectures_.empty()) ImGui::Separator();
+    for (const LessonFile& lecture : lectures_) {
+        korean.want(lecture.title.shown());
+        const std::string label = say("Lecture: {title}", "title"_a = lecture.title.shown());
+        if (ImGui::MenuItem((label + "###lecture " + lecture.id).c_str())) guide.open(lecture.path.string());
+        widgets::Record(("lecture " + lecture.id).c_str());
+    }
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
     if (save) file_dialog_.show(FileDialog::Purpose::save);

@@ -19,6 +19,7 @@ std::vector<CardPicture> Workbench::wanted_cards() {
     if (exercise_page.is_open()) return exercise_page.wanted_pictures(exercises);
     if (start_page.is_open()) return start_page.wanted_pictures();
     if (presenter.shows_overview()) return overview_pictures(guide);
+    if (guide.is_shown() && guide.run()->shows_end()) return {EndCard::wanted_picture(*guide.run())};
     return {};
 }
 
@@ -77,7 +78,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     leads_ = true;
     views.movable.reset();
     const Lesson& lesson = run->lesson();
-    if (!lesson.sheet) {
+    if (!lesson.sheet && !lesson.lecture) {
         LessonProgress& known = progress[lesson.id];
         last_lesson = lesson.id;
         for (const std::size_t step : known.done)  // another window may have added some
@@ -125,6 +126,10 @@ bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
     if (press.key == Key::page_down) guide.next(session);
     if (press.key == Key::page_up) guide.previous(session);
     if (press.key == Key::home) guide.return_to_step(session);
+    if (press.key == Key::escape && guide.run()->shows_end()) {
+        guide.previous(session);
+        return true;
+    }
     if (press.key == Key::f5) presenter.begin();
     const Key of_lesson[] = {Key::page_down, Key::page_up, Key::home, Key::f5, Key::x};
     return std::find(std::begin(of_lesson), std::end(of_lesson), press.key) != std::end(of_lesson);
@@ -148,6 +153,7 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         if (wishes.show_matrix) typed_matrix_.open(*guide.run());
         if (wishes.leave) guide.leave();
     }
+    draw_end(session, pictures);
     draw_overview(presenter, guide, session, pictures);
     if (start_page.draw(guide, presenter, session, {progress, last_lesson, recent}, pictures))
         exercise_page.open(exercises);
@@ -156,9 +162,21 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     const ImVec2 window_px = ImGui::GetIO().DisplaySize;
     const float bottom = layout.strip.empty() ? window_px.y : layout.strip.min.y;
     const Rect above{{0.0F, 0.0F}, {window_px.x, bottom}};
-    if (presenter.shows_code())
-        draw_code_plate(link_for_code(guide, session, link_address), link_address, above);
+    if (presenter.shows_code()) draw_code_plate(link_for_code(guide, session, link_address), link_address, above);
     presenter.draw(guide, above);
+}
+
+void Workbench::draw_end(Session& session, const Pictures& pictures) {
+    const bool is_hidden = presenter.shows_overview() || start_page.is_open() || exercise_page.is_open();
+    if (is_hidden || !guide.is_shown() || !guide.run()->shows_end()) return;
+    const EndCard::Wishes wishes = end_card_.draw(*guide.run(), presenter.is_on(), pictures);
+    if (wishes.back) guide.previous(session);
+    if (wishes.next) guide.next(session);
+    if (wishes.overview) presenter.show_overview(guide);
+    if (!wishes.lesson.empty()) guide.open(wishes.lesson);
+    if (wishes.exercise.empty()) return;
+    exercise_page.open(exercises);
+    go_to_exercise(wishes.exercise, false);
 }
 
 void Workbench::remember_opened(const Session& session) {

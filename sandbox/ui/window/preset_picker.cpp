@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "state/slides.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
@@ -65,6 +66,8 @@ void draw_beside(const NamedFile* preset, const PresetPicture& picture) {
 }  // namespace
 
 bool is_found(const NamedFile& preset, std::string_view search) {
+    if (const std::optional<int> slide = searched_slide(search))
+        return std::find(preset.slides.begin(), preset.slides.end(), *slide) != preset.slides.end();
     std::string all = preset.name;
     for (const std::string* text : {&preset.title, &preset.about, &preset.group})
         all.append("\n").append(*text).append("\n").append(tr(text->c_str()));
@@ -89,13 +92,13 @@ const NamedFile* PresetPicker::draw_list(const std::vector<const NamedFile*>& fo
                                          bool scroll) {
     const NamedFile* chosen = nullptr;
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    std::string group;
+    std::string heading;
     for (const NamedFile* preset : found) {
-        if (!preset->group.empty() && preset->group != group) {
-            group = preset->group;
+        if (std::string own = slide_heading(preset->slides); !own.empty() && own != heading) {
+            heading = std::move(own);
             ImGui::Dummy({0.0F, px(3.0F)});
             ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-            ImGui::TextDisabled("%s", tr(group.c_str()));
+            ImGui::TextDisabled("%s", heading.c_str());
             ImGui::PopFont();
         }
         if (preset == current) {

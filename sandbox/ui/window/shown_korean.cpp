@@ -9,6 +9,12 @@ namespace {
 void want_texts(const Lesson& lesson, Syllables& korean) {
     const auto want = [&korean](const LessonText& text) { korean.want(text.shown()); };
     want(lesson.title);
+    for (const LessonText& said : lesson.end.says) want(said);
+    if (lesson.lecture)
+        for (const Lecture::Part& part : lesson.lecture->parts) {
+            want(part.title);
+            for (const LessonText& said : part.end.says) want(said);
+        }
     for (const LessonStep& step : lesson.steps) {
         for (const LessonText* text : {&step.say, &step.ask.question, &step.reveal.say, &step.note}) want(*text);
         for (const LessonText& hint : step.ask.hints) want(hint);
@@ -49,6 +55,8 @@ void Workbench::want_korean(const Session& session) {
         korean_scene_version_ = session.scene_version();
         for (const SceneObject& object : session.scene().objects) korean.want(object.description.name);
     }
+    if (guide.is_shown() && guide.run()->shows_end())
+        for (const std::string& text : end_card_.texts(*guide.run())) korean.want(text);
     const std::shared_ptr<const Lesson> lesson = guide.run() ? guide.run()->shared_lesson() : nullptr;
     if (lesson && (lesson != korean_lesson_ || spoken_language() != korean_language_)) want_texts(*lesson, korean);
     korean_lesson_ = lesson;

@@ -31,7 +31,7 @@ MotionInput motion_of(const FrameInput& input) {
 
 }  // namespace
 
-Workbench::Workbench() : presets_(presets()), scenes_(scenes()) {}
+Workbench::Workbench() : presets_(presets()), scenes_(scenes()), lectures_(lectures()) {}
 
 Arrangement Workbench::arranged(const Session& session) const {
     const BesideParams& beside = session.params.view.beside;

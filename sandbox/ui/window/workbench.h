@@ -11,6 +11,7 @@
 #include "session/replay.h"
 #include "state/file/link.h"
 #include "state/presets.h"
+#include "ui/lesson/end_card.h"
 #include "ui/lesson/exercise_page.h"
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
@@ -49,7 +50,7 @@ struct Requests {
 
 class Workbench {
 public:
-    /// Reads the lists of presets and scenes once.
+    /// Reads the lists of presets, scenes and lectures once.
     Workbench();
 
     Arrangement arrangement;
@@ -107,6 +108,8 @@ private:
     void show_only_named(const LessonStep& step);
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
+    /// Draws the card that ends the lesson, if it is shown.
+    void draw_end(Session& session, const Pictures& pictures);
     void draw_lesson_button(Session& session);
     void follow_exercises(Session& session);
     void draw_exercises(Session& session, const Pictures& pictures);
@@ -151,12 +154,14 @@ private:
     void draw_message(Session& session, const Layout& layout);
 
     std::vector<NamedFile> presets_, scenes_;
+    std::vector<LessonFile> lectures_;
     /// Collects texts that may be Korean whatever the window's language is: file and object names, lessons, typed text.
     void want_korean(const Session& session);
 
     FrameInput waiting_;  ///< keys and files held back until typed text is committed
     FileDialog file_dialog_;
     TypedMatrix typed_matrix_;
+    EndCard end_card_;
     std::string wanted_exercise_;  ///< the exercise to open once it is generated
     bool wants_replay_ = false;
     PresetPicker preset_picker_;

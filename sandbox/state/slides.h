@@ -1,0 +1,18 @@
+// The slides of the lecture by number, for the headings of lists.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace viewing {
+
+/// Returns the heading of everything that begins on a slide, in the current language: "Slide 12 · Depth fighting";
+/// "" for something that belongs to no slide.
+std::string slide_heading(const std::vector<int>& slides);
+
+/// Returns the slide that a search names: 12 for "s12", "S 12" and "slide 12"; nothing for other words.
+std::optional<int> searched_slide(std::string_view search);
+
+}  // namespace viewing

@@ -1,0 +1,40 @@
+// The card at the end of a lesson: three sentences of what was seen, what the lesson needed, and what comes next.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/run.h"
+#include "ui/lesson/start_page.h"
+
+namespace viewing {
+
+class EndCard {
+public:
+    struct Wishes {
+        bool back = false, next = false, overview = false;
+        std::string lesson;    ///< the lesson to begin; "" for none
+        std::string exercise;  ///< the exercise to open; "" for none
+    };
+    /// Draws the card over the whole window. `presents`: for the room, without buttons.
+    Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
+    /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
+    static CardPicture wanted_picture(const LessonRun& run);
+    /// Returns the card's texts that are in no lesson's steps, for the fonts.
+    std::vector<std::string> texts(const LessonRun& run);
+
+private:
+    /// Reads the titles of other files, once for each card.
+    void read(const LessonRun& run);
+    void draw_what_follows(bool presents, float width, Wishes& wishes) const;
+
+    const LessonEnd* of_ = nullptr;
+    std::shared_ptr<const Lesson> lesson_;  ///< keeps what of_ points to
+    std::optional<LessonFile> next_;        ///< the lesson that follows in the course
+    std::vector<LessonText> needs_;         ///< the titles of the lessons that this one needs
+    LessonText next_part_, exercise_;
+};
+
+}  // namespace viewing
