@@ -43,7 +43,7 @@ void Workbench::carry_out(MenuCommand command, Session& session) {
         case MenuCommand::save_as_step:
             return file_dialog_.show(FileDialog::Purpose::save_step);
         case MenuCommand::copy_link:
-            return copy_link(guide, session);
+            return copy_link(guide, session, link_address);
         case MenuCommand::reset_all:
             return session.reset();
         case MenuCommand::lessons:
