@@ -101,7 +101,7 @@ TEST(LessonReader, TruncatedFileNeverCrashes) {
 
 TEST(LessonReader, ShippedLessonsFollowTheLecture) {
     const std::vector<LessonFile> files = lessons();
-    ASSERT_EQ(files.size(), 16U);
+    ASSERT_EQ(files.size(), 17U);
     EXPECT_EQ(files.front().id, "view-is-the-inverse");
     EXPECT_EQ(files.back().id, "drawing-the-mirror");
     int steps = 0;
