@@ -33,27 +33,23 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
 }
 
 void Inspection::explain(const ShownFrame& shown, const Session& session) {
-    if (!finder_ || finder_version_ != session.scene_version())
-        finder_ = std::make_unique<FragmentFinder>(session.scene());
-    finder_version_ = session.scene_version();
     const PixelReport& pixel = *inspector_.data().pixel;
     const Shows shows = shown.params.view.shows;
     const bool is_read = shows == Shows::color || shows == Shows::facing || shows == Shows::shadow_w;
     const Viewport viewport = renderer_.viewport(shown.camera_px, shown.params.depth.format);
-    why_ = std::make_shared<const Why>(why({shown.params,
-                                            shown.derived,
-                                            shown.plan,
-                                            *finder_,
-                                            viewport,
-                                            shown.problems,
-                                            pixel.pixel,
-                                            is_read ? std::optional(pixel.color) : std::nullopt,
-                                            {}}));
+    why_ = std::make_shared<const Why>(viewing::why({shown.params,
+                                                     shown.derived,
+                                                     shown.plan,
+                                                     inspector_.finder(session.scene(), session.scene_version()),
+                                                     viewport,
+                                                     shown.problems,
+                                                     pixel.pixel,
+                                                     is_read ? std::optional(pixel.color) : std::nullopt,
+                                                     {}}));
 }
 
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
     DepthData data = inspector_.data();
-    data.why = why_;
     tells_fighting_ = is_shown(shown.params, Topic::fighting);
     if (tells_fighting_)
         data.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(),

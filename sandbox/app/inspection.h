@@ -27,6 +27,9 @@ public:
     /// during an animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
+    /// Returns the explanation of that pixel; null if no view explains it.
+    const std::shared_ptr<const Why>& why() const { return why_; }
+
     /// Returns the report on one more pixel of the camera's picture, for the status bar. If `at_once`, waits for it.
     /// Otherwise the report may arrive a few frames later; until then, returns the previous one.
     std::optional<PixelReport> at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px, glm::ivec2 pixel,
@@ -40,13 +43,11 @@ public:
     bool wants_frames() const { return (tells_fighting_ && fighting_.wants_frames()) || reads_back(); }
 
 private:
-    Renderer& renderer_;
     void explain(const ShownFrame& shown, const Session& session);
 
+    Renderer& renderer_;
     DepthInspector inspector_;
     std::shared_ptr<const Why> why_;  ///< of the inspector's pixel
-    std::unique_ptr<FragmentFinder> finder_;
-    int finder_version_ = -1;
     FightingCounter fighting_;
     bool tells_fighting_ = false;
     bool reads_ = false, follows_ = false;

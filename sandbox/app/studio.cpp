@@ -156,7 +156,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
         pictures.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px));
     const StatusLine told = status(surroundings.shows_time);
     workbench.views.pinned = shown_.pinned;
-    workbench.views.why.told = pictures.depth.why;
+    workbench.views.why.told = inspection_.why();
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();

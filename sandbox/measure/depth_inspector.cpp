@@ -66,6 +66,12 @@ void DepthInspector::read_cells(const FramePlan& frame, glm::ivec2 size_px, cons
     }
 }
 
+const FragmentFinder& DepthInspector::finder(const Scene& scene, int scene_version) {
+    if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
+    finder_version_ = scene_version;
+    return *finder_;
+}
+
 Result<PixelReport> DepthInspector::at(Renderer& renderer, const FramePlan& frame, const Scene& scene,
                                        const Derived& derived, glm::ivec2 size_px, glm::ivec2 pixel) {
     if (Status done = prepare(renderer, frame, scene, derived, size_px, {}); !done) return Error{done.error()};
@@ -105,8 +111,7 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
     if (wishes.pixel || wishes.counts)
         if (Status done = prepare(renderer, frame, scene, derived, size_px, wishes); !done) return done;
     if (wishes.pixel) {
-        if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
-        finder_version_ = scene_version;
+        finder(scene, scene_version);
         data_.pixel = may_come_later ? *told_ : now_.at(*wishes.pixel, scene);
         if (wishes.fragments) {
             data_.fragments = finder_->at(frame, *wishes.pixel, size_px);

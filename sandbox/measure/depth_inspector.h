@@ -36,6 +36,9 @@ public:
 
     const DepthData& data() const { return data_; }
 
+    /// Returns the scene's fragment finder, made once for each version of the scene.
+    const FragmentFinder& finder(const Scene& scene, int scene_version);
+
     /// Returns one more pixel of the same picture, for the status bar.
     Result<PixelReport> at(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                            glm::ivec2 size_px, glm::ivec2 pixel);

@@ -75,7 +75,7 @@ Json why_as_json(const Why& why) {
             {"wrong", why.fault.empty() ? Json() : Json(why.fault)},
             {"predicted", why.predicted ? Json(as_text(*why.predicted)) : Json()},
             {"read_back", why.read_back ? Json(as_text(*why.read_back)) : Json()},
-            {"rounding", why.by_rounding},
+            {"rounding", why.chain.is_as_rounded()},
             {"surface", why.surface},
             {"casters", why.casters},
             {"fixes", std::move(fixes)},

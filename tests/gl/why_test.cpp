@@ -9,6 +9,7 @@
 #include "frame/why/why.h"
 #include "gl/gl_test.h"
 #include "gl/planes_room.h"
+#include "measure/camera_picture.h"
 #include "platform/sanitized.h"
 #include "render/probe.h"
 #include "state/presets.h"
@@ -60,10 +61,7 @@ protected:
             const glm::ivec2 pixel(static_cast<int>(random() % why_px.x), static_cast<int>(random() % why_px.y));
             const testing::Rgb read = testing::rgb_at(picture, pixel);
             const PixelChain exact = pixel_chain(frame, finder, pixel, why_px);
-            const PixelChain chain =
-                chain_as_rounded(frame, finder, pixel, why_px,
-                                 {static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
-                                  static_cast<std::uint8_t>(read.b)});
+            const PixelChain chain = chain_as_rounded(frame, finder, pixel, why_px, color_at(picture, pixel));
             const std::optional<Color> predicted = predicted_color(frame, chain),
                                        at_first = predicted_color(frame, exact);
             if (!predicted) continue;
@@ -176,17 +174,6 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
     check(seen);
 }
 
-/// Returns the last surface that is painted in the world behind these mirrors; null: the background.
-const Touch* surface_behind(const FramePlan& frame, const PixelChain& chain, const std::vector<std::size_t>& mirrors) {
-    const Touch* last = nullptr;
-    for (const Touch& touch : chain.touches) {
-        const Pass& pass = frame.passes[touch.fragment.pass];
-        const bool is_surface = role_of(pass) == PassRole::objects || role_of(pass) == PassRole::patch;
-        if (touch.paints && is_surface && pass.mirrors_met == mirrors) last = &touch;
-    }
-    return last;
-}
-
 /// What the explanation says about surfaces, mirrors, lights and casters agrees with an oracle that follows rays
 /// through rooms of spheres and boxes, with formulas alone.
 TEST_F(WhyThisPixel, AgreesWithARayCaster) {
@@ -215,7 +202,7 @@ TEST_F(WhyThisPixel, AgreesWithARayCaster) {
                          std::to_string(pixel.y));
             for (std::size_t k = 0; k < sight.met.size(); ++k) {
                 const testing::Met& met = sight.met[k];
-                const Touch* touch = surface_behind(frame, chain, mirrors);
+                const Touch* touch = chain.surface(frame, mirrors);
                 ASSERT_TRUE(touch) << "behind " << k << " mirrors";
                 EXPECT_EQ(touch->fragment.object_index, met.solid >= 0 ? met.solid : -1 - met.patch);
                 (k == 0 ? surfaces : images)++;
@@ -269,10 +256,8 @@ TEST_F(WhyThisPixel, NamesTheMistakeWhereItChangesThePicture) {
         differing.resize(std::min<std::size_t>(differing.size(), is_sanitized ? 5 : 40));
         int named = 0;
         for (const glm::ivec2& pixel : differing) {
-            const testing::Rgb read = testing::rgb_at(before, pixel);
-            const Color color{static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
-                              static_cast<std::uint8_t>(read.b)};
-            const Why explained = why({params, derived, frame, finder, viewport, problems, pixel, color, solve});
+            const Why explained =
+                why({params, derived, frame, finder, viewport, problems, pixel, color_at(before, pixel), solve});
             named += std::any_of(explained.rows.begin(), explained.rows.end(),
                                  [](const WhyRow& row) { return row.kind == WhyRow::Kind::fault; });
         }

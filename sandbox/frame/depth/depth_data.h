@@ -13,8 +13,6 @@
 
 namespace viewing {
 
-struct Why;
-
 /// Returns the limit just after the triangle that sends a fragment; none if GL does not draw that triangle.
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls);
 
@@ -28,8 +26,6 @@ struct DepthData {
     std::vector<std::optional<Fragment>> incoming;  ///< per cell: the fragment that the step sends to that cell
 
     DepthCounts depth_counts;  ///< of the camera's picture
-
-    std::shared_ptr<const Why> why;  ///< of that pixel; null if no view explains it
 
     std::shared_ptr<const FightingReport> fighting;  ///< null: nothing has been counted yet
 };

@@ -55,18 +55,27 @@ double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
 
-/// Returns the largest change of depth to a neighboring pixel in x or y.
-double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit,
-                const glm::dvec2& neighbors_px) {
-    const double here = depth_at(plan, triangle, hit.weights);
-    double steepest = 0.0;
+/// Returns the largest change of depth to a neighboring pixel in x or y. `depth_there` and `distance_there` take
+/// weights.
+template <typename Depth, typename Distance>
+double steepest(const PixelTriangle& triangle, const PixelHit& hit, const glm::dvec2& neighbors_px, Depth depth_there,
+                Distance distance_there) {
+    const double here = depth_there(hit.weights);
+    double most = 0.0;
     for (const glm::dvec2 beside_px : {glm::dvec2(neighbors_px.x, 0.0), glm::dvec2(0.0, neighbors_px.y)}) {
         glm::dvec3 there = weights_beside(triangle, beside_px);
-        const bool beyond_horizon = !(distance_of(triangle, there) > 0.0);
+        const bool beyond_horizon = !(distance_there(there) > 0.0);
         if (beyond_horizon) there = weights_beside(triangle, -beside_px);
-        steepest = std::max(steepest, std::abs(depth_at(plan, triangle, there) - here));
+        most = std::max(most, std::abs(depth_there(there) - here));
     }
-    return steepest;
+    return most;
+}
+
+double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit,
+                const glm::dvec2& neighbors_px) {
+    return steepest(
+        triangle, hit, neighbors_px, [&](const glm::dvec3& weights) { return depth_at(plan, triangle, weights); },
+        [&](const glm::dvec3& weights) { return distance_of(triangle, weights); });
 }
 
 /// Returns a depth after it has passed through the clip range. When reversed depth is in −1 … 1, GL halves the value
@@ -77,28 +86,41 @@ double as_clip_range_keeps(const FramePlan& plan, double depth) {
     return static_cast<double>(0.5F * z_ndc + 0.5F);
 }
 
-/// Returns the sums of the corners' clip z and w with these weights.
+/// Moves a depth by an offset, and clamps it. `slope` returns the triangle's slope.
+template <typename Slope>
+double with_offset(const FramePlan& plan, const PixelTriangle& triangle, double depth, const DepthOffset& offset,
+                   Slope slope) {
+    if (offset.factor != 0.0) depth += offset.factor * slope();
+    if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
+    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits would be a large code
+}
+
+/// Returns the sums of two of the corners' members with these weights.
+glm::dvec2 weighted_pair(const ProjectedTriangle& triangle, const glm::dvec3& weights, double ProjectedCorner::*first,
+                         double ProjectedCorner::*second) {
+    glm::dvec2 sum(0.0);
+    for (std::size_t i = 0; i < triangle.size(); ++i)
+        sum += weights[static_cast<int>(i)] * glm::dvec2(triangle[i].*first, triangle[i].*second);
+    return sum;
+}
+
 glm::dvec2 clip_zw(const ProjectedTriangle& triangle, const glm::dvec3& weights) {
-    glm::dvec2 zw(0.0);
-    for (std::size_t i = 0; i < triangle.size(); ++i)
-        zw += weights[static_cast<int>(i)] * glm::dvec2(triangle[i].z, triangle[i].w);
-    return zw;
+    return weighted_pair(triangle, weights, &ProjectedCorner::z, &ProjectedCorner::w);
 }
 
-}  // namespace
-
-double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights) {
-    glm::dvec2 zw(0.0);
-    for (std::size_t i = 0; i < triangle.size(); ++i)
-        zw += weights[static_cast<int>(i)] * glm::dvec2(triangle[i].view_z, triangle[i].view_w);
-    return -zw.x / zw.y;
-}
-
+/// Returns the depth that GL interpolates at the point with these weights, before an offset and without clamping.
 double projected_depth(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights) {
     if (plan.depth_mapping == DepthMapping::logarithmic && !plan.logarithm_per_vertex)
         return window_depth(plan.lens, plan.depth_mapping, std::max(projected_distance(triangle, weights), 1e-30));
     const glm::dvec2 zw = clip_zw(triangle, weights);
     return plan.clip_zero_to_one ? zw.x / zw.y : 0.5 * zw.x / zw.y + 0.5;
+}
+
+}  // namespace
+
+double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights) {
+    const glm::dvec2 zw = weighted_pair(triangle, weights, &ProjectedCorner::view_z, &ProjectedCorner::view_w);
+    return -zw.x / zw.y;
 }
 
 bool is_in_clip_range(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights) {
@@ -108,17 +130,10 @@ bool is_in_clip_range(const FramePlan& plan, const ProjectedTriangle& triangle, 
 
 double projected_depth_of(const FramePlan& plan, const PixelTriangle& seen, const ProjectedTriangle& triangle,
                           const PixelHit& hit, const DepthOffset& offset, const glm::dvec2& neighbors_px) {
-    const double here = projected_depth(plan, triangle, hit.weights);
-    double depth = as_clip_range_keeps(plan, here);
-    if (offset.factor != 0.0) {
-        double steepest = 0.0;
-        for (const glm::dvec2 beside_px : {glm::dvec2(neighbors_px.x, 0.0), glm::dvec2(0.0, neighbors_px.y)})
-            steepest =
-                std::max(steepest, std::abs(projected_depth(plan, triangle, weights_beside(seen, beside_px)) - here));
-        depth += offset.factor * steepest;
-    }
-    if (offset.units != 0.0) depth += offset.units * unit_of(plan, seen);
-    return std::clamp(depth, 0.0, 1.0) + 0.0;
+    const auto depth_there = [&](const glm::dvec3& weights) { return projected_depth(plan, triangle, weights); };
+    const auto distance_there = [&](const glm::dvec3& weights) { return projected_distance(triangle, weights); };
+    return with_offset(plan, seen, as_clip_range_keeps(plan, depth_there(hit.weights)), offset,
+                       [&] { return steepest(seen, hit, neighbors_px, depth_there, distance_there); });
 }
 
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit) {
@@ -129,10 +144,8 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                 const glm::dvec2& neighbors_px) {
-    double depth = as_clip_range_keeps(plan, depth_at(plan, triangle, hit.weights));
-    if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbors_px);
-    if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
-    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits would be a large code
+    return with_offset(plan, triangle, as_clip_range_keeps(plan, depth_at(plan, triangle, hit.weights)), offset,
+                       [&] { return slope_of(plan, triangle, hit, neighbors_px); });
 }
 
 double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,

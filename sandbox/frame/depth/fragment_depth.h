@@ -16,10 +16,7 @@ struct ProjectedCorner {
 };
 using ProjectedTriangle = std::array<ProjectedCorner, 3>;
 
-/// Returns the depth that GL interpolates at the point with these weights, before an offset and without clamping.
-double projected_depth(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights);
-
-/// Returns the eye distance there. The sign is that of a point behind the eye if it is negative.
+/// Returns the eye distance of the point with these weights; it is negative behind the eye.
 double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights);
 
 /// Returns whether GL keeps the point with these weights: it is before the eye, and between near and far.

@@ -173,7 +173,7 @@ public:
         : plan_(plan),
           size_px_(size_px),
           precision_(precision_of(plan.depth_format)),
-          neighbors_px_(pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0),
+          neighbors_px_(neighbors_px(pixel, size_px)),
           depth_(code_of(plan.clear_depth_value, precision_)) {}
 
     void clear_stencil() { stencil_ = 0; }
@@ -257,10 +257,8 @@ private:
     std::uint32_t depth_, stencil_ = 0;
 };
 
-/// Returns false for mirror images, and for masks and shadows, which have one flat color. While overdraw is counted,
-/// the scene has a flat color too, but it does show surfaces.
 bool shows_surfaces(const Pass& pass) {
-    return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
+    return !pass.is_mirror_image && is_surface(pass);
 }
 
 bool is_mask(const Pass& pass) {
@@ -318,6 +316,18 @@ std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& 
 }
 
 }  // namespace
+
+PassRole role_of(const Pass& pass) {
+    if (pass.subject == Subject::backdrop) return PassRole::backdrop;
+    // While overdraw is counted, the scene has a flat color too, but it does show surfaces.
+    const bool is_flat = pass.shading == Shading::flat && pass.blend != Blend::add;
+    if (pass.subject == Subject::patch) return is_flat ? PassRole::mask : PassRole::patch;
+    return is_flat ? PassRole::shadow : PassRole::objects;
+}
+
+bool is_surface(const Pass& pass) {
+    return role_of(pass) == PassRole::objects || role_of(pass) == PassRole::patch;
+}
 
 FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
     for (const SceneObject& object : scene_.objects) trees_.push_back(triangle_tree(object.mesh));

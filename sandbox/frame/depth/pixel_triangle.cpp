@@ -59,6 +59,10 @@ glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& besid
     return weights / sum_of(weights);
 }
 
+glm::dvec2 neighbors_px(glm::ivec2 pixel, glm::ivec2 size_px) {
+    return {pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0};
+}
+
 PixelView::PixelView(const glm::dmat4& clip_from_space, const glm::dmat4& view_from_space, glm::ivec2 pixel,
                      glm::ivec2 size_px) {
     const glm::dvec2 half_size = glm::dvec2(size_px) * 0.5;

@@ -35,6 +35,10 @@ std::optional<PixelHit> hit(const PixelTriangle& triangle);
 /// The triangle must not be seen edge-on.
 glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px);
 
+/// Returns the steps, y up, to the horizontal and vertical neighbors in the same 2 × 2 block of pixels, from which a
+/// shader measures slopes. Pixel (0, 0) is top left.
+glm::dvec2 neighbors_px(glm::ivec2 pixel, glm::ivec2 size_px);
+
 /// Converts points, given in the space that both matrices start from, to triangle corners as seen from one pixel.
 class PixelView {
 public:

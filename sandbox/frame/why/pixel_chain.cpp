@@ -83,22 +83,20 @@ PixelChain chain_of(const FramePlan& plan, const FragmentFinder& finder, glm::iv
 
 }  // namespace
 
-const Touch* PixelChain::surface(const FramePlan& plan) const {
+const Touch* PixelChain::surface(const FramePlan& plan, std::span<const std::size_t> mirrors_met) const {
     const Touch* last = nullptr;
     for (const Touch& touch : touches) {
         const Pass& pass = plan.passes[touch.fragment.pass];
-        const PassRole role = role_of(pass);
-        if (touch.paints && !pass.is_mirror_image && (role == PassRole::objects || role == PassRole::patch))
-            last = &touch;
+        const bool is_there =
+            std::equal(pass.mirrors_met.begin(), pass.mirrors_met.end(), mirrors_met.begin(), mirrors_met.end());
+        if (touch.paints && is_there && is_surface(pass)) last = &touch;
     }
     return last;
 }
 
-PassRole role_of(const Pass& pass) {
-    if (pass.subject == Subject::backdrop) return PassRole::backdrop;
-    const bool is_flat = pass.shading == Shading::flat && pass.blend != Blend::add;
-    if (pass.subject == Subject::patch) return is_flat ? PassRole::mask : PassRole::patch;
-    return is_flat ? PassRole::shadow : PassRole::objects;
+bool PixelChain::is_as_rounded() const {
+    return std::any_of(touches.begin(), touches.end(),
+                       [](const Touch& touch) { return touch.fragment.decided_by_rounding; });
 }
 
 bool is_decided_by_rounding(const Fragment& fragment) {
@@ -125,7 +123,7 @@ PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder,
         const std::optional<Color> color = predicted_color(plan, chain);
         return color && is_same_color(*color, read_back);
     };
-    if (explains(exact)) return exact;
+    if (!predicted_color(plan, exact) || explains(exact)) return exact;
     // Tries one opposite outcome, then two, then three; later ones depend on earlier ones.
     std::vector<std::pair<std::vector<std::size_t>, PixelChain>> tried;
     tried.emplace_back(std::vector<std::size_t>{}, exact);

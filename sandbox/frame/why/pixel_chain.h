@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/why/surface_color.h"
@@ -29,8 +30,12 @@ struct PixelChain {
     std::uint32_t stored = 0;       ///< the code at the end
     Color color;                    ///< the scene's color at the end
 
-    /// Returns the last touch that paints a surface of the real world; null for the background.
-    const Touch* surface(const FramePlan& plan) const;
+    /// Whether rounding decides a depth comparison: a chain that chain_as_rounded() found.
+    bool is_as_rounded() const;
+
+    /// Returns the last touch that paints a surface of the real world or, behind these mirrors, of what they show; null
+    /// for the background.
+    const Touch* surface(const FramePlan& plan, std::span<const std::size_t> mirrors_met = {}) const;
 };
 
 /// Replays the frame at a pixel without multisampling. `plan` must belong to the finder's scene.
@@ -51,9 +56,5 @@ bool is_same_color(const Color& a, const Color& b);
 /// Returns the color that the picture shows there for view.shows: the chain's own, or that of its depth, stencil or
 /// count. None for heat maps and differences, whose colors are not computed.
 std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& chain);
-
-/// What a pass is for.
-enum class PassRole { objects, patch, shadow, mask, backdrop };
-PassRole role_of(const Pass& pass);
 
 }  // namespace viewing

@@ -121,8 +121,8 @@ ShadedPoint point_of_patch(const FramePlan& plan, const Pass& pass, const Fragme
     };
     const glm::dvec2 here = at(fragment.weights);
     glm::dvec2 width(0.0);
-    const double right = pixel.x % 2 == 0 ? 1.0 : -1.0, up = (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0;
-    for (const glm::dvec2& beside_px : {glm::dvec2(right, 0.0), glm::dvec2(0.0, up)})
+    const glm::dvec2 neighbors = neighbors_px(pixel, size_px);
+    for (const glm::dvec2& beside_px : {glm::dvec2(neighbors.x, 0.0), glm::dvec2(0.0, neighbors.y)})
         width += glm::abs(at(weights_beside(seen, beside_px)) - here);
 
     const glm::dvec3 position = fragment.weights.x * placed(placed_from_patch, corners[0]) +

@@ -12,10 +12,6 @@
 namespace viewing {
 namespace {
 
-std::string hex_of(const Color& color) {
-    return hex_color(color.r, color.g, color.b);
-}
-
 /// Returns a sentence with its period.
 std::string ended(const std::string& sentence) {
     return sentence.ends_with('.') ? sentence : sentence + ".";
@@ -87,13 +83,15 @@ std::string sentence_of(const Why& made, const WhyQuestion& question) {
 
 }  // namespace
 
+std::string hex_of(const Color& color) {
+    return hex_color(color.r, color.g, color.b);
+}
+
 std::vector<const Touch*> images_of(const Why& made, const FramePlan& plan) {
     std::vector<const Touch*> images;
     for (const Touch& touch : made.chain.touches) {
         const Pass& pass = plan.passes[touch.fragment.pass];
-        const PassRole role = role_of(pass);
-        if (pass.is_mirror_image && (role == PassRole::objects || role == PassRole::patch) && touch.share > least_share)
-            images.push_back(&touch);
+        if (pass.is_mirror_image && is_surface(pass) && touch.share > least_share) images.push_back(&touch);
     }
     std::stable_sort(images.begin(), images.end(), [](const Touch* a, const Touch* b) { return a->share > b->share; });
     return images;
@@ -101,19 +99,12 @@ std::vector<const Touch*> images_of(const Why& made, const FramePlan& plan) {
 
 Why why(const WhyQuestion& question) {
     Why made;
-    made.chain = pixel_chain(question.plan, question.finder, question.pixel, question.viewport.size_px);
+    const glm::ivec2 size_px = question.viewport.size_px;
+    made.chain = question.read_back
+                     ? chain_as_rounded(question.plan, question.finder, question.pixel, size_px, *question.read_back)
+                     : pixel_chain(question.plan, question.finder, question.pixel, size_px);
     made.predicted = predicted_color(question.plan, made.chain);
     made.read_back = question.read_back;
-    if (made.predicted && question.read_back && !is_same_color(*made.predicted, *question.read_back)) {
-        PixelChain other = chain_as_rounded(question.plan, question.finder, question.pixel, question.viewport.size_px,
-                                            *question.read_back);
-        const std::optional<Color> color = predicted_color(question.plan, other);
-        if (color && is_same_color(*color, *question.read_back)) {
-            made.chain = std::move(other);
-            made.predicted = color;
-            made.by_rounding = true;
-        }
-    }
     made.has_mirror = !images_of(made, question.plan).empty();
     made.has_shadow = std::any_of(made.chain.touches.begin(), made.chain.touches.end(), [&](const Touch& touch) {
         return touch.fragment.passes && role_of(question.plan.passes[touch.fragment.pass]) == PassRole::shadow;

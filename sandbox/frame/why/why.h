@@ -40,7 +40,6 @@ struct Why {
     PixelChain chain;
     std::optional<Color> predicted;  ///< none: this picture's colors are not computed
     std::optional<Color> read_back;  ///< the question's
-    bool by_rounding = false;        ///< the prediction follows GL where two depths differ by less than rounding
     std::string surface;             ///< name in the scene of what is seen, "plane" for a patch; "" for the background
     std::vector<std::string> casters;             ///< names of the objects whose shadow is on it
     bool has_shadow = false, has_mirror = false;  ///< a shadow or a mirror image is part of the color
@@ -67,11 +66,15 @@ std::string on_one_line(std::string sentence);
 /// Returns the sentence, one line per row, and an empty line.
 std::string why_as_text(const Why& why);
 
-// The parts of why(): why_rows.cpp.
+// The parts of why(): why_rows.cpp and why_lights.cpp.
 
 /// Returns "the plane", "plane 2", or the object's translated name.
 std::string surface_name(const WhyQuestion& question, int object_index);
 std::string point_text(const glm::dvec3& point);
+/// Returns the comparison and its outcome: "12 < 16, passes".
+std::string test_phrase(const WhyQuestion& question, const Fragment& fragment);
+/// Returns "#5a575b".
+std::string hex_of(const Color& color);
 
 void add_ray_row(Why& made, const WhyQuestion& question);
 void add_pass_rows(Why& made, const WhyQuestion& question);

@@ -1,4 +1,5 @@
-// The rows of an explanation: the ray, the passes, the mirrors, the lights, the samples and the sum. Part of why.h.
+// The rows of an explanation, but for those of the lights: the ray, the passes, the mirrors, depth fighting, the
+// samples and the sum. Part of why.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,11 +14,6 @@
 namespace viewing {
 namespace {
 
-bool is_surface(const Pass& pass) {
-    const PassRole role = role_of(pass);
-    return role == PassRole::objects || role == PassRole::patch;
-}
-
 /// Returns "R₂ R₁" for the mirrors on the way.
 std::string mirror_product(const WhyQuestion& question, const Pass& pass) {
     if (question.derived.planes.size() == 1) return "R";
@@ -25,14 +21,6 @@ std::string mirror_product(const WhyQuestion& question, const Pass& pass) {
     for (const std::size_t mirror : pass.mirrors_met)
         product += (product.empty() ? "R" : " R") + lowered_text({mirror + 1});
     return product;
-}
-
-std::string light_title(std::size_t light, std::size_t count) {
-    return count == 1 ? tr("Light") : say("Light {light}", "light"_a = light + 1);
-}
-
-std::string name_of_light(const WhyQuestion& question, std::size_t light) {
-    return light_name(light, question.derived.lights_world.size());
 }
 
 DepthPrecision precision(const WhyQuestion& question) {
@@ -44,12 +32,6 @@ glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_
     glm::dmat4 made(1.0);
     for (const std::size_t mirror : mirrors_met) made = made * derived.planes[mirror].mirrored_world_from_world;
     return made;
-}
-
-/// Returns the comparison and its outcome: "12 < 16, passes".
-std::string test_phrase(const WhyQuestion& question, const Fragment& fragment) {
-    const TestText text = test_text(fragment, precision(question));
-    return text.compare.empty() ? text.result : text.compare + ", " + text.result;
 }
 
 /// Says what a fragment does in its pass: the tests with their numbers, and what it writes.
@@ -105,76 +87,6 @@ std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*
     return all + ".";
 }
 
-/// Says how a light reaches a surface of an object, or what it adds to a patch that no shadow darkens.
-std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
-    const std::string name = name_of_light(question, light);
-    const auto share = std::find_if(surface.color.lights.begin(), surface.color.lights.end(),
-                                    [&](const LightShare& one) { return one.light == light; });
-    if (share == surface.color.lights.end())
-        return say("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
-    if (share->cosine <= 0.0)
-        return say("n·ℓ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
-                   "cosine"_a = number_text(share->cosine, 2));
-    const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
-    double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
-    for (const LightShare& one : surface.color.lights) all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
-    return say("n·ℓ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
-               "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
-}
-
-/// Says which shadow passes darken the pixel for one light, and which caster's point S carries there.
-std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
-                            std::size_t light) {
-    const Touch& first = *shadow.first;
-    const CastShadow& cast = question.derived.planes[plane].shadows[light];
-    const glm::dvec3& p = first.fragment.point_scene;
-    const glm::dvec4 s = cast.shadowed_world_from_world * glm::dvec4(p, 1.0);
-    const std::string caster = surface_name(question, first.fragment.object_index),
-                      name = name_of_light(question, light);
-    std::string said;
-    switch (place_of(question.derived.planes[plane], cast, p)) {
-        case CasterPlace::behind_plane:
-            said = say("{caster} lies behind the plane at p = {p} and darkens this pixel all the same: a false shadow.",
-                       "caster"_a = caster, "p"_a = point_text(p));
-            break;
-        case CasterPlace::beyond_light:
-            said = say("{caster} lies beyond {light} at p = {p} and darkens this pixel all the same: an anti-shadow.",
-                       "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
-            break;
-        case CasterPlace::between:
-            said = say("{light} does not arrive: {caster} is in its way at p = {p}.", "light"_a = name,
-                       "caster"_a = caster, "p"_a = point_text(p));
-    }
-    if (s.w != 0.0)
-        said +=
-            "\n" + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
-    const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
-    said += "\n";
-    if (is_missing_light)
-        said += tr("The stencil marks it, and the plane is drawn without this light.");
-    else
-        said += say_count(shadow.passing, "The shadow is blended over it once.",
-                          "The shadow is blended over it {count} times.");
-    return said;
-}
-
-/// Says why a pixel in the way of the light shows no shadow.
-std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
-                               std::size_t plane, std::size_t light) {
-    const std::string name = name_of_light(question, light);
-    if (shadow.rejected)
-        return say("{caster} is in the way of {light}, but its shadow fails the depth test here: {test}.",
-                   "caster"_a = caster, "light"_a = name, "test"_a = test_phrase(question, shadow.rejected->fragment));
-    if (!question.params.shadow.enabled)
-        return say("{caster} is in the way of {light}, but no shadows are drawn.", "caster"_a = caster,
-                   "light"_a = name);
-    if (!question.derived.planes[plane].receives_shadow)
-        return say("{caster} is in the way of {light}, but this plane receives no shadow.", "caster"_a = caster,
-                   "light"_a = name);
-    return say("{caster} is in the way of {light}, but no pass draws its shadow here.", "caster"_a = caster,
-               "light"_a = name);
-}
-
 struct PathPoint {
     glm::dvec3 world;
     std::size_t mirror;
@@ -200,14 +112,6 @@ std::vector<PathPoint> path_of(const Derived& derived, const std::vector<std::si
     return path;
 }
 
-/// Returns the eye as the world behind the pass's mirrors sees it.
-glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
-    glm::dvec4 eye = question.derived.eye_world;
-    for (const std::size_t mirror : pass.mirrors_met)
-        eye = mirror_matrix(question.derived.planes[mirror].unit_plane) * eye;
-    return eye;
-}
-
 /// Returns the point that the camera is at; for parallel view rays, a point far along the ray.
 glm::dvec3 eye_for(const Derived& derived, const glm::dvec3& point) {
     const glm::dvec4& eye = derived.eye_world;
@@ -221,6 +125,11 @@ std::string surface_name(const WhyQuestion& question, int object_index) {
     if (object_index < 0)
         return planes_name(std::array{static_cast<std::size_t>(-1 - object_index)}, question.derived.planes.size());
     return object_text(question.finder.scene().objects[static_cast<std::size_t>(object_index)].description.name);
+}
+
+std::string test_phrase(const WhyQuestion& question, const Fragment& fragment) {
+    const TestText text = test_text(fragment, precision(question));
+    return text.compare.empty() ? text.result : text.compare + ", " + text.result;
 }
 
 std::string point_text(const glm::dvec3& point) {
@@ -333,75 +242,10 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
                               say("image of {object}", "object"_a = object), row});
 }
 
-/// Adds a row for each light of a surface that is part of the color: in the real world or in a mirror.
-void add_lights(Why& made, const WhyQuestion& question, const Touch* surface) {
-    const Pass& pass = question.plan.passes[surface->fragment.pass];
-    if (pass.shading != Shading::lit && pass.shading != Shading::unlit) return;
-    const glm::dvec3& point = surface->fragment.point_scene;
-    const bool is_patch = surface->fragment.object_index < 0;
-    for (std::size_t light = 0; light < question.derived.lights_world.size(); ++light) {
-        const glm::dvec4& light_world = question.derived.lights_world[light];
-        const std::optional<Blocker> in_way = blocker(question.finder, point, light_world);
-        const std::string title = light_title(light, question.derived.lights_world.size());
-        WhyRow row{.kind = WhyRow::Kind::light,
-                   .title = pass.mirrors_met.empty() ? title : say("{light}, in the mirror", "light"_a = title)};
-        std::optional<glm::dvec3> caster;
-        std::string caster_name;
-        if (is_patch) {
-            const std::size_t plane = pass.plane;
-            const DerivedPlane& receiver = question.derived.planes[plane];
-            const bool reaches =
-                receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
-            const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, plane, light, pass.mirrors_met);
-            if (shadow.first) {
-                row.sentence = shadow_sentence(question, shadow, plane, light);
-                row.after = shadow.first->after;
-                caster = shadow.first->fragment.point_scene;
-                caster_name = surface_name(question, shadow.first->fragment.object_index);
-            } else if (in_way && reaches) {
-                caster = in_way->point_world;
-                caster_name = surface_name(question, in_way->object_index);
-                row.sentence = no_shadow_sentence(question, caster_name, shadow, plane, light);
-            } else {
-                row.sentence = lit_sentence(question, *surface, light);
-            }
-        } else {
-            row.sentence = lit_sentence(question, *surface, light);
-            const bool faces =
-                std::any_of(surface->color.lights.begin(), surface->color.lights.end(),
-                            [&](const LightShare& one) { return one.light == light && one.cosine > 0.0; });
-            if (in_way && faces) {
-                caster_name = surface_name(question, in_way->object_index);
-                row.sentence += " " + say("{caster} is in its way, but planar shadows fall on planes only.",
-                                          "caster"_a = caster_name);
-                caster = in_way->point_world;
-            }
-        }
-        made.rows.push_back(row);
-        const glm::dvec3 to = light_world.w != 0.0
-                                  ? glm::dvec3(light_world) / light_world.w
-                                  : point + glm::normalize(glm::dvec3(light_world)) *
-                                                glm::length(question.finder.scene().bounds_world.size());
-        const std::size_t at = made.rows.size() - 1;
-        if (!caster) {
-            made.lines.push_back({WhyLine::Kind::light, to, point, "", at});
-            continue;
-        }
-        made.lines.push_back({WhyLine::Kind::light, to, *caster, "", at});
-        made.lines.push_back({WhyLine::Kind::cut_light, *caster, point, caster_name, at});
-    }
-}
-
 }  // namespace
 
 void add_mirror_rows(Why& made, const WhyQuestion& question) {
     for (const Touch* image : images_of(made, question.plan)) add_mirror_row(made, question, image);
-}
-
-void add_light_rows(Why& made, const WhyQuestion& question) {
-    if (const Touch* surface = made.chain.surface(question.plan); surface && surface->share > least_share)
-        add_lights(made, question, surface);
-    for (const Touch* image : images_of(made, question.plan)) add_lights(made, question, image);
 }
 
 void add_fight_row(Why& made, const WhyQuestion& question) {
@@ -490,7 +334,7 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
     add(made.chain.background_share, glm::dvec3(background.r, background.g, background.b) / 255.0);
     for (const Touch& touch : made.chain.touches) add(touch.share, touch.color.srgb);
     const Color& color = *made.predicted;
-    const std::string result = hex_color(color.r, color.g, color.b);
+    const std::string result = hex_of(color);
     const bool is_color = question.plan.shows != Shows::depth && question.plan.shows != Shows::stencil &&
                           question.plan.shows != Shows::overdraw;
     std::string said = !is_color || sum == result ? result : sum + " = " + result;
@@ -503,12 +347,10 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
                    : say("nothing wrote depth: shown as {color}", "color"_a = result);
     if (question.read_back)
         said += is_same_color(color, *question.read_back)
-                    ? (made.by_rounding
+                    ? (made.chain.is_as_rounded()
                            ? std::string(", ") + tr("as read back; two depths are so close that rounding decides")
                            : std::string(", ") + tr("as read back"))
-                    : ", " + say("but {color} is read back",
-                                 "color"_a =
-                                     hex_color(question.read_back->r, question.read_back->g, question.read_back->b));
+                    : ", " + say("but {color} is read back", "color"_a = hex_of(*question.read_back));
     made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
 }
 

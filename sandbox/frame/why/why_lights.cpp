@@ -1,0 +1,174 @@
+// The rows of an explanation that tell of lights: what each adds to a surface, or what is in its way and what the
+// shadow passes did about it. Part of why.h.
+#include <algorithm>
+
+#include "frame/say.h"
+#include "frame/why/why.h"
+#include "text/catalogue.h"
+
+namespace viewing {
+namespace {
+
+std::string light_title(std::size_t light, std::size_t count) {
+    return count == 1 ? tr("Light") : say("Light {light}", "light"_a = light + 1);
+}
+
+std::string name_of_light(const WhyQuestion& question, std::size_t light) {
+    return light_name(light, question.derived.lights_world.size());
+}
+
+/// Says how a light reaches a surface of an object, or what it adds to a patch that no shadow darkens.
+std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
+    const std::string name = name_of_light(question, light);
+    const auto share = std::find_if(surface.color.lights.begin(), surface.color.lights.end(),
+                                    [&](const LightShare& one) { return one.light == light; });
+    if (share == surface.color.lights.end())
+        return say("{light} shines on the other side of the surface and adds nothing.", "light"_a = name);
+    if (share->cosine <= 0.0)
+        return say("n·ℓ = {cosine}: the surface faces away from {light}, which adds nothing.", "light"_a = name,
+                   "cosine"_a = number_text(share->cosine, 2));
+    const double added = share->adds_linear.r + share->adds_linear.g + share->adds_linear.b;
+    double all = surface.color.ambient_linear.r + surface.color.ambient_linear.g + surface.color.ambient_linear.b;
+    for (const LightShare& one : surface.color.lights) all += one.adds_linear.r + one.adds_linear.g + one.adds_linear.b;
+    return say("n·ℓ = {cosine}: {light} adds {share} of the surface's light.", "light"_a = name,
+               "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
+}
+
+/// Says which shadow passes darken the pixel for one light, and which caster's point S carries there.
+std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
+                            std::size_t light) {
+    const Touch& first = *shadow.first;
+    const CastShadow& cast = question.derived.planes[plane].shadows[light];
+    const glm::dvec3& p = first.fragment.point_scene;
+    const glm::dvec4 s = cast.shadowed_world_from_world * glm::dvec4(p, 1.0);
+    const std::string caster = surface_name(question, first.fragment.object_index),
+                      name = name_of_light(question, light);
+    std::string said;
+    switch (place_of(question.derived.planes[plane], cast, p)) {
+        case CasterPlace::behind_plane:
+            said = say("{caster} lies behind the plane at p = {p} and darkens this pixel all the same: a false shadow.",
+                       "caster"_a = caster, "p"_a = point_text(p));
+            break;
+        case CasterPlace::beyond_light:
+            said = say("{caster} lies beyond {light} at p = {p} and darkens this pixel all the same: an anti-shadow.",
+                       "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
+            break;
+        case CasterPlace::between:
+            said = say("{light} does not arrive: {caster} is in its way at p = {p}.", "light"_a = name,
+                       "caster"_a = caster, "p"_a = point_text(p));
+    }
+    if (s.w != 0.0)
+        said +=
+            "\n" + say("S p ÷ w = {s}, w = {w}.", "s"_a = point_text(glm::dvec3(s) / s.w), "w"_a = number_text(s.w, 2));
+    const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
+    said += "\n";
+    if (is_missing_light)
+        said += tr("The stencil marks it, and the plane is drawn without this light.");
+    else
+        said += say_count(shadow.passing, "The shadow is blended over it once.",
+                          "The shadow is blended over it {count} times.");
+    return said;
+}
+
+/// Says why a pixel in the way of the light shows no shadow.
+std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
+                               std::size_t plane, std::size_t light) {
+    const std::string name = name_of_light(question, light);
+    if (shadow.rejected)
+        return say("{caster} is in the way of {light}, but its shadow fails the depth test here: {test}.",
+                   "caster"_a = caster, "light"_a = name, "test"_a = test_phrase(question, shadow.rejected->fragment));
+    if (!question.params.shadow.enabled)
+        return say("{caster} is in the way of {light}, but no shadows are drawn.", "caster"_a = caster,
+                   "light"_a = name);
+    if (!question.derived.planes[plane].receives_shadow)
+        return say("{caster} is in the way of {light}, but this plane receives no shadow.", "caster"_a = caster,
+                   "light"_a = name);
+    return say("{caster} is in the way of {light}, but no pass draws its shadow here.", "caster"_a = caster,
+               "light"_a = name);
+}
+
+/// Returns the eye as the world behind the pass's mirrors sees it.
+glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
+    glm::dvec4 eye = question.derived.eye_world;
+    for (const std::size_t mirror : pass.mirrors_met)
+        eye = mirror_matrix(question.derived.planes[mirror].unit_plane) * eye;
+    return eye;
+}
+
+/// A light's row, and the caster in its way.
+struct LightRow {
+    std::string sentence;
+    std::optional<Color> after = {};
+    std::optional<glm::dvec3> caster_world = {};
+    std::string caster = "";
+};
+
+/// Says what a light does at a patch: it adds to it, or casters darken it, or should.
+LightRow row_of_patch(const Why& made, const WhyQuestion& question, const Touch& surface, std::size_t light) {
+    const Pass& pass = question.plan.passes[surface.fragment.pass];
+    const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, pass.plane, light, pass.mirrors_met);
+    if (shadow.first)
+        return {shadow_sentence(question, shadow, pass.plane, light), shadow.first->after,
+                shadow.first->fragment.point_scene, surface_name(question, shadow.first->fragment.object_index)};
+    const DerivedPlane& receiver = question.derived.planes[pass.plane];
+    const bool reaches = receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
+    const std::optional<Blocker> in_way =
+        blocker(question.finder, surface.fragment.point_scene, question.derived.lights_world[light]);
+    if (!in_way || !reaches) return {lit_sentence(question, surface, light)};
+    const std::string caster = surface_name(question, in_way->object_index);
+    return {no_shadow_sentence(question, caster, shadow, pass.plane, light), std::nullopt, in_way->point_world, caster};
+}
+
+/// Says what a light adds to an object, on which no planar shadow falls.
+LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::size_t light) {
+    LightRow row{lit_sentence(question, surface, light)};
+    const std::optional<Blocker> in_way =
+        blocker(question.finder, surface.fragment.point_scene, question.derived.lights_world[light]);
+    const bool faces = std::any_of(surface.color.lights.begin(), surface.color.lights.end(),
+                                   [&](const LightShare& one) { return one.light == light && one.cosine > 0.0; });
+    if (!in_way || !faces) return row;
+    row.caster_world = in_way->point_world;
+    row.caster = surface_name(question, in_way->object_index);
+    row.sentence +=
+        " " + say("{caster} is in its way, but planar shadows fall on planes only.", "caster"_a = row.caster);
+    return row;
+}
+
+/// Returns a light's place; for a parallel light, a point outside the scene, as seen from `point`.
+glm::dvec3 place_of_light(const WhyQuestion& question, const glm::dvec4& light_world, const glm::dvec3& point) {
+    if (light_world.w != 0.0) return glm::dvec3(light_world) / light_world.w;
+    return point + glm::normalize(glm::dvec3(light_world)) * glm::length(question.finder.scene().bounds_world.size());
+}
+
+/// Adds a row for each light of a surface that is part of the color: in the real world or in a mirror.
+void add_lights(Why& made, const WhyQuestion& question, const Touch& surface) {
+    const Pass& pass = question.plan.passes[surface.fragment.pass];
+    if (pass.shading != Shading::lit && pass.shading != Shading::unlit) return;
+    const glm::dvec3& point = surface.fragment.point_scene;
+    const std::vector<glm::dvec4>& lights_world = question.derived.lights_world;
+    for (std::size_t light = 0; light < lights_world.size(); ++light) {
+        const LightRow row = surface.fragment.object_index < 0 ? row_of_patch(made, question, surface, light)
+                                                               : row_of_object(question, surface, light);
+        const std::string title = light_title(light, lights_world.size());
+        made.rows.push_back(
+            {.kind = WhyRow::Kind::light,
+             .title = pass.mirrors_met.empty() ? title : say("{light}, in the mirror", "light"_a = title),
+             .sentence = row.sentence,
+             .after = row.after});
+        const std::size_t at = made.rows.size() - 1;
+        const glm::dvec3 from = place_of_light(question, lights_world[light], point);
+        made.lines.push_back({WhyLine::Kind::light, from, row.caster_world.value_or(point), "", at});
+        if (row.caster_world)
+            made.lines.push_back({WhyLine::Kind::cut_light, *row.caster_world, point, row.caster, at});
+    }
+}
+
+}  // namespace
+
+void add_light_rows(Why& made, const WhyQuestion& question) {
+    if (const Touch* surface = made.chain.surface(question.plan); surface && surface->share > least_share)
+        add_lights(made, question, *surface);
+    for (const Touch* image : images_of(made, question.plan)) add_lights(made, question, *image);
+}
+
+}  // namespace viewing
