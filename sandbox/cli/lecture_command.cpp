@@ -57,12 +57,8 @@ ExitStatus write_lecture_handout(const Options& options, const TypedLecture& typ
                                  std::span<const FileArgument> files) {
     const FileArgument handout_file{"--handout", *typed.handout};
     check_outputs(options, {&handout_file, 1}, files);
-    const Lesson lecture = lecture_at(argument);
-    Headless headless(device_option(options, typed.device));
-    value_or_end(speak(language_option(options, typed.language).value_or(Language::en)));
-    Outputs outputs;
-    outputs.add(*typed.handout, handout(headless, lecture, typed.answers));
-    outputs.write();
+    write_handout(lecture_at(argument), *typed.handout, typed.answers, device_option(options, typed.device),
+                  language_option(options, typed.language).value_or(Language::en));
     return ExitStatus::done;
 }
 
@@ -80,8 +76,7 @@ ExitStatus show_lecture(const Options& options, const TypedLecture& typed, const
     start.notes = typed.notes.value_or("");
     memory.dress(state.params);
     if (const auto language = language_option(options, typed.language)) state.params.ui.language = *language;
-    constexpr double patience_s = 0.5;
-    return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
+    return show_window(state, start, memory);
 }
 
 ExitStatus run_lecture(const Command& self, const Arguments& arguments) {

@@ -109,16 +109,13 @@ std::vector<FileArgument> lesson_files(const TypedLesson& typed) {
     return files;
 }
 
-ExitStatus write_handout(const Options& options, const TypedLesson& typed) {
+ExitStatus write_lesson_handout(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
     const FileArgument handout_file{"--handout", *typed.handout};
     check_outputs(options, {&handout_file, 1}, lesson_files(typed));
-    const Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
-    Headless headless(device_option(options, typed.device));
-    value_or_end(speak(language_option(options, typed.language).value_or(Language::en)));
-    Outputs outputs;
-    outputs.add(*typed.handout, handout(headless, lesson, typed.answers));
-    outputs.write();
+    write_handout(value_or_end(load_lesson(typed.lessons.front())), *typed.handout, typed.answers,
+                  device_option(options, typed.device),
+                  language_option(options, typed.language).value_or(Language::en));
     return ExitStatus::done;
 }
 
@@ -148,8 +145,7 @@ ExitStatus show_lesson(const Options& options, const TypedLesson& typed) {
     }
     memory.dress(state.params);
     if (const auto language = language_option(options, typed.language)) state.params.ui.language = *language;
-    constexpr double patience_s = 0.5;
-    return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
+    return show_window(state, start, memory);
 }
 
 ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
@@ -189,7 +185,7 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     }
     if (typed.check) return check(typed, device_option(options, typed.device));
     if (typed.answers && !typed.handout) options.refuse("--answers needs --handout");
-    if (typed.handout) return write_handout(options, typed);
+    if (typed.handout) return write_lesson_handout(options, typed);
     return show_lesson(options, typed);
 }
 

@@ -21,8 +21,7 @@ ExitStatus show_hand_in(const Options& options, const StateArguments& arguments,
     LoadedState state = value_or_end(load_state(""));
     state.params.ui = arguments.looks();
     memory.dress(state.params);
-    constexpr double patience_s = 0.5;
-    return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
+    return show_window(state, start, memory);
 }
 
 ExitStatus run_open(const Command& self, const Arguments& arguments) {
@@ -56,10 +55,7 @@ ExitStatus run_open(const Command& self, const Arguments& arguments) {
         start.lesson = LessonPicture{std::move(linked->lesson), linked->step, false, false, true};
     }
     start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
-    // Errors in the scene are reported before the window opens, unless loading takes too long.
-    constexpr double patience_s = 0.5;
-    Session session = value_or_end(Session::begin(state, patience_s));
-    return show_window(std::move(session), start, memory);
+    return show_window(state, start, memory);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 
 namespace viewing {
 
-ExitStatus show_window(Session session, const WindowStart& start, WindowMemory& memory) {
+ExitStatus show_window(const LoadedState& state, const WindowStart& start, WindowMemory& memory) {
+    constexpr double patience_s = 0.5;
+    Session session = value_or_end(Session::begin(state, patience_s));
     require_threads();
     // For tests: a context that checks every call is slower, so this is not the default.
     const bool checks_gl = std::getenv("VIEWING_SANDBOX_CHECK_GL") != nullptr;

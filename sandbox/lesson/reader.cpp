@@ -95,6 +95,11 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     return lesson;
 }
 
+Lesson read_lesson_or_lecture(const Json& document, const fs::path& folder, const Where& where, Mistakes& mistakes) {
+    return is_lecture(document) ? read_lecture(document, folder, where, mistakes)
+                                : read_lesson(document, folder, where, mistakes);
+}
+
 /// Reads the part that a list shows, even if the rest of the file is invalid.
 LessonFile glance_at(const fs::path& path) {
     LessonFile file{path.stem().string(), {path.stem().string(), ""}, {}, 0, 0, path};
@@ -127,10 +132,8 @@ LessonFile glance_at(const fs::path& path) {
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const fs::path& folder) {
     return guarded([&] {
         const Where root{source + ": ", ""};
-        const Json document = parse_document(json, root.prefix);
         Mistakes mistakes;
-        Lesson lesson = is_lecture(document) ? read_lecture(document, folder, root, mistakes)
-                                             : read_lesson(document, folder, root, mistakes);
+        Lesson lesson = read_lesson_or_lecture(parse_document(json, root.prefix), folder, root, mistakes);
         mistakes.refuse();
         return lesson;
     });
@@ -139,7 +142,7 @@ Result<Lesson> parse_lesson(std::string_view json, const std::string& source, co
 std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source, const fs::path& folder) {
     const Where root{source + ": ", ""};
     Mistakes mistakes;
-    mistakes.part([&] { read_lesson(parse_document(json, root.prefix), folder, root, mistakes); });
+    mistakes.part([&] { read_lesson_or_lecture(parse_document(json, root.prefix), folder, root, mistakes); });
     return mistakes.all();
 }
 
@@ -197,14 +200,14 @@ Result<std::vector<std::string>> lecture_mistakes(const std::string& argument) {
     if (!named) return Error{named.error()};
     const Result<std::string> text = read_text_file(named->path);
     if (!text) return Error{text.error()};
-    return guarded([&] {
+    const Result<bool> is_one = guarded([&] {
         const Where root{named->source + ": ", ""};
-        const Json document = parse_document(*text, root.prefix);
-        if (!is_lecture(document)) root.refuse("is not a lecture: it must have \"lecture\": 1 and \"parts\"");
-        Mistakes mistakes;
-        read_lecture(document, named->path.parent_path(), root, mistakes);
-        return mistakes.all();
+        if (!is_lecture(parse_document(*text, root.prefix)))
+            root.refuse("is not a lecture: it must have \"lecture\": 1 and \"parts\"");
+        return true;
     });
+    if (!is_one) return Error{is_one.error()};
+    return lesson_mistakes(*text, named->source, named->path.parent_path());
 }
 
 }  // namespace viewing

@@ -215,7 +215,7 @@ TEST_F(PresetsTest, TitlesRankBeforeSentences) {
 }
 
 TEST_F(PresetsTest, ASlidesNumberFindsItsPresets) {
-    desk.press_with(Key::ctrl, Key::p);
+    desk.click("top/preset");
     ui.frames(3);
     ui.type("s23");
     ui.frames(2);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/picture.h"
+#include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/notes.h"
@@ -113,6 +114,15 @@ std::string handout(Headless& headless, const Lesson& lesson, bool with_answers)
         page += "</section>\n";
     }
     return page + "</html>\n";
+}
+
+void write_handout(const Lesson& lesson, const std::string& output, bool with_answers, const std::string& device,
+                   Language language) {
+    Headless headless(device);
+    value_or_end(speak(language));
+    Outputs outputs;
+    outputs.add(output, handout(headless, lesson, with_answers));
+    outputs.write();
 }
 
 }  // namespace viewing

@@ -12,4 +12,8 @@ namespace viewing {
 /// fails.
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers);
 
+/// Draws the page on the device and writes it to a file, or to standard output for "-".
+void write_handout(const Lesson& lesson, const std::string& output, bool with_answers, const std::string& device,
+                   Language language);
+
 }  // namespace viewing

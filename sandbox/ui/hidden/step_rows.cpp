@@ -192,7 +192,11 @@ void draw_step_line(Params& params, const HiddenResult& result) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const std::string progress = progress_sentence(result, step);
-    shortened_text(progress, ImGui::GetContentRegionAvail().x, progress_numbers(result, step));
+    const float room = ImGui::GetContentRegionAvail().x;
+    std::string brief;
+    for (const std::string& numbers : progress_numbers(result, step))
+        if (brief.empty() || ImGui::CalcTextSize(brief.c_str()).x > room) brief = numbers;
+    shortened_text(progress, room, brief);
     widgets::Record(progress.c_str());
     ImGui::PopFont();
 }

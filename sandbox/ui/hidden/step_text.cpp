@@ -141,11 +141,12 @@ std::string progress_sentence(const HiddenResult& result, int step) {
                "within"_a = within, "size"_a = size);
 }
 
-std::string progress_numbers(const HiddenResult& result, int step) {
+std::vector<std::string> progress_numbers(const HiddenResult& result, int step) {
     const auto of = [](int done, int count) { return grouped_number(done) + "/" + grouped_number(count); };
     const std::optional<StepPlace> place = place_of_step(result, step);
-    return place ? of(place->group, place->groups) + " · " + of(place->within, place->size)
-                 : of(step < 0 ? result.step_count : step, result.step_count);
+    if (!place) return {of(step < 0 ? result.step_count : step, result.step_count)};
+    const std::string groups = of(place->group, place->groups);
+    return {groups + " · " + of(place->within, place->size), groups};
 }
 
 std::vector<RayHitRow> ray_rows(const HiddenResult& result) {

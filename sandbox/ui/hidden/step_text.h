@@ -34,8 +34,8 @@ std::string compare_sentence(const HiddenResult& result);
 /// Returns a step's progress, on two levels if the method's steps have them: "triangle 3 of 9, fragment 12 of 40". A
 /// negative step means the last one.
 std::string progress_sentence(const HiddenResult& result, int step);
-/// Returns the same progress as numbers only, for narrow views: "3/9 · 12/40".
-std::string progress_numbers(const HiddenResult& result, int step);
+/// Returns the same progress as numbers only, for narrow views, the longest form first: "3/9 · 12/40", "3/9".
+std::vector<std::string> progress_numbers(const HiddenResult& result, int step);
 
 /// A hit of the traced ray.
 struct RayHitRow {
