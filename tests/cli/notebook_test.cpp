@@ -41,15 +41,16 @@ protected:
 };
 
 TEST_F(Notebook, LinesOfTheManualRun) {
-    expect_to_run(lines_of_manual() +
-                  "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
-                  "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
-                  "state = json.loads(ask('state', 'tilted-plane'))\n"
-                  "assert shown == {key: state[key] for key in state if key not in ('title', 'about', 'group')}\n"
-                  "state['camera']['yaw'] = 3\n"
-                  "told = subprocess.run(['viewing-sandbox', 'state', '-'], input=json.dumps(state).encode(),"
-                  " check=True, capture_output=True).stdout\n"
-                  "assert json.loads(told) == state\n");
+    expect_to_run(
+        lines_of_manual() +
+        "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
+        "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
+        "state = json.loads(ask('state', 'tilted-plane'))\n"
+        "assert shown == {key: state[key] for key in state if key not in ('title', 'about', 'group', 'slides')}\n"
+        "state['camera']['yaw'] = 3\n"
+        "told = subprocess.run(['viewing-sandbox', 'state', '-'], input=json.dumps(state).encode(),"
+        " check=True, capture_output=True).stdout\n"
+        "assert json.loads(told) == state\n");
 }
 
 /// Pillow rejects a text chunk of more than 1 MiB, but such a state takes several MiB.

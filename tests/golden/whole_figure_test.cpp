@@ -50,6 +50,7 @@ const std::vector<Shown>& shown_views() {
         {PictureView::mirror_ways, "mirror-ways"},
         {PictureView::lecture_code, "lecture-code"},
         {PictureView::display_code},
+        {PictureView::why, "", {"view.pin={\"at\":[0.5,0.6]}"}},
         {PictureView::window, "depth-cells", {"ui.theme=light"}},
         {PictureView::window, "newell-cycle", {"ui.language=ko"}},
         {PictureView::window, "fighting-16-bit", {"ui.theme=projector"}},

@@ -38,7 +38,7 @@ LESSON = {"lesson": 1, "id": "mine", "title": {"en": "My lesson", "ko": "수업"
      "claims": ["depth_step(84) < 1"]},
     {"id": "which", "state": {"set": {}}, "say": "Two ways.",
      "ask": {"kind": "choice", "question": "Which?", "choices": [
-         {"say": "this", "right": True}, {"say": "that", "why": "No."}]},
+         {"say": "left", "right": True}, {"say": "right", "why": "No."}]},
      "reveal": {"say": "This."}}]}
 
 EXERCISE = {"exercise": 1, "id": "X1-eye", "title": "The eye", "sets": ["mine"], "points": 2,

@@ -1,6 +1,7 @@
 #include "ui/why/why_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "state/file/json.h"
 #include "text/catalogue.h"
@@ -34,34 +35,30 @@ struct RowPlace {
     float title_width, swatch_side, width;
 };
 
-/// Draws the buttons that change what the camera's picture shows.
+/// Draws the buttons that change what the camera's picture shows, as far as the window offers them.
 void draw_buttons(WhyState& state, Session& session, const Why& why) {
     Params& params = session.params;
-    const auto toggle = [](const char* off, const char* on, bool is_part, bool& value, bool& hides, const char* tip) {
-        const char* label = value ? off : on;
-        if (!(value ? is_part : hides) || !widgets::OffersButton(label)) return;
-        if (widgets::SmallButton(label)) {
-            hides = value;
-            value = !value;
-        }
+    bool is_first = true;
+    const auto button = [&](const char* label, const char* tip) {
+        if (!widgets::OffersButton(label)) return false;
+        if (!std::exchange(is_first, false)) ImGui::SameLine(0.0F, px(8.0F));
+        const bool clicked = widgets::SmallButton(label);
         widgets::Tooltip(label, tip);
-        ImGui::SameLine(0.0F, px(8.0F));
+        return clicked;
+    };
+    const auto toggle = [&](const char* off, const char* on, bool is_part, bool& value, bool& hides, const char* tip) {
+        if (!(value ? is_part : hides) || !button(value ? off : on, tip)) return;
+        hides = value;
+        value = !value;
     };
     toggle(marked("Without the shadow"), marked("With the shadow"), why.has_shadow, params.shadow.enabled,
            state.hides_shadow, marked("Draws the picture with or without its shadows."));
     toggle(marked("Without the mirror"), marked("With the mirror"), why.has_mirror, params.reflection.enabled,
            state.hides_mirror, marked("Draws the picture with or without its mirror images."));
-    if (params.view.pass >= 0 && widgets::OffersButton("Whole frame")) {
-        if (widgets::SmallButton("Whole frame")) params.view.pass = -1;
-        widgets::Tooltip("Whole frame", "Draws all passes again.");
-        ImGui::SameLine(0.0F, px(8.0F));
-    }
-    if (widgets::OffersButton("Copy as text")) {
-        if (widgets::SmallButton("Copy as text")) ImGui::SetClipboardText(why_as_text(why).c_str());
-        widgets::Tooltip("Copy as text", "Copies the explanation to the clipboard.");
-        ImGui::SameLine(0.0F, px(8.0F));
-    }
-    ImGui::NewLine();
+    if (params.view.pass >= 0 && button(marked("Whole frame"), marked("Draws all passes again.")))
+        params.view.pass = -1;
+    if (button(marked("Copy as text"), marked("Copies the explanation to the clipboard.")))
+        ImGui::SetClipboardText(why_as_text(why).c_str());
 }
 
 /// Draws one row: its title, its sentence, and the color after it. Returns whether the pointer is over it.
