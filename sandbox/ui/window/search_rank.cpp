@@ -1,10 +1,9 @@
 // Which entries of the search fit the typed words, and in which order.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "text/numbers.h"
 #include "text/words.h"
 #include "ui/window/search_entries.h"
 
@@ -99,10 +98,7 @@ std::optional<std::string> as_number(std::string word) {
     constexpr std::string_view minus = "−", degree = "°";
     if (word.starts_with(minus)) word.replace(0, minus.size(), "-");
     if (word.ends_with(degree)) word.resize(word.size() - degree.size());
-    double number = 0.0;
-    const char* const end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, number);
-    return error == std::errc() && rest == end && std::isfinite(number) ? std::optional(word) : std::nullopt;
+    return parse_double(word) ? std::optional(word) : std::nullopt;
 }
 
 std::optional<std::string> as_numbers(Words words, std::size_t count) {
