@@ -1,9 +1,9 @@
 // Writes a comparison in words and as JSON.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "image/compare.h"
+#include "text/json.h"
 #include "text/numbers.h"
 
 namespace viewing {

@@ -114,10 +114,11 @@ LessonFile glance_at(const fs::path& path) {
         file.slides = read_slides(document, root);
         if (document.contains("minutes")) file.minutes = read_whole(document["minutes"], root, 1, 600);
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
-        if (document.contains("parts"))
-            for (const Json& part : document["parts"]) file.minutes += read_whole(part.at("minutes"), root, 1, 600);
+        if (has(document, "parts"))
+            for (const Json& part : document["parts"])
+                if (has(part, "minutes")) file.minutes += read_whole(part["minutes"], root, 1, 600);
+        if (!has(document, "steps") || !document["steps"].is_array()) return true;
         file.questions.resize(static_cast<std::size_t>(file.steps));
-        if (!document["steps"].is_array()) return true;
         for (std::size_t i = 0; i < file.questions.size(); ++i)
             if (const Json& step = document["steps"][i]; has(step, "ask") && has(step["ask"], "question"))
                 file.questions[i] = read_text_of(step["ask"]["question"], root);

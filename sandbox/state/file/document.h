@@ -1,14 +1,13 @@
 // Parses JSON text into a tree and prints a tree as text, with the format's limits and with messages for the user.
-// Include this only where a tree is needed, because the JSON library's header compiles slowly. Read reader.h next.
+// Read reader.h next.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "platform/text_file.h"
+#include "text/json.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -19,12 +18,6 @@ using Json = nlohmann::ordered_json;
 inline constexpr std::size_t max_document_depth = 64;
 inline constexpr std::size_t max_document_values = 1'000'000;
 inline constexpr std::size_t max_object_keys = 1'000;
-
-/// Bad input, described in a complete sentence for the user. The readers throw it; guarded() catches it at their
-/// boundary.
-struct Refusal : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// Thrown if a text is not JSON at all.
 struct SyntaxRefusal : Refusal {

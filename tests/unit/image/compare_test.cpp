@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <random>
+
+#include "text/json.h"
 
 namespace viewing {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "random_params.h"
+#include "state/file/document.h"
 
 namespace viewing {
 namespace {
@@ -15,6 +15,13 @@ Params read(const std::string& json) {
     Result<Params> params = parse_state(json, "test.json");
     EXPECT_TRUE(params) << params.error();
     return params ? *params : Params{};
+}
+
+TEST(JsonTest, AMissingKeyOfAConstantTreeIsRefusedInEveryBuild) {
+    const Json tree = parse_document(R"({"steps": []})", "");
+    const Result<bool> read = guarded([&] { return tree["parts"].is_array(); });
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().find("incomplete"), std::string::npos) << read.error();
 }
 
 TEST(State, EmptyObjectIsTheDefaults) {

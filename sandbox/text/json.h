@@ -1,0 +1,24 @@
+// The JSON library, for the files that build or read trees. The library only asserts that a constant object has the key
+// that is read; here such a read throws in every build, so that guarded() reports it and no build reads freed memory.
+// Include this only where a tree is needed, because the library's header compiles slowly.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace viewing {
+
+/// Bad input, described in a complete sentence for the user. The readers throw it; guarded() catches it at their
+/// boundary.
+struct Refusal : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+inline void check_json(bool is_true, const char* condition) {
+    if (!is_true) throw Refusal(std::string("is incomplete: ") + condition + " failed");
+}
+
+}  // namespace viewing
+
+#define JSON_ASSERT(condition) viewing::check_json(static_cast<bool>(condition), #condition)
+#include <nlohmann/json.hpp>
