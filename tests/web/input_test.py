@@ -1,6 +1,7 @@
 """Mouse, keys, fingers and clipboard through the browser; their effect is read from the state."""
 import json
 import math
+import time
 import unittest
 
 import browser
@@ -174,6 +175,27 @@ class Touch(browser.Checked):
         self.page.fingers("touchEnd")
         self.page.settle()
         self.assertFalse(self.page.field("depth.test"))
+
+    def test_a_finger_that_rests_in_the_picture_asks_why(self):
+        before = self.page.state()
+        self.page.fingers("touchStart", (500, 300))
+        time.sleep(0.8)
+        self.page.fingers("touchEnd")
+        self.page.settle()
+        after = self.page.state()
+        self.assertEqual(after["view"]["lower_right"], "why")
+        self.assertEqual(after["camera"], before["camera"])
+        self.assertEqual(after["follow"], before["follow"])  # the finger's end is no click
+
+    def test_a_finger_that_rests_on_a_slider_resets_nothing(self):
+        at = self.page.place("projection/fovy")
+        self.slide([at], [(at[0] + 40, at[1])])
+        before = self.page.field("projection.fovy")
+        self.page.fingers("touchStart", (at[0] + 40, at[1]))
+        time.sleep(0.8)
+        self.page.fingers("touchEnd")
+        self.page.settle()
+        self.assertAlmostEqual(self.page.field("projection.fovy"), before, delta=3)
 
     def test_two_fingers_zoom(self):
         before = self.page.state()["camera"]

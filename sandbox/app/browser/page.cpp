@@ -274,6 +274,14 @@ EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }
 
+/// Call when a finger has rested. In the camera's picture this asks "Why this pixel?", as a right click does; elsewhere
+/// it does nothing, because a right click there resets a slider.
+EMSCRIPTEN_KEEPALIVE void page_long_touch() {
+    if (!page->studio.workbench.views.hovered_pixel) return;
+    page_button(1, 1);
+    page_button(1, 0);
+}
+
 /// Turns the wheel by a number of lines; left and up are positive.
 EMSCRIPTEN_KEEPALIVE void page_wheel(double x, double y) {
     push(WheelTurned{glm::vec2(x, y)});

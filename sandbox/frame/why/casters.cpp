@@ -75,6 +75,7 @@ ShadowAtPixel shadow_at(const FramePlan& plan, const PixelChain& chain, std::siz
             continue;
         if (touch.fragment.passes) {
             if (!made.first) made.first = &touch;
+            made.last = &touch;
             ++made.passing;
         } else if (!touch.fragment.stencil_fails && !touch.fragment.cut_off && !made.rejected) {
             made.rejected = &touch;

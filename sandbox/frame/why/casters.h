@@ -26,6 +26,7 @@ CasterPlace place_of(const DerivedPlane& plane, const CastShadow& cast, const gl
 /// The shadow of one light at a pixel: fragments of its shadow passes.
 struct ShadowAtPixel {
     const Touch* first = nullptr;     ///< the first that passes; null: none passes
+    const Touch* last = nullptr;      ///< the last that passes
     int passing = 0;                  ///< how many pass
     const Touch* rejected = nullptr;  ///< the first that the depth test rejects
 };

@@ -10,7 +10,7 @@ namespace viewing {
 namespace {
 
 std::string light_title(std::size_t light, std::size_t count) {
-    return count == 1 ? tr("Light") : say("Light {light}", "light"_a = light + 1);
+    return count == 1 ? tr("Light source") : say("Light {light}", "light"_a = light + 1);
 }
 
 std::string name_of_light(const WhyQuestion& question, std::size_t light) {
@@ -108,7 +108,8 @@ LightRow row_of_patch(const Why& made, const WhyQuestion& question, const Touch&
     const Pass& pass = question.plan.passes[surface.fragment.pass];
     const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, pass.plane, light, pass.mirrors_met);
     if (shadow.first)
-        return {shadow_sentence(question, shadow, pass.plane, light), shadow.first->after,
+        return {shadow_sentence(question, shadow, pass.plane, light),
+                shadow.last->paints ? std::optional(shadow.last->after) : std::nullopt,
                 shadow.first->fragment.point_scene, surface_name(question, shadow.first->fragment.object_index)};
     const DerivedPlane& receiver = question.derived.planes[pass.plane];
     const bool reaches = receiver.shadows[light].reaches(glm::dot(receiver.unit_plane, eye_behind(question, pass)));
@@ -129,8 +130,9 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     if (!in_way || !faces) return row;
     row.caster_world = in_way->point_world;
     row.caster = surface_name(question, in_way->object_index);
-    row.sentence +=
-        " " + say("{caster} is in its way, but planar shadows fall on planes only.", "caster"_a = row.caster);
+    if (question.params.shadow.enabled)
+        row.sentence +=
+            " " + say("{caster} is in its way, but planar shadows fall on planes only.", "caster"_a = row.caster);
     return row;
 }
 
@@ -138,6 +140,15 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
 glm::dvec3 place_of_light(const WhyQuestion& question, const glm::dvec4& light_world, const glm::dvec3& point) {
     if (light_world.w != 0.0) return glm::dvec3(light_world) / light_world.w;
     return point + glm::normalize(glm::dvec3(light_world)) * glm::length(question.finder.scene().bounds_world.size());
+}
+
+/// Returns a sentence that may begin with a name with a capital letter; "n·ℓ" stays as it is.
+std::string begun(std::string sentence) {
+    const auto is_small = [&](std::size_t at) {
+        return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
+    };
+    if (is_small(0) && is_small(1)) sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    return sentence;
 }
 
 /// Adds a row for each light of a surface that is part of the color: in the real world or in a mirror.
@@ -153,7 +164,7 @@ void add_lights(Why& made, const WhyQuestion& question, const Touch& surface) {
         made.rows.push_back(
             {.kind = WhyRow::Kind::light,
              .title = pass.mirrors_met.empty() ? title : say("{light}, in the mirror", "light"_a = title),
-             .sentence = row.sentence,
+             .sentence = begun(row.sentence),
              .after = row.after});
         const std::size_t at = made.rows.size() - 1;
         const glm::dvec3 from = place_of_light(question, lights_world[light], point);

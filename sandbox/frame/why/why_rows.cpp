@@ -255,19 +255,29 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
         const Pass& pass = question.plan.passes[touch.fragment.pass];
         return !pass.is_mirror_image && role_of(pass) != PassRole::mask && role_of(pass) != PassRole::backdrop;
     };
-    const Touch* rival = nullptr;  // the last surface that is compared with one at nearly the same depth
-    for (const Touch& touch : made.chain.touches)
-        if (is_of_frame(touch) && is_decided_by_rounding(touch.fragment)) rival = &touch;
+    // The last fragment that is compared with one at nearly the same depth; what is seen must be one of the two.
+    const Touch* rival = nullptr;
+    const Touch* other = nullptr;
+    const Touch* writer = nullptr;
+    for (const Touch& touch : made.chain.touches) {
+        if (!is_of_frame(touch)) continue;
+        if (writer && is_decided_by_rounding(touch.fragment) && (&touch == surface || writer == surface)) {
+            rival = &touch;
+            other = writer;
+        }
+        const DepthState& depth = touch.fragment.depth;
+        if (touch.fragment.passes && depth.test && depth.write) writer = &touch;
+    }
     if (!rival) return;
     const Fragment& one = rival->fragment;
-    const Touch* other = nullptr;  // the surface that stored the code that it is compared with
-    for (const Touch& touch : made.chain.touches)
-        if (&touch != rival && is_of_frame(touch) && touch.fragment.passes &&
-            touch.fragment.depth_after == one.compared_with)
-            other = &touch;
-    if (!other) return;
-    const std::string name = surface_name(question, one.object_index),
-                      rival_name = surface_name(question, other->fragment.object_index);
+    const bool is_same_object = one.object_index == other->fragment.object_index;
+    const auto fighter_name = [&](const Fragment& fragment) {
+        const std::string name = surface_name(question, fragment.object_index);
+        if (role_of(question.plan.passes[fragment.pass]) == PassRole::shadow)
+            return say("the shadow of {caster}", "caster"_a = name);
+        return is_same_object ? name + " (" + tr(fragment.front_facing ? "front" : "back") + ")" : name;
+    };
+    const std::string name = fighter_name(one), rival_name = fighter_name(other->fragment);
     const auto apart = std::abs(static_cast<std::int64_t>(one.stored) - static_cast<std::int64_t>(one.compared_with));
     std::string said =
         apart == 0
@@ -320,6 +330,19 @@ void add_sample_row(Why& made, const WhyQuestion& question) {
                                          "surfaces"_a = joined(parts))});
 }
 
+namespace {
+
+/// Compares the explained color with the one in the buffer.
+std::string read_back_text(const Why& made, const Color& read_back) {
+    const Color& color = *made.predicted;
+    if (!is_same_color(color, read_back)) return say("but {color} is read back", "color"_a = hex_of(read_back));
+    if (made.chain.is_as_rounded()) return tr("as read back; two depths are so close that rounding decides");
+    if (hex_of(color) == hex_of(read_back)) return tr("as read back");
+    return say("read back as {color}: rounding to 8 bits", "color"_a = hex_of(read_back));
+}
+
+}  // namespace
+
 void add_sum_row(Why& made, const WhyQuestion& question) {
     if (!made.predicted) return;
     std::string sum;
@@ -345,12 +368,7 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
                    ? say("depth code {code} is shown as {color}",
                          "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
                    : say("nothing wrote depth: shown as {color}", "color"_a = result);
-    if (question.read_back)
-        said += is_same_color(color, *question.read_back)
-                    ? (made.chain.is_as_rounded()
-                           ? std::string(", ") + tr("as read back; two depths are so close that rounding decides")
-                           : std::string(", ") + tr("as read back"))
-                    : ", " + say("but {color} is read back", "color"_a = hex_of(*question.read_back));
+    if (question.read_back) said += ", " + read_back_text(made, *question.read_back);
     made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
 }
 

@@ -125,6 +125,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
     const bool is_right_click = over && ImGui::IsMouseReleased(ImGuiMouseButton_Right) && state.dragged_px <= px(3.0F);
     if (is_right_click && state.hovered_pixel && widgets::Offers("control:view.lower")) {
+        state.looking = false;  // a finger's long touch holds the left button too
         pin(session.params, state.pinned, *state.hovered_pixel);
         if (!is_shown(session.params, Topic::why)) choose_topic(session.params, Slot::right, Topic::why);
         state.lower = {Slot::right, session.params.view.lower_left, session.params.view.lower_right};

@@ -26,6 +26,7 @@ void draw_keys() {
         {marked("right drag"), marked("shift the picture (fly, orbit)")},
         {marked("wheel"), marked("nearer, farther; Ctrl: speed (fly, walk)")},
         {marked("click"), marked("follow the nearest vertex; on the background: stop following")},
+        {marked("right click"), marked("why this pixel? Touch screen: rest a finger on it")},
         {"Home  G", marked("starting view · whole scene")},
         {"L", marked("level: no roll")},
         {"X  Y  Z", marked("look along an axis; press again: other side")},

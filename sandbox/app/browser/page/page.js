@@ -151,6 +151,12 @@ const page = (() => {
 
   const fingers = new Map();
   let pair = null;
+  const slop = 8;  // CSS pixels that a resting finger may tremble
+  let resting = null;  // where the only finger came down, and the timer of its long touch
+  const restless = () => {
+    if (resting) clearTimeout(resting.timer);
+    resting = null;
+  };
   const at = (event) => {
     const box = canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -167,6 +173,8 @@ const page = (() => {
       canvas.setPointerCapture(event.pointerId);
       if (event.pointerType === 'touch') {
         fingers.set(event.pointerId, at(event));
+        restless();
+        if (fingers.size === 1) resting = {at: at(event), timer: setTimeout(() => Module._page_long_touch(), 600)};
         if (fingers.size === 2) {  // release what the first finger held
           Module._page_button(0, 0);
           pair = both();
@@ -181,6 +189,9 @@ const page = (() => {
     });
     canvas.addEventListener('pointermove', (event) => {
       if (!fingers.has(event.pointerId)) return point(event);
+      const [x, y] = at(event);
+      if (resting && Math.hypot(x - resting.at[0], y - resting.at[1]) < slop) return;
+      restless();
       fingers.set(event.pointerId, at(event));
       if (!pair) return point(event);
       if (fingers.size !== 2) return;
@@ -194,6 +205,8 @@ const page = (() => {
       }
     });
     const up = (event) => {
+      const rested = resting;
+      restless();
       const was_finger = fingers.delete(event.pointerId);
       if (was_finger && pair) {
         if (fingers.size < 2) {
@@ -201,7 +214,7 @@ const page = (() => {
           if (fingers.size === 0) pair = null;
         }
       } else {
-        if (event.type === 'pointerup') point(event);
+        if (event.type === 'pointerup' && !rested) point(event);
         Module._page_button(event.button === 1 ? 2 : event.button === 2 ? 1 : Math.max(event.button, 0), 0);
       }
       if (was_finger && fingers.size === 0) Module._page_pointer(0, 0, 0);
