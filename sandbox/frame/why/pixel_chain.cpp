@@ -99,6 +99,11 @@ bool PixelChain::is_as_rounded() const {
                        [](const Touch& touch) { return touch.fragment.decided_by_rounding; });
 }
 
+std::size_t PixelChain::times_painted() const {
+    return static_cast<std::size_t>(
+        std::count_if(touches.begin(), touches.end(), [](const Touch& touch) { return touch.paints; }));
+}
+
 bool is_decided_by_rounding(const Fragment& fragment) {
     const CompareFunc func = fragment.depth.func;
     if (!fragment.depth.test || fragment.culled || fragment.cut_off || fragment.stencil_fails || !fragment.is_sent ||
@@ -150,11 +155,8 @@ std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& ch
             return depth_color(plan, chain);
         case Shows::stencil:
             return stencil_color(chain.stencil);
-        case Shows::overdraw: {
-            const auto count = static_cast<std::size_t>(std::count_if(chain.touches.begin(), chain.touches.end(),
-                                                                      [](const Touch& touch) { return touch.paints; }));
-            return overdraw_colors[std::min(count, overdraw_colors.size() - 1)];
-        }
+        case Shows::overdraw:
+            return overdraw_colors[std::min(chain.times_painted(), overdraw_colors.size() - 1)];
         case Shows::fighting:
         case Shows::difference:
             return std::nullopt;

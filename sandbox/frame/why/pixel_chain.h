@@ -33,6 +33,9 @@ struct PixelChain {
     /// Whether rounding decides a depth comparison: a chain that chain_as_rounded() found.
     bool is_as_rounded() const;
 
+    /// Returns how many touches write color, as the overdraw picture counts them.
+    std::size_t times_painted() const;
+
     /// Returns the last touch that paints a surface of the real world or, behind these mirrors, of what they show; null
     /// for the background.
     const Touch* surface(const FramePlan& plan, std::span<const std::size_t> mirrors_met = {}) const;

@@ -117,6 +117,10 @@ Why why(const WhyQuestion& question) {
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);
+    // Only these pictures are made of the colors that the rows end in.
+    if (question.plan.shows != Shows::color && question.plan.shows != Shows::facing)
+        for (WhyRow& row : made.rows)
+            if (row.kind != WhyRow::Kind::fault && row.kind != WhyRow::Kind::sum) row.after.reset();
     find_names(made, question);
     made.sentence = sentence_of(made, question);
     const auto fault = std::find_if(made.rows.begin(), made.rows.end(),

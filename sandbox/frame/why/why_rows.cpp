@@ -358,16 +358,30 @@ void add_sum_row(Why& made, const WhyQuestion& question) {
     for (const Touch& touch : made.chain.touches) add(touch.share, touch.color.srgb);
     const Color& color = *made.predicted;
     const std::string result = hex_of(color);
-    const bool is_color = question.plan.shows != Shows::depth && question.plan.shows != Shows::stencil &&
-                          question.plan.shows != Shows::overdraw;
-    std::string said = !is_color || sum == result ? result : sum + " = " + result;
-    if (question.plan.shows == Shows::stencil)
-        said = say("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
-    if (question.plan.shows == Shows::depth)
-        said = made.chain.has_depth
-                   ? say("depth code {code} is shown as {color}",
-                         "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
-                   : say("nothing wrote depth: shown as {color}", "color"_a = result);
+    std::string said = sum == result ? result : sum + " = " + result;
+    switch (question.plan.shows) {
+        case Shows::stencil:
+            said = say("stencil {value} is shown as {color}", "value"_a = made.chain.stencil, "color"_a = result);
+            break;
+        case Shows::depth:
+            said = made.chain.has_depth
+                       ? say("depth code {code} is shown as {color}",
+                             "code"_a = code_text(made.chain.stored, precision(question)), "color"_a = result)
+                       : say("nothing wrote depth: shown as {color}", "color"_a = result);
+            break;
+        case Shows::overdraw:
+            said =
+                say_count(static_cast<std::int64_t>(made.chain.times_painted()), "color written once: shown as {color}",
+                          "color written {count} times: shown as {color}", "color"_a = result);
+            break;
+        case Shows::facing:
+            if (const Touch* surface = made.chain.surface(question.plan))
+                said = surface->fragment.front_facing ? say("the front face is shown as {color}", "color"_a = said)
+                                                      : say("the back face is shown as {color}", "color"_a = said);
+            break;
+        default:
+            break;
+    }
     if (question.read_back) said += ", " + read_back_text(made, *question.read_back);
     made.rows.push_back({.kind = WhyRow::Kind::sum, .title = "=", .sentence = said, .after = color});
 }
