@@ -17,6 +17,15 @@ std::string name_of_light(const WhyQuestion& question, std::size_t light) {
     return light_name(light, question.derived.lights_world.size());
 }
 
+/// Returns a sentence that may begin with a name with a capital letter; "n·ℓ" stays as it is.
+std::string begun(std::string sentence) {
+    const auto is_small = [&](std::size_t at) {
+        return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
+    };
+    if (is_small(0) && is_small(1)) sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    return sentence;
+}
+
 /// Says how a light reaches a surface of an object, or what it adds to a patch that no shadow darkens.
 std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std::size_t light) {
     const std::string name = name_of_light(question, light);
@@ -140,15 +149,6 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
 glm::dvec3 place_of_light(const WhyQuestion& question, const glm::dvec4& light_world, const glm::dvec3& point) {
     if (light_world.w != 0.0) return glm::dvec3(light_world) / light_world.w;
     return point + glm::normalize(glm::dvec3(light_world)) * glm::length(question.finder.scene().bounds_world.size());
-}
-
-/// Returns a sentence that may begin with a name with a capital letter; "n·ℓ" stays as it is.
-std::string begun(std::string sentence) {
-    const auto is_small = [&](std::size_t at) {
-        return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
-    };
-    if (is_small(0) && is_small(1)) sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
-    return sentence;
 }
 
 /// Adds a row for each light of a surface that is part of the color: in the real world or in a mirror.
