@@ -179,7 +179,9 @@ class Touch(browser.Checked):
     def test_a_finger_that_rests_in_the_picture_asks_why(self):
         before = self.page.state()
         self.page.fingers("touchStart", (500, 300))
-        time.sleep(0.8)
+        begun = time.monotonic()
+        while self.page.state()["view"]["lower_right"] != "why" and time.monotonic() - begun < browser.PATIENCE_S:
+            time.sleep(0.1)
         self.page.fingers("touchEnd")
         self.page.settle()
         after = self.page.state()
