@@ -392,9 +392,17 @@ bool Section(const char* label, bool open_by_default, const char* note, const ch
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(label);
     if (std::exchange(CurrentContext().targets.opens_next, false)) storage->SetBool(id, true);
+    const bool is_asked = CurrentContext().section_asked == label;
+    if (is_asked) {
+        storage->SetBool(id, true);
+        CurrentContext().section_asked.clear();
+        ImGui::SetScrollHereY(0.0F);
+    }
     bool open = storage->GetBool(id, open_by_default);
 
     ImGui::Dummy(ImVec2(0.0F, inner::Px(1)));
+    CurrentContext().sections.push_back(
+        {label, std::string(viewing::tr_part(inner::ShownPart(label))), ImGui::GetCursorPosY()});
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), ImGui::GetFrameHeight());
     const ImVec2 max(min.x + size.x, min.y + size.y);

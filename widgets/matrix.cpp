@@ -37,7 +37,12 @@ struct Measures {
         const auto row = static_cast<float>(cell / 4), column = static_cast<float>(cell % 4);
         return ImVec2(corner.x + 2.0F * bracket + column * cell_width, corner.y + Px(3) + row * cell_height);
     }
-    float Height() const { return 4.0F * cell_height + 2.0F * Px(3); }
+    float Height() const { return HeightOf(cell_height); }
+    static float HeightOf(float cell_height) { return 4.0F * cell_height + 2.0F * Px(3); }
+    /// The height of a cell without a number box. `symbol_size` 0: without symbols.
+    static float ShownHeight(float number_size, bool hides_symbols, float symbol_size) {
+        return number_size + (hides_symbols ? Px(5) : Px(9)) + symbol_size * 1.1F;
+    }
 };
 
 /// Shrinks the symbols until the widest one fits, but to no less than 0.7 of their size. Returns false if it still does
@@ -89,8 +94,7 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     const bool hides_symbols =
         !style.cells.empty() && std::all_of(style.cells.begin(), style.cells.end(),
                                             [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
-    const float shown_height =
-        number.size + (hides_symbols ? Px(5) : Px(9)) + (has_symbols ? symbol.size * 1.1F : 0.0F);
+    const float shown_height = ShownHeight(number.size, hides_symbols, has_symbols ? symbol.size : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
 
@@ -297,6 +301,13 @@ void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style
     MatrixStyle fixed = style;
     fixed.editable = false;
     ShowMatrix(label, shown, fixed, width);
+}
+
+float MatrixHeight(bool has_symbols) {
+    const Fonts& fonts = CurrentContext().fonts;
+    const float symbol_size = has_symbols ? inner::FaceOf(fonts.note).size : 0.0F;
+    return Measures::HeightOf(
+        std::ceil(Measures::ShownHeight(inner::FaceOf(fonts.matrix).size, !has_symbols, symbol_size)));
 }
 
 }  // namespace widgets

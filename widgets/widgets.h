@@ -104,6 +104,12 @@ struct TextFieldUse {
     std::optional<std::string> entry;  ///< typed text of an EntryField, not yet committed
 };
 
+/// A heading of a panel: where it begins in the content of its window.
+struct SectionPlace {
+    std::string label, shown;  ///< its name, and its text in the current language
+    float top_px = 0.0F;
+};
+
 /// Everything the widgets of a program share. Owned by the caller; there is no other hidden state.
 struct Context {
     Palette palette = palette_of(ThemeKind::dark);
@@ -119,9 +125,11 @@ struct Context {
     Editing editing;
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
-    bool is_on_stage = false;  ///< before an audience: a tooltip ends when the pointer rests
-    bool printed = false;      ///< for a printed figure, where nothing should look pressable
-    std::string offered;       ///< advice that an empty view shows in this frame
+    bool is_on_stage = false;            ///< before an audience: a tooltip ends when the pointer rests
+    bool printed = false;                ///< for a printed figure, where nothing should look pressable
+    std::vector<SectionPlace> sections;  ///< of the panel, in this frame
+    std::string section_asked;           ///< a section to open and scroll to
+    std::string offered;                 ///< advice that an empty view shows in this frame
     /// Over all scrolling windows in this frame: the smallest visible share of a window's content, the largest used
     /// share of a window's height, and the number of windows.
     float seen_share = 1.0F, used_share = 0.0F;
@@ -167,7 +175,8 @@ struct Group {
 /// Records the last ImGui item under `label` with the text that it shows, for items that this library does not draw.
 void Record(const char* label, std::string_view text = {});
 
-/// Counts the current window, a scrolling child or table, in Context::seen_share and used_share. Call before it ends.
+/// Counts the current window, a scrolling child or table, in Context::seen_share and used_share, and marks its lower
+/// edge if its content goes on below. Call before it ends.
 /// `is_filled`: another counted window fills it, so its own height is ignored.
 void CountScrolled(bool is_filled = false);
 
@@ -329,6 +338,8 @@ struct MatrixStyle {
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 /// Draws a matrix in the same way, but does not edit it.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
+/// Returns the height of a matrix that is not being edited.
+float MatrixHeight(bool has_symbols);
 
 /// Makes the last item, such as the line of code that fills a matrix entry, represent that entry: hovering over the
 /// item or the entry highlights both, and the entry's parameters. Returns whether to highlight the item.

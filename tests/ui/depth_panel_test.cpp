@@ -158,7 +158,7 @@ TEST_F(DepthPanel, TheExplanationShowsItsRowsAndStopsAfterAPass) {
     desk.settle();
     EXPECT_TRUE(ui.has("lower/why/Seen here: the plane."));
     EXPECT_TRUE(ui.has("lower/why/why: Ray"));
-    EXPECT_TRUE(ui.has("lower/why/why: Light"));
+    EXPECT_TRUE(ui.has("lower/why/why: Light source"));
     desk.click("lower/why/why: Pass 1, Patch");
     EXPECT_EQ(params.view.pass, 0);
     desk.click("lower/why/Whole frame");

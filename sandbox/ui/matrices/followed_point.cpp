@@ -50,6 +50,13 @@ float number_width(const char* text) {
 
 }  // namespace
 
+float followed_point_height(const Session& session) {
+    constexpr int lines = 6;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    return ImGui::GetFrameHeight() + spacing +
+           (session.params.follow ? lines * (widgets::CurrentContext().fonts.number->FontSize + spacing) : 0.0F);
+}
+
 void draw_followed_point(Session& session, const Derived& derived) {
     if (widgets::CurrentContext().printed && !session.params.follow) return;
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
@@ -59,19 +66,16 @@ void draw_followed_point(Session& session, const Derived& derived) {
                                  ? say("{object} · plane {plane}, light {light}", "object"_a = of,
                                        "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
                                  : of;
-    const bool has_note = matrix_heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
-    // Use the same height without a point, so that nothing below moves when one is clicked.
-    const float top = ImGui::GetCursorPosY();
-    const float bottom =
-        top + 6.0F * (widgets::CurrentContext().fonts.number->FontSize + ImGui::GetStyle().ItemSpacing.y);
     if (!derived.followed) {
-        widgets::Note(
-            "Click a vertex of an object in the camera view. The vertex p, its shadow S p and its mirror image R p are "
-            "then shown here.");
-        ImGui::SetCursorPosY(bottom - ImGui::GetStyle().ItemSpacing.y);
-        ImGui::Dummy({0.0F, 0.0F});
+        const std::string how = tr("click a vertex of an object");
+        if (!matrix_heading(marked("Follow a point"), "p", how, Role::point, ImGui::GetContentRegionMax().x))
+            widgets::Note(how.c_str());
+        widgets::Tooltip("Follow a point",
+                         "Click a vertex of an object in the camera view. The vertex p, its shadow S p and its mirror "
+                         "image R p are then shown here.");
         return;
     }
+    const bool has_note = matrix_heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
     if (widgets::OffersButton("Clear")) {
         ImGui::SameLine(place_at_right("Clear"));
         if (widgets::SmallButton("Clear")) session.params.follow.reset();

@@ -6,7 +6,10 @@
 
 namespace viewing {
 
-/// Draws the numbers; keeps the same height if there is no point.
+/// Returns the height of what draw_followed_point() draws.
+float followed_point_height(const Session& session);
+
+/// Draws the numbers; without a point, one line that says how to choose one.
 void draw_followed_point(Session& session, const Derived& derived);
 
 }  // namespace viewing

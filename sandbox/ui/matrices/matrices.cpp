@@ -207,10 +207,70 @@ void show_display(const Column& column) {
 
 }  // namespace
 
-void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
+std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
+                                       std::span<const std::string> first) {
+    std::array<MatrixPart, 4> parts{};  // headings alone
+    float left = room - 4.0F * heights.front();
+    const auto grow = [&](bool is_first, MatrixPart part) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const bool is_named = std::find(first.begin(), first.end(), matrices_in_order[i]) != first.end();
+            const float cost = heights[static_cast<std::size_t>(part)] - heights[static_cast<std::size_t>(parts[i])];
+            if (is_named != is_first || parts[i] >= part || cost > left) continue;
+            left -= cost;
+            parts[i] = part;
+        }
+    };
+    grow(true, MatrixPart::numbers);
+    grow(true, MatrixPart::symbols);
+    grow(false, MatrixPart::numbers);
+    if (std::find(parts.begin(), parts.end(), MatrixPart::heading) == parts.end()) grow(false, MatrixPart::symbols);
+    return parts;
+}
+
+namespace {
+
+/// The heights of a matrix with its heading, by MatrixPart.
+std::array<float, 3> matrix_heights() {
+    const float spacing = ImGui::GetStyle().ItemSpacing.y, heading = ImGui::GetFrameHeight() + spacing;
+    const auto with = [&](bool has_symbols) {
+        return heading + widgets::MatrixHeight(has_symbols) + 2.0F * spacing + px(1.0F);
+    };
+    return {heading, with(false), with(true)};
+}
+
+struct MatrixTitle {
+    const char* title;
+    Role role;
+};
+
+constexpr std::array<MatrixTitle, 4> matrix_titles = {{{marked("View"), Role::camera},
+                                                       {marked("Projection"), Role::camera},
+                                                       {marked("Shadow"), Role::light},
+                                                       {marked("Reflection"), Role::mirror}}};
+
+/// Draws the heading of a matrix that has no room; returns whether it was clicked.
+bool folded_heading(std::size_t number) {
+    const ImVec2 start = ImGui::GetCursorPos();
+    const bool is_clicked =
+        ImGui::InvisibleButton(matrices_in_order[number], {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()});
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+    const float half = px(4.5F), x = max.x - px(14.0F), y = 0.5F * (min.y + max.y);
+    ImGui::GetWindowDrawList()->AddTriangleFilled({x - half, y - half}, {x + half, y}, {x - half, y + half}, color);
+    widgets::Record((std::string("open ") + matrices_in_order[number]).c_str());
+    const ImVec2 end = ImGui::GetCursorPos();
+    ImGui::SetCursorPos(start);
+    const MatrixTitle& title = matrix_titles[number];
+    matrix_heading(title.title, matrices_in_order[number], "", title.role, ImGui::GetContentRegionMax().x);
+    ImGui::SetCursorPos(end);
+    return is_clicked;
+}
+
+}  // namespace
+
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
+                   std::span<const std::string> about) {
     const widgets::Group group("matrices");
-    choose_pair(session.params);
-    const Column shown{session, derived, before};
     const float room = ImGui::GetContentRegionAvail().x, least_column = px(340.0F);
     const bool side_by_side = room >= 2.0F * least_column;
     const auto column = [&](const char* name, const auto& draw) {
@@ -220,18 +280,48 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         widgets::CountScrolled();
         ImGui::EndChild();
     };
-    column("object space", [&] {
-        show_shadow(shown);
-        show_mirror(shown);
+    const std::vector<std::string> opened{choice.opened};
+    const bool has_pair = session.params.planes.size() > 1 || session.params.lights.size() > 1;
+    const float others = followed_point_height(session) + (has_pair ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
+    const std::array<float, 3> heights = matrix_heights();
+    std::array<MatrixPart, 4> parts{};
+    parts.fill(MatrixPart::symbols);
+    if (!side_by_side)
+        parts = fit_matrices(ImGui::GetContentRegionAvail().y - others, heights,
+                             choice.opened.empty() ? about : std::span<const std::string>(opened));
+    const auto show = [&](std::size_t number) {
+        if (parts[number] == MatrixPart::heading) {
+            if (folded_heading(number)) choice.opened = matrices_in_order[number];
+            return;
+        }
+        const Column shown{session, derived, before, parts[number] == MatrixPart::symbols};
+        switch (*matrices_in_order[number]) {
+            case 'V':
+                show_view_or_camera(shown, choice.shows_camera);
+                break;
+            case 'P':
+                show_projection(shown);
+                break;
+            case 'S':
+                show_shadow(shown);
+                break;
+            default:
+                show_mirror(shown);
+        }
+    };
+    column("view space", [&] {
+        show(0);
+        show(1);
+        if (side_by_side) show_display({session, derived, before});
     });
     if (side_by_side) ImGui::SameLine(0.0F, px(16.0F));
-    column("view space", [&] {
+    column("object space", [&] {
+        choose_pair(session.params);
+        show(2);
+        show(3);
         draw_followed_point(session, derived);
-        ImGui::Dummy({0.0F, px(4.0F)});
-        show_view_or_camera(shown, choice.shows_camera);
-        show_projection(shown);
-        show_display(shown);
     });
+    if (!side_by_side) show_display({session, derived, before});
 }
 
 void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
@@ -250,8 +340,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     // Showing all numbers matters more than showing the symbols below them.
     const auto rows =
         static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
-    const float with_symbols = px(205.0F) + 4.0F * (widgets::CurrentContext().fonts.matrix->FontSize -
-                                                    widgets::CurrentContext().fonts.number->FontSize);
+    const float with_symbols = matrix_heights().back() + 2.0F * px(4.0F);
     const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * with_symbols};
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {columns > 1 ? px(8.0F) : 0.0F, shown.has_symbols ? px(4.0F) : 0.0F});

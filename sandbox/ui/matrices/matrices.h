@@ -1,5 +1,10 @@
-// The right column: S, R, V or C, and P as on the slides, the followed point, and the slide's display() with numbers.
+// The right column: V or C, P, S and R as on the slides, the followed point, and the slide's display() with numbers.
 #pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "frame/derive.h"
 #include "session/session.h"
@@ -9,10 +14,23 @@ namespace viewing {
 /// The choice of matrices in the column; kept between frames.
 struct MatrixChoice {
     bool shows_camera = false;  ///< C instead of V
+    std::string opened = "";    ///< the matrix whose folded heading was clicked last: it is shown before all others
 };
 
-/// Draws the column. `before` holds the numbers before the latest edit; entries that differ are tinted.
-void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
+/// How much of a matrix a low column shows.
+enum class MatrixPart { heading, numbers, symbols };
+
+inline constexpr std::array<const char*, 4> matrices_in_order = {"V", "P", "S", "R"};
+
+/// Decides how much of each matrix of matrices_in_order a column shows, so that nothing is cut: first those named in
+/// `first` with their symbols, then the others. `heights`: of one matrix, by MatrixPart.
+std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
+                                       std::span<const std::string> first);
+
+/// Draws the column; those in `about` are shown first if it is low. `before` holds the numbers before the latest edit;
+/// entries that differ are tinted.
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
+                   std::span<const std::string> about);
 
 /// Draws only these matrices, in this order; the names are those of view.layout.matrices.
 void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,

@@ -66,6 +66,7 @@ struct Arrangement {
 struct Layout {
     Rect top_bar, status_bar;
     Rect panel, matrices;                  ///< empty when folded
+    Rect sections;                         ///< links to the panel's sections that are out of sight; may be empty
     Rect camera, lower_left, lower_right;  ///< pictures, without their headers; empty when hidden
     Rect beside;                           ///< a second picture in the right half of the camera's area
     Rect strip;                            ///< the lesson's strip; empty without a lesson

@@ -82,7 +82,7 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     arrangement.stage.least_right = least_size_on_stage(topic_of(params, Slot::right));
 }
 
-std::vector<std::string> matrices_on_stage(const Params& params, std::string_view group) {
+std::vector<std::string> matrices_about(const Params& params, std::string_view group) {
     const bool is_of_depth = group == "Depth buffer" || group == "Depth fighting";
     if (is_of_depth) return {"P"};
     if (group == "Hidden surfaces") return {};

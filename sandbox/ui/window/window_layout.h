@@ -25,9 +25,9 @@ BigView big_view(ViewName hovered);
 /// Copies the state's layout into the arrangement. `matrices`: those to show beside a large view.
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices);
 
-/// Returns the matrices that a state on stage is about if it lists none, in the order of the lecture: what moves the
+/// Returns the matrices that a state is about if it lists none, in the order of the lecture: what moves the
 /// camera, or what makes the shadow and the mirror image. `group`: the open preset's topic, or "".
-std::vector<std::string> matrices_on_stage(const Params& params, std::string_view group);
+std::vector<std::string> matrices_about(const Params& params, std::string_view group);
 
 /// Opens the lower views on stage that fit beside the matrices; if only one fits, `first`.
 void open_lower_views(Arrangement& arrangement, Slot first);

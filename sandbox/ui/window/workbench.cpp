@@ -55,6 +55,14 @@ Arrangement Workbench::arranged(const Session& session) const {
 }
 
 Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
+    Layout made = layout_of_areas(window_px, session);
+    if (made.panel.empty() || !session.params.view.layout.controls.empty()) return made;
+    made.sections = made.panel;
+    made.sections.min.y = made.panel.max.y -= section_links_.height_px(made.panel);
+    return made;
+}
+
+Layout Workbench::layout_of_areas(ImVec2 window_px, const Session& session) const {
     Arrangement now = arranged(session);
     if (guide.is_shown() && arrangement.has_strip)
         now.strip_px = strip_height(*guide.run(), window_px.x, widgets,
@@ -73,9 +81,12 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
 
 std::vector<std::string> Workbench::listed_matrices(const Session& session) const {
     const std::vector<std::string>& listed = session.params.view.layout.matrices;
-    if (!listed.empty() || place() != Place::stage) return listed;
+    return !listed.empty() || place() != Place::stage ? listed : matrices_about(session);
+}
+
+std::vector<std::string> Workbench::matrices_about(const Session& session) const {
     const NamedFile* const preset = open_preset(session);
-    return matrices_on_stage(session.params, preset ? preset->group : "");
+    return viewing::matrices_about(session.params, preset ? preset->group : "");
 }
 
 const NamedFile* Workbench::open_preset(const Session& session) const {
@@ -222,15 +233,21 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
             draw_panel(session, derived, problems, views.hidden.panel, hidden);
         else
             draw_listed_controls(session, derived, problems, views.hidden.panel, hidden);
+        section_links_.note();
         widgets::CountScrolled();
         ImGui::End();
+        if (!layout.sections.empty()) {
+            begin_area("sections", layout.sections, ImGuiWindowFlags_NoScrollWithMouse);
+            section_links_.draw();
+            ImGui::End();
+        }
     }
     widgets.targets.offered = offered(session.params, {});
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
         if (const std::vector<std::string> listed = listed_matrices(session); listed.empty())
-            draw_matrices(session, derived, before, matrix_choice_);
+            draw_matrices(session, derived, before, matrix_choice_, matrices_about(session));
         else
             draw_listed_matrices(session, derived, before, matrix_choice_, listed);
         widgets::CountScrolled(widgets.scrolled_count > 0);

@@ -16,6 +16,7 @@
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
 #include "ui/matrices/matrices.h"
+#include "ui/panel/section_links.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
 #include "ui/window/caption.h"
@@ -127,7 +128,11 @@ private:
     void choose_scale(Session& session, double scale, Requests& requests);
     Place place() const;
     /// Returns the matrices to show; empty for all. The free stage has room for two.
+    /// The layout without the links below the panel.
+    Layout layout_of_areas(ImVec2 window_px, const Session& session) const;
     std::vector<std::string> listed_matrices(const Session& session) const;
+    /// Returns the matrices that the state is about, which a low column shows first.
+    std::vector<std::string> matrices_about(const Session& session) const;
     std::vector<SearchEntry> offered_to_search(const Session& session);
     /// Draws the search and carries out what the user chooses in it.
     void draw_search(Session& session, const Layout& layout, Requests& requests);
@@ -174,6 +179,7 @@ private:
     std::optional<double> pending_scale_;
     HelpDialog help_;
     MatrixChoice matrix_choice_;
+    SectionLinks section_links_;
     void remember_opened(const Session& session);
 
     std::string opening_;      ///< the file being read

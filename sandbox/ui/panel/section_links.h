@@ -1,0 +1,34 @@
+// Links below the panel to its sections that are out of sight: they say that the controls go on, and one click leads
+// there. Without them, a low window hides whole topics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/parts/layout.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+
+class SectionLinks {
+public:
+    /// Returns the height that the links take from the panel's rectangle; 0 if all its content fits.
+    float height_px(const Rect& panel) const;
+
+    /// Call at the end of the panel's window: remembers where its sections are and what is seen.
+    void note();
+
+    /// Draws the links into the current window, which fills their rectangle.
+    void draw() const;
+
+private:
+    struct Link {
+        widgets::SectionPlace place;
+        float width_px;
+    };
+    std::vector<Link> links_;
+    float content_px_ = 0.0F, scroll_px_ = 0.0F, seen_px_ = 0.0F;
+    float line_px_ = 0.0F;  ///< the height of a line of links
+};
+
+}  // namespace viewing
