@@ -173,8 +173,12 @@ struct LessonFile {
     int minutes = 0;
     int steps = 0;
     std::filesystem::path path;
-    std::string group = {};                  ///< the topic above it in a list, like a preset's; "" for none
-    std::vector<LessonText> questions = {};  ///< one for each step; empty where it cannot be read
+    std::string group = {};  ///< the topic above it in a list, like a preset's; "" for none
+    struct Step {
+        LessonText question;      ///< empty where it cannot be read
+        std::vector<int> slides;  ///< its own, or the lesson's
+    };
+    std::vector<Step> listed_steps = {};
 };
 
 /// Returns the lessons of the assets directory in the order of the lecture: by file name, which begins with a number. A

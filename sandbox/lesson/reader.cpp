@@ -118,10 +118,13 @@ LessonFile glance_at(const fs::path& path) {
             for (const Json& part : document["parts"])
                 if (has(part, "minutes")) file.minutes += read_whole(part["minutes"], root, 1, 600);
         if (!has(document, "steps") || !document["steps"].is_array()) return true;
-        file.questions.resize(static_cast<std::size_t>(file.steps));
-        for (std::size_t i = 0; i < file.questions.size(); ++i)
-            if (const Json& step = document["steps"][i]; has(step, "ask") && has(step["ask"], "question"))
-                file.questions[i] = read_text_of(step["ask"]["question"], root);
+        file.listed_steps.assign(static_cast<std::size_t>(file.steps), {{}, file.slides});
+        for (std::size_t i = 0; i < file.listed_steps.size(); ++i) {
+            const Json& step = document["steps"][i];
+            if (has(step, "slides")) file.listed_steps[i].slides = read_slides(step, root);
+            if (has(step, "ask") && has(step["ask"], "question"))
+                file.listed_steps[i].question = read_text_of(step["ask"]["question"], root);
+        }
         return true;
     });
     (void)glance;  // parts that cannot be read keep their defaults

@@ -88,6 +88,30 @@ TEST_F(FoundEntries, WordsOfATroubleLeadToThePresetThatShowsIt) {
                                     [](const SearchEntry& entry) { return entry.kind == EntryKind::trouble; }));
 }
 
+TEST_F(FoundEntries, ASlidesNumberFindsWhatIsForIt) {
+    for (const char* query : {"s19", "slide 19"}) {
+        const std::vector<SearchEntry> all = look(query, 100);
+        int presets = 0, steps = 0;
+        for (const SearchEntry& entry : all) {
+            if (const auto* preset = std::get_if<PresetChoice>(&entry.choice)) {
+                ++presets;
+                const auto file = std::find_if(all_presets.begin(), all_presets.end(),
+                                               [&](const NamedFile& one) { return one.name == preset->name; });
+                ASSERT_NE(file, all_presets.end());
+                EXPECT_EQ(std::count(file->slides.begin(), file->slides.end(), 19), 1) << preset->name;
+            }
+            steps += entry.kind == EntryKind::step;
+        }
+        EXPECT_EQ(presets, std::count_if(all_presets.begin(), all_presets.end(), [](const NamedFile& one) {
+                      return std::find(one.slides.begin(), one.slides.end(), 19) != one.slides.end();
+                  }));
+        EXPECT_GT(presets, 1);
+        EXPECT_GT(steps, 3);
+        EXPECT_EQ(all.front().kind, EntryKind::preset);
+    }
+    EXPECT_TRUE(look("s99").empty());
+}
+
 TEST_F(FoundEntries, EveryKindIsFoundByItsName) {
     EXPECT_TRUE(has("why this", EntryKind::view, "Why this pixel?"));
     EXPECT_TRUE(has("histogram", EntryKind::view, "Depth histogram"));
@@ -103,9 +127,9 @@ TEST_F(FoundEntries, EveryKindIsFoundByItsName) {
         })) << preset.name;
     }
     for (const LessonFile& lesson : all_lessons) {
-        ASSERT_EQ(std::ssize(lesson.questions), lesson.steps) << lesson.id;
-        for (std::size_t step = 0; step < lesson.questions.size(); ++step) {
-            const std::vector<SearchEntry> first = look(lesson.questions[step].in_english(), 3);
+        ASSERT_EQ(std::ssize(lesson.listed_steps), lesson.steps) << lesson.id;
+        for (std::size_t step = 0; step < lesson.listed_steps.size(); ++step) {
+            const std::vector<SearchEntry> first = look(lesson.listed_steps[step].question.in_english(), 3);
             EXPECT_TRUE(std::ranges::any_of(first,
                                             [&](const SearchEntry& entry) {
                                                 const auto* choice = std::get_if<LessonPlace>(&entry.choice);
@@ -243,7 +267,8 @@ TEST_F(SearchTest, PresetsViewsAndCommandsDoWhatTheirControlsDo) {
 
 TEST_F(SearchTest, StepsAndExercisesOpen) {
     const LessonFile lesson = lessons().at(10);
-    choose(lesson.questions.at(2).in_english().substr(0, 60).c_str(), lesson.questions.at(2).in_english());
+    choose(lesson.listed_steps.at(2).question.in_english().substr(0, 60).c_str(),
+           lesson.listed_steps.at(2).question.in_english());
     for (int i = 0; i < 2000 && !desk.workbench.guide.run(); ++i) {
         ui.frame();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the file is read in the background

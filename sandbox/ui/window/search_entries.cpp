@@ -53,7 +53,7 @@ struct Entries {
              const std::string& about = "") {
         std::string lower = in_lower_case(title + "\n" + names);
         all.push_back(
-            {kind, std::move(title), std::move(note), std::move(choice), std::move(lower), in_lower_case(about)});
+            {kind, std::move(title), std::move(note), std::move(choice), std::move(lower), in_lower_case(about), {}});
     }
 };
 
@@ -76,17 +76,20 @@ void add_preset(Entries& entries, const NamedFile& preset) {
     if (const Field* const field = find_field(mended)) about += in_both_languages(std::string(field->label).c_str());
     entries.add(preset.mended_by.empty() ? EntryKind::preset : EntryKind::trouble, tr(preset.title.c_str()),
                 tr(preset.group.c_str()), PresetChoice{preset.name}, preset.title + "\n" + preset.name, about);
+    entries.all.back().slides = preset.slides;
 }
 
 void add_lesson(Entries& entries, const LessonFile& lesson, std::size_t number) {
     const std::string title = in_all_languages(lesson.title), file = lesson.path.string();
     entries.add(EntryKind::lesson, lesson.title.shown(), std::to_string(number),
                 LessonPlace{lesson.id, file, std::nullopt}, title + lesson.id);
-    for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-        const LessonText& question = lesson.questions[i];
+    entries.all.back().slides = lesson.slides;
+    for (std::size_t i = 0; i < lesson.listed_steps.size(); ++i) {
+        const LessonText& question = lesson.listed_steps[i].question;
         if (question.empty()) continue;
         entries.add(EntryKind::step, question.shown(), std::to_string(number) + "/" + std::to_string(i + 1),
                     LessonPlace{lesson.id, file, i}, in_all_languages(question), title + lesson.id);
+        entries.all.back().slides = lesson.listed_steps[i].slides;
     }
 }
 

@@ -59,8 +59,9 @@ struct SearchEntry {
     std::string title;  ///< in the current language
     std::string note;   ///< at the right: a key, a value, a heading
     SearchChoice choice;
-    std::string names;  ///< found first: the title and other names, in both languages, in lower case
-    std::string about;  ///< found next: descriptions
+    std::string names;             ///< found first: the title and other names, in both languages, in lower case
+    std::string about;             ///< found next: descriptions
+    std::vector<int> slides = {};  ///< of the lecture that it is for
 };
 
 struct ExerciseTitle {
@@ -87,7 +88,8 @@ std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLi
 
 /// Returns the entries that contain every word of `query`, best first: words in names before words in descriptions,
 /// starts of words before other places, short titles before long ones. A field also fits if its name is followed by a
-/// value ("near 0.0001"); its choice is then that setting. If no entry has every word, returns those with the most.
+/// value ("near 0.0001"); its choice is then that setting. If no entry has every word, returns those with the most. A
+/// slide's number ("s12", "slide 12") finds what is for that slide: presets, then lessons and their steps.
 std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most = 12);
 
 /// Whether a text in lower case contains every word of `query`.

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "state/slides.h"
 #include "text/numbers.h"
 #include "text/words.h"
 #include "ui/window/search_entries.h"
@@ -169,7 +170,24 @@ bool contains_words(std::string_view text, std::string_view query) {
                        [&](const std::string& word) { return text.find(word) != std::string_view::npos; });
 }
 
+namespace {
+
+std::vector<SearchEntry> on_slide(std::span<const SearchEntry> entries, int slide, std::size_t most) {
+    std::vector<SearchEntry> there;
+    for (const SearchEntry& entry : entries)
+        if (std::find(entry.slides.begin(), entry.slides.end(), slide) != entry.slides.end()) there.push_back(entry);
+    // Troubles show what the slide warns of; what the slide itself shows comes before them.
+    const auto rank = [](const SearchEntry& entry) { return entry.kind == EntryKind::trouble; };
+    std::stable_sort(there.begin(), there.end(),
+                     [&](const SearchEntry& a, const SearchEntry& b) { return rank(a) < rank(b); });
+    if (there.size() > most) there.resize(most);
+    return there;
+}
+
+}  // namespace
+
 std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most) {
+    if (const std::optional<int> slide = searched_slide(query)) return on_slide(entries, *slide, most);
     struct Hit {
         SearchEntry entry;
         int lacks, cost;
