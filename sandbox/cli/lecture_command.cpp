@@ -16,7 +16,7 @@ namespace {
 /// The options as typed.
 struct TypedLecture {
     std::vector<std::string> lectures;
-    std::optional<std::string> device, step, notes, handout, language;
+    std::optional<std::string> device, step, notes, handout, language, base;
     bool check = false, list = false, presents = false, answers = false;
 };
 
@@ -71,6 +71,7 @@ ExitStatus show_lecture(const Options& options, const TypedLecture& typed, const
     const int step = typed.step ? whole_option(options, "--step", *typed.step, 1, count) : 1;
     WindowMemory memory(remembered_file(), false);
     WindowStart start;
+    start.link_address = address_option(options, "--base", typed.base);
     LoadedState state = lecture.steps[static_cast<std::size_t>(step - 1)].start;
     start.lesson = LessonPicture{std::move(lecture), static_cast<std::size_t>(step - 1), false, typed.presents, true};
     start.notes = typed.notes.value_or("");
@@ -92,6 +93,7 @@ ExitStatus run_lecture(const Command& self, const Arguments& arguments) {
                  "separate window, or in a file rewritten at each change");
     options.text("--language", "en|ko", typed.language,
                  "Language of the window or the handout; default: the one last chosen, English for a handout");
+    options.text("--base", "ADDRESS", typed.base, base_help);
     options.group("Without a window");
     options.text("--handout", "OUT.html", typed.handout,
                  "Writes the lecture for printing, a page per step; - for standard output");
