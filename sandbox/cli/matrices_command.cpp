@@ -8,6 +8,7 @@
 #include "cli/results/chosen_matrices.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/look_at_text.h"
 #include "frame/matrix_text.h"
 #include "report/as_json.h"
 #include "report/matrices_report.h"
@@ -28,7 +29,9 @@ struct TypedMatrices {
     bool is_symbolic = false;
 };
 
-std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>& problems, MatrixFormat format) {
+/// `look_at`: the camera to add to plain text; null: none.
+std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, const std::vector<Problem>& problems,
+                           MatrixFormat format) {
     // Math between $ and $ must not contain empty lines.
     const std::string between = format == MatrixFormat::latex ? "\\quad\n" : "\n";
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
@@ -41,6 +44,7 @@ std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>
         text += number_text(chosen.sign_name, *chosen.sign, format,
                             "uploaded is " + chosen.sign_name + " * " + chosen.name);
     }
+    if (format == MatrixFormat::text && look_at) text += "\nlook_at: " + look_at_call(*look_at, LookAtCall::glu) + "\n";
     if (format == MatrixFormat::text && !problems.empty()) text += "\n";
     for (const Problem& problem : problems)
         if (format == MatrixFormat::text) text += problem.sentence + "\n";
@@ -103,7 +107,7 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
     wish.matrices = chosen_matrices(options, only, state.params, derived);
     print(chosen == 0
               ? print_document(listed_as_json(wish, matrices_as_json(derived, problems), only.has_value())) + "\n"
-              : listed_as_text(wish, problems, formats[chosen - 1]));
+              : listed_as_text(wish, only ? nullptr : &derived.look_at, problems, formats[chosen - 1]));
     return ExitStatus::done;
 }
 
@@ -114,7 +118,8 @@ constinit const Command matrices_command{
     "[STATE] [--set PATH=VALUE]… [--only LIST] [--digits N] [--symbolic] [--format FORMAT] [OPTIONS]",
     "prints V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S "
-    "(shadow_sign · S is uploaded), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
+    "(shadow_sign · S is uploaded), mirror R. look_at is the camera as gluLookAt takes it: eye, "
+    "center and up. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
     "and R² = I) and sentences about problems; followed has the followed point p: shadow_homogeneous is S p, shadow is "
     "S p after the division by w, or null, and mirrored is R p. Needs no GL.",
     "matrices\n"

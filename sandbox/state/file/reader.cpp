@@ -310,6 +310,7 @@ void read_field(const Field& field, Params& params, const Json& value, const Whe
 
 void read_group(Params& params, const Json& object, const Where& where) {
     require_object(object, where, "an object");
+    if (where.path == "camera") require_one_camera(object, where);
     for (const auto& [key, value] : object.items()) {
         const Where inside = where.key(key);
         if (key.empty() || key.find('.') != std::string::npos) {
@@ -317,6 +318,8 @@ void read_group(Params& params, const Json& object, const Where& where) {
         }
         if (const Field* known = find_field(inside.path)) {
             read_field(*known, params, value, inside);
+        } else if (inside.path == look_at_path) {
+            params.camera.look(read_look_at(value, inside));
         } else if (is_group(inside.path)) {
             read_group(params, value, inside);
         } else {
@@ -326,7 +329,8 @@ void read_group(Params& params, const Json& object, const Where& where) {
 }
 
 void refuse_unknown(const Where& where) {
-    const std::vector<std::string> known = known_paths();
+    std::vector<std::string> known = known_paths();
+    for (const char* part : {"", ".eye", ".center", ".up"}) known.push_back(std::string(look_at_path) + part);
     const std::string_view word = last_of(where.path);
     // Covers a typo anywhere in the path, and a correct name in the wrong group.
     const auto distance = [&](const std::string& path) {

@@ -16,6 +16,7 @@
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
 #include "ui/matrices/matrices.h"
+#include "ui/panel/camera_tab.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
 #include "ui/window/caption.h"
@@ -174,6 +175,7 @@ private:
     std::optional<double> pending_scale_;
     HelpDialog help_;
     MatrixChoice matrix_choice_;
+    CameraTab camera_tab_;
     void remember_opened(const Session& session);
 
     std::string opening_;      ///< the file being read
