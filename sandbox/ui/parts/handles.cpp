@@ -34,7 +34,7 @@ const char* light_name(std::size_t light) {
 std::string light_label(const Derived& derived) {
     const glm::dvec4& light = derived.chosen_light();
     const char* const name = light_name(derived.chosen.light);
-    if (is_parallel_light(light)) return say("{light} (parallel)", "light"_a = name);
+    if (light.w == 0.0) return say("{light} (parallel)", "light"_a = name);
     return is_far_away(light) ? say("{light} (far away)", "light"_a = name) : name;
 }
 
