@@ -116,6 +116,8 @@ TEST_F(Schema, FilesThatTheProgramRefusesAreInvalid) {
                        R"({"camera": {"position": [1, 2, 1e9]}})",
                        R"({"camera": {"navigation": "swim"}})",
                        R"({"camera": []})",
+                       R"({"projection": {"near": -1}})",
+                       R"({"projection": {"type": "orthographic", "near": -1}, "depth": {"mapping": "logarithmic"}})",
                        R"({"camera": {"look_at": {"eye": [1, 2, 3]}}})",
                        R"({"camera": {"look_at": {"eye": [1, 2, 3], "center": [0, 0, 0]}, "roll": 3}})",
                        R"({"camera": {"look_at": {"eye": [1, 2, 3], "centre": [0, 0, 0]}}})",

@@ -355,6 +355,12 @@ void refuse_unknown(const Where& where) {
 void check_together(const Params& params, const std::string& prefix) {
     const Where root{prefix, ""};
     const auto [near, far] = std::pair(params.projection.near, params.projection.far);
+    if (near < least_near(params)) {
+        root.key("projection.near")
+            .refuse("must be a number " + range_text({least_near(params), field("projection.near").max}) +
+                    ", got the number " + format_number(near) +
+                    "; it may be 0 or negative only in an orthographic projection without logarithmic depth");
+    }
     if (near >= far) {
         root.key("projection.near")
             .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));

@@ -205,6 +205,19 @@ void add_look_at(Json& camera) {
         camera["allOf"].push_back({{"not", {{"required", {"look_at", field(path).name()}}}}});
 }
 
+/// Adds the rule that near is positive unless the projection is orthographic and depth is not logarithmic.
+void add_positive_near(Json& root) {
+    const auto is = [](const char* group, const char* name, std::string_view value) -> Json {
+        const Json inner = {{"properties", {{name, {{"const", value}}}}}, {"required", Json::array({name})}};
+        return {{"properties", {{group, inner}}}, {"required", Json::array({group})}};
+    };
+    const Json positive = {
+        {"properties", {{"projection", {{"properties", {{"near", {{"minimum", least_positive_near}}}}}}}}}};
+    root["allOf"] =
+        Json::array({{{"if", is("projection", "type", name_of(ProjectionType::orthographic))}, {"else", positive}},
+                     {{"if", is("depth", "mapping", name_of(DepthMapping::logarithmic))}, {"then", positive}}});
+}
+
 }  // namespace
 
 std::string state_schema() {
@@ -221,6 +234,7 @@ std::string state_schema() {
         (*group)["properties"][std::string(rest)] = described(field);
     }
     add_look_at(root["properties"]["camera"]);
+    add_positive_near(root);
     root["properties"] = with_titles(root["properties"]);
     root["$defs"] = {{"scene", scene_of(scene_properties())}};
     return print_document(document("A state of Viewing Sandbox", root)) + "\n";

@@ -127,7 +127,9 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     const widgets::Group group("projection");
     Params& params = session.params;
     static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
-    control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
+    if (control(params, "projection.type", {.segments = true, .names = types, .label = "##type"}) &&
+        params.projection.near < least_near(params))
+        params.projection.near = default_params().projection.near;
     static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
                                     far[] = {link::far};
     if (params.projection.type == ProjectionType::perspective)
@@ -136,8 +138,10 @@ void projection_section(Session& session, const Derived& derived, const std::vec
         control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
     // Near and far stop just short of each other, so that near < far holds while either one is dragged.
     ProjectionParams& projection = params.projection;
-    if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
-        projection.near = std::min(projection.near, projection.far * 0.999);
+    const double least = least_near(params);  // a slider over negative numbers is linear
+    if (control(params, "projection.near",
+                {.decimals = 3, .slider = true, .links = near, .min = least > 0.0 ? 0.001 : -100.0, .max = 100.0}))
+        projection.near = std::clamp(projection.near, least, projection.far * 0.999);
     if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
         projection.far = std::max(projection.far, projection.near * 1.001);
 

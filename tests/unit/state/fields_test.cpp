@@ -381,6 +381,20 @@ TEST(Clamp, RepairsRelationsBetweenFields) {
     EXPECT_EQ(params.follow->vertex, 0);
 }
 
+TEST(Clamp, KeepsANegativeNearOnlyWhereItIsLegal) {
+    for (const bool orthographic : {false, true}) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            Params params;
+            if (orthographic) params.projection.type = ProjectionType::orthographic;
+            params.depth.mapping = mapping;
+            params.projection.near = -5.0;
+            clamp_to_ranges(params);
+            const bool is_legal = orthographic && mapping != DepthMapping::logarithmic;
+            EXPECT_EQ(params.projection.near, is_legal ? -5.0 : 1e-6);
+        }
+    }
+}
+
 // Pushes near and far to their extremes. The repair must work at both ends of their ranges.
 TEST(Clamp, KeepsNearBelowFarAtTheEnds) {
     for (const double near : {1e-9, 1e-6, 1e-5, 1.0, 1e6, 1e12}) {
