@@ -25,7 +25,7 @@ public:
         params.view.plane = whole(1, static_cast<int>(params.planes.size()));
         params.view.light = whole(1, static_cast<int>(params.lights.size()));
         if (params.projection.near >= params.projection.far || params.projection.near < least_near(params)) {
-            params.projection.near = params.projection.far / 3.0;
+            params.projection.near = std::min(params.projection.far / 3.0, 1e6);
         }
         return params;
     }
