@@ -142,7 +142,7 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
 
 constinit const Command matrices_command{
     "matrices",
-    "[STATE] [--set PATH=VALUE]… [--only LIST] [--symbolic] [--explain FILE] [--format FORMAT] [OPTIONS]",
+    "[STATE] [--set PATH=VALUE]… [--only LIST] [--explain FILE] [--format FORMAT] [OPTIONS]",
     "prints V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S "
     "(shadow_sign · S is uploaded), mirror R. look_at is the camera as gluLookAt takes it: eye, "
