@@ -22,6 +22,21 @@ double Entry(const glm::dmat4& m, int cell) {
     return m[cell % 4][cell / 4];
 }
 
+/// Returns the matrix without rounding residues: an entry below 1e-14 of the largest one is what is left of a zero, as
+/// in V[0][3] = 2e-16 of a camera that looks at the origin. Every other entry is shown.
+glm::dmat4 WithoutResidues(glm::dmat4 value) {
+    constexpr double residue_share = 1e-14;
+    double largest = 0.0;
+    for (int cell = 0; cell < 16; ++cell) {
+        const double size = std::abs(Entry(value, cell));
+        if (std::isfinite(size)) largest = std::max(largest, size);
+    }
+    for (int cell = 0; cell < 16; ++cell) {
+        if (std::abs(Entry(value, cell)) < residue_share * largest) Entry(value, cell) = 0.0;
+    }
+    return value;
+}
+
 /// The layout for a given width: the cells' places, the number of decimals, and whether symbols fit.
 struct Measures {
     inner::Face number, symbol;
@@ -141,7 +156,7 @@ void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const Ma
 void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double value, const CellState& state, int cell,
                 ImVec2 max) {
     const inner::NumberChars text =
-        viewing::fitted_number(value, measures.decimals, inner::Tiny::zero, {}, measures.columns);
+        viewing::fitted_number(value, measures.decimals, inner::Tiny::exact, {}, measures.columns);
     const Palette& palette = CurrentContext().palette;
     const ImU32 color = state.zero && !state.changed && !state.lit ? palette.quiet : palette.text;
     const float width = measures.number.Measure(text.view()).x;
@@ -155,6 +170,7 @@ bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const M
     const MatrixCell* info = style.cells.empty() ? nullptr : &style.cells[static_cast<std::size_t>(cell)];
     const NumberStyle number{.step = 0.01,
                              .decimals = measures.decimals,
+                             .shows_tiny = true,
                              .default_value = Entry(style.defaults ? *style.defaults : identity, cell),
                              .links = info ? info->links : 0};
     ImGui::SetCursorScreenPos(ImVec2(min.x + Px(1), min.y + Px(2)));
@@ -188,7 +204,7 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     }
     {
         const inner::FontScope font(context.fonts.number);
-        const inner::NumberChars digits = viewing::number_chars(Entry(value, cell), 9, inner::Tiny::exponent);
+        const inner::NumberChars digits = viewing::number_chars(Entry(value, cell), 9, inner::Tiny::exact);
         ImGui::TextUnformatted(digits.data, digits.data + digits.bytes);
         ImGui::PushStyleColor(ImGuiCol_Text, context.palette.accent);
         // GLM indexes columns first.
@@ -208,8 +224,8 @@ bool IsCellCovered(const MatrixStyle& style, int cell) {
     return style.target && !CurrentContext().targets.covered.empty() && IsCovered(TargetOfCell(style, cell));
 }
 
-CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell, int hovered_cell) {
-    CellState state{false, cell == hovered_cell, std::abs(value) < 0.5 * std::pow(10.0, -decimals)};
+CellState StateOf(double value, const MatrixStyle& style, int cell, int hovered_cell) {
+    CellState state{false, cell == hovered_cell, value == 0.0};
     if (style.cells.empty()) return state;
     const MatrixCell& info = style.cells[static_cast<std::size_t>(cell)];
     state.changed = info.changed;
@@ -222,6 +238,7 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     IM_ASSERT(style.cells.empty() || style.cells.size() == 16);
     Context& context = CurrentContext();
     if (width <= 0.0F) width = std::max(ImGui::GetContentRegionAvail().x, Px(120));
+    const glm::dmat4 exact = WithoutResidues(value);
     const Measures measures(value, style, width);
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 max(min.x + width, min.y + measures.Height());
@@ -253,13 +270,13 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
             inner::RecordRect(cell_names[cell], cell_min, cell_max, "?");
             continue;
         }
-        const CellState state = StateOf(Entry(value, cell), style, measures.decimals, cell, hovered_cell);
+        const CellState state = StateOf(Entry(exact, cell), style, cell, hovered_cell);
         if (style.editable) {
             changed |= EditNumber(cell_min, measures, value, style, cell);
             if (ImGui::IsItemHovered()) edited_cell = cell;
         } else {
             DrawTint(draw, cell_min, cell_max, state);
-            DrawNumber(draw, cell_min, measures, Entry(value, cell), state, cell, cell_max);
+            DrawNumber(draw, cell_min, measures, Entry(exact, cell), state, cell, cell_max);
         }
         DrawSymbol(draw, cell_min, measures, style, state, cell);
     }
@@ -284,7 +301,7 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     if (hovered_cell >= 0) {
         const ImVec2 cell_min = measures.CellMin(min, hovered_cell);
         const ImVec2 cell_max(cell_min.x + measures.cell_width, cell_min.y + measures.cell_height);
-        if (inner::TooltipDue(true, cell_min, cell_max)) CellTooltip(value, style, hovered_cell);
+        if (inner::TooltipDue(true, cell_min, cell_max)) CellTooltip(exact, style, hovered_cell);
     }
     if (style.hovered_cell) *style.hovered_cell = style.editable ? edited_cell : hovered_cell;
     return changed;

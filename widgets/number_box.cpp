@@ -184,7 +184,7 @@ int ColumnsOf(const NumberStyle& style, float width, const Face& face) {
 }
 
 Tiny TinyOf(const NumberStyle& style) {
-    return style.logarithmic ? Tiny::exponent : Tiny::zero;
+    return style.shows_tiny ? Tiny::exact : style.logarithmic ? Tiny::exponent : Tiny::zero;
 }
 
 int WantedDecimals(const NumberStyle& style) {

@@ -236,6 +236,7 @@ struct NumberStyle {
     const char* unit = "";       ///< after the number: "°"
     bool logarithmic = false;    ///< a drag multiplies, by 1 % per pixel; a slider is spaced by decades. Needs min > 0
     bool integer = false;        ///< whole numbers only
+    bool shows_tiny = false;     ///< writes 4·10⁻⁵ instead of 0.00; a logarithmic number always does
     double default_value = 0.0;  ///< right-click resets to it
     Links links = 0;             ///< highlighted together with matrix entries that depend on them
     Role role = Role::none;
@@ -332,9 +333,9 @@ struct MatrixStyle {
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
 };
 
-/// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Hovering
-/// over a cell highlights its linked controls; hovering over a linked control highlights the cell. Returns true when an
-/// entry was edited. `width` 0: the available width.
+/// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Only a zero
+/// and a rounding residue are shown as zero. Hovering over a cell highlights its linked controls; hovering over a
+/// linked control highlights the cell. Returns true when an entry was edited. `width` 0: the available width.
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 /// Draws a matrix in the same way, but does not edit it.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);

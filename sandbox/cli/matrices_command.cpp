@@ -1,13 +1,16 @@
 // matrices: prints every matrix of the lecture with its numbers. Needs no GL.
 #include <array>
+#include <iostream>
 #include <utility>
 
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/results/chosen_matrices.h"
+#include "cli/results/explained_text.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/look_at_text.h"
 #include "frame/matrix_text.h"
 #include "report/as_json.h"
 #include "report/matrices_report.h"
@@ -28,7 +31,9 @@ struct TypedMatrices {
     bool is_symbolic = false;
 };
 
-std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>& problems, MatrixFormat format) {
+/// `look_at`: the camera to add to plain text; null: none.
+std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, const std::vector<Problem>& problems,
+                           MatrixFormat format) {
     // Math between $ and $ must not contain empty lines.
     const std::string between = format == MatrixFormat::latex ? "\\quad\n" : "\n";
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
@@ -41,6 +46,7 @@ std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>
         text += number_text(chosen.sign_name, *chosen.sign, format,
                             "uploaded is " + chosen.sign_name + " * " + chosen.name);
     }
+    if (format == MatrixFormat::text && look_at) text += "\nlook_at: " + look_at_call(*look_at, LookAtCall::glu) + "\n";
     if (format == MatrixFormat::text && !problems.empty()) text += "\n";
     for (const Problem& problem : problems)
         if (format == MatrixFormat::text) text += problem.sentence + "\n";
@@ -73,10 +79,23 @@ Json listed_as_json(const TypedMatrices& wish, const Json& all, bool is_chosen) 
     return rounded(std::move(json), wish.digits);
 }
 
+/// Prints what a pasted matrix is. `format`: 0 for JSON; else text.
+ExitStatus explain(const std::string& file, const Params& params, double aspect, std::size_t format) {
+    const std::string source = file == "-" ? "standard input" : file;
+    const std::string text = value_or_end(file == "-" ? read_text(std::cin, source) : read_text_file(file));
+    const Result<PastedMatrix> pasted = read_pasted_matrix(text);
+    if (!pasted) throw Failure(ExitStatus::bad_input, source + ": " + pasted.error());
+    const ExplainedMatrix found = explain_matrix(pasted->matrix, pasted->letter, params, aspect, pasted->tolerance);
+    const ExplainedMatrix own =
+        found.right ? explain_matrix(*found.right, found.letter, params, aspect) : ExplainedMatrix{};
+    print(format == 0 ? print_document(explained_json(*pasted, found)) + "\n" : explained_text(*pasted, found, own));
+    return ExitStatus::done;
+}
+
 ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    std::optional<std::string> size, format, only, digits;
+    std::optional<std::string> size, format, only, digits, pasted;
     TypedMatrices wish;
     options.group("Output");
     options.text("--size", "WxH", size,
@@ -91,19 +110,31 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
     options.flag("--symbolic", wish.is_symbolic,
                  "Prints symbols instead of numbers, as in the window; numbers where there is no symbolic form: PV, "
                  "and matrices entered by hand");
+    options.text("--explain", "FILE", pasted,
+                 "Says what the matrix in FILE is (- is standard input), and what is wrong with it: a V, C, P, S or R "
+                 "as GLM, NumPy, MATLAB, C or JSON write it, compared with the state's. Text, or JSON with --format "
+                 "json");
     if (!options.parse(arguments)) return ExitStatus::done;
+    if (pasted && (only || digits || wish.is_symbolic))
+        options.refuse("--explain goes with neither --only, --digits nor --symbolic");
+    if (pasted && *pasted == "-" && state_arguments.as_typed() == "-")
+        options.refuse("STATE and --explain cannot both be standard input");
 
     const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), matrix_formats);
     if (digits) wish.digits = whole_option(options, "--digits", *digits, 1, most_digits);
     const Viewport viewport{size_option(options, size)};
     const LoadedState state = state_arguments.load();
+    if (pasted) {
+        if (chosen > 1) options.refuse("--explain prints text or json");
+        return explain(*pasted, state.params, viewport.aspect(), format ? chosen : 1);
+    }
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, viewport);
     const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
     wish.matrices = chosen_matrices(options, only, state.params, derived);
     print(chosen == 0
               ? print_document(listed_as_json(wish, matrices_as_json(derived, problems), only.has_value())) + "\n"
-              : listed_as_text(wish, problems, formats[chosen - 1]));
+              : listed_as_text(wish, only ? nullptr : &derived.look_at, problems, formats[chosen - 1]));
     return ExitStatus::done;
 }
 
@@ -111,17 +142,19 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
 
 constinit const Command matrices_command{
     "matrices",
-    "[STATE] [--set PATH=VALUE]… [--only LIST] [--digits N] [--symbolic] [--format FORMAT] [OPTIONS]",
+    "[STATE] [--set PATH=VALUE]… [--only LIST] [--explain FILE] [--format FORMAT] [OPTIONS]",
     "prints V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S "
-    "(shadow_sign · S is uploaded), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
+    "(shadow_sign · S is uploaded), mirror R. look_at is the camera as gluLookAt takes it: eye, "
+    "center and up. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
     "and R² = I) and sentences about problems; followed has the followed point p: shadow_homogeneous is S p, shadow is "
     "S p after the division by w, or null, and mirrored is R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
     "matrices --only S,R --digits 4 --format latex\n"
     "matrices mirrors-facing-once --only S[1,1],R[2] --symbolic --format text\n"
-    "matrices --format numpy > matrices.py",
+    "matrices --format numpy > matrices.py\n"
+    "matrices --explain mine.txt",
     "0289",
     run_matrices};
 

@@ -20,6 +20,7 @@
 #include "gl/facts.h"
 #include "lesson/run.h"
 #include "report/as_json.h"
+#include "report/depth_image.h"
 #include "report/exercise_picture.h"
 
 namespace viewing {
@@ -40,6 +41,7 @@ struct SnapshotWish {
     std::string device;
     int repeat = 1;
     bool is_vector = false;
+    bool is_numbers = false;  ///< the file holds the depths themselves
 };
 
 /// The picture, and the device and driver that drew it.
@@ -52,7 +54,9 @@ void declare(Options& options, TypedSnapshot& typed) {
     options.group("Picture");
     options.text("-o,--output", "OUT.png", typed.output,
                  "File to write; - for standard output. OUT.svg and OUT.pdf contain shapes and text instead of pixels "
-                 "(with GL's part as an embedded image). All formats carry the state that they show");
+                 "(with GL's part as an embedded image). All these carry the state that they show. With --view depth, "
+                 "names that end in .npy, .pfm or z16.png get the stored window depths as float64, float32 or 16-bit "
+                 "numbers");
     options.text(
         "--view", "VIEW", typed.view,
         "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
@@ -140,7 +144,11 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
     wish.is_vector = typed.output && is_vector_name(*typed.output);
     if (wish.is_vector && (typed.compare || typed.repeat || typed.fail_if_blank))
         options.refuse("--compare, --repeat and --fail-if-blank need a picture of pixels: -o OUT.png");
-    if (typed.output && !wish.is_vector) check_picture_name(options, "-o", *typed.output);
+    wish.is_numbers = typed.output && is_depth_file_name(*typed.output) &&
+                      (wish.picture.view == PictureView::depth || !is_png_name(*typed.output));
+    if (wish.is_numbers && wish.picture.view != PictureView::depth)
+        options.refuse("-o: .npy and .pfm hold depths, which need --view depth");
+    if (typed.output && !wish.is_vector && !wish.is_numbers) check_picture_name(options, "-o", *typed.output);
     if (typed.diff) check_picture_name(options, "--diff", *typed.diff);
     return wish;
 }
@@ -192,6 +200,9 @@ Drawn draw_once(const SnapshotWish& wish, const LoadedState& state, const Scene&
         result.picture.drawing = drawn(draw_figure);
     else
         result.picture.image = drawn(draw_picture);
+    if (wish.is_numbers)
+        result.picture.depths =
+            headless->drawn(depth_image(headless->renderer(), state.params, scene, wish.picture.size_px));
     const gl::ContextFacts facts = gl::context_facts();
     result.device = headless->context().description();
     result.renderer = facts.renderer;
@@ -343,6 +354,7 @@ constinit const Command snapshot_command{
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"
     "snapshot --view camera --compare reference.png --worst 3 -o picture.png --json report.json\n"
     "snapshot --view camera --compare reference.png --profile portable --mask 0,0,120,40 --diff difference.png\n"
+    "snapshot --view depth -o depth.npy\n"
     "snapshot bsp-walk --view tree --transparent -o tree.svg\n"
     "snapshot --exercise E16 --student 32201234 -o question.png\n"
     "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",

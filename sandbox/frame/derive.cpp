@@ -24,6 +24,7 @@ StoredDepth stored_depth_of(const DepthParams& depth, const Viewport& viewport) 
 
 void derive_camera(Derived& derived, const Params& params, const Viewport& viewport) {
     const CameraParams& camera = params.camera;
+    derived.look_at = camera.look_at();
     const glm::dmat4 rotation = rotation_from_angles(camera.angles());
     if (params.slips.swapped_order) {
         glm::dmat4 translation(1.0);

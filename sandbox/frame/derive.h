@@ -71,6 +71,7 @@ struct Derived {
     double view_aspect = 1.0;                  ///< aspect ratio of the view; the picture is stretched to it
     glm::dmat4 world_from_view{1.0};           ///< C
     glm::dmat4 view_from_world{1.0};           ///< V, as uploaded (mistakes included)
+    LookAt look_at;                            ///< the camera as eye, center and up, without mistakes
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
     glm::dmat4 clip_from_world{1.0};           ///< P V
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)

@@ -60,10 +60,10 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
                          "light"_a = light, "planes"_a = behind));
 }
 
-/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light).
+/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), however small: S shows each w > 0.
 void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
-    if (is_parallel_light(light) || light.w >= 1.0) return;
+    if (light.w <= 0.0 || light.w >= 1.0) return;
     const auto coordinate = [&light](int axis) { return figures(light[axis] / light.w, 3); };
     const std::string sentence =
         derived.lights_world.size() == 1

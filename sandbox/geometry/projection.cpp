@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Returns |d(window depth) / d(eye distance)|.
 double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
     if (mapping == DepthMapping::logarithmic) {
-        return 1.0 / (distance * std::log(lens.far / lens.near));
+        return 1.0 / (distance * std::log(lens.far / lens.logarithmic_near()));
     }
     if (lens.orthographic) {
         return 1.0 / (lens.far - lens.near);
@@ -61,7 +61,8 @@ double window_depth(const Lens& lens, DepthMapping mapping, double distance) {
         case DepthMapping::logarithmic:
             break;
     }
-    return std::log(z / n) / std::log(f / n);
+    const double start = lens.logarithmic_near();
+    return std::log(z / start) / std::log(f / start);
 }
 
 double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double depth) {
@@ -75,7 +76,7 @@ double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double d
         case DepthMapping::logarithmic:
             break;
     }
-    return n * std::pow(f / n, d);
+    return lens.logarithmic_near() * std::pow(f / lens.logarithmic_near(), d);
 }
 
 double code_width(const DepthPrecision& precision, double window_depth) {

@@ -13,8 +13,11 @@ struct Lens {
     bool orthographic = false;
     double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is rotated by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
-    double near = 0.5;
+    double near = 0.5;       ///< orthographic: may be 0 or negative, as in glOrtho
     double far = 40.0;
+
+    /// Returns the least eye distance that a logarithm can start from: near or, if near ≤ 0, a millionth of far.
+    double logarithmic_near() const { return near > 0.0 ? near : 1e-6 * far; }
     bool operator==(const Lens&) const = default;
 };
 

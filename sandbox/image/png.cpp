@@ -279,6 +279,20 @@ bool encode(const Writer& writer, const Image& image, const std::vector<png_text
     return true;
 }
 
+bool encode_gray(const Writer& writer, int width, int height, const std::vector<std::uint8_t>& big_endian,
+                 std::vector<std::uint8_t>& out) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_set_write_fn(writer.png, &out, append_bytes, nullptr);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 16,
+                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(writer.png, writer.info);
+    const std::size_t row_bytes = 2 * static_cast<std::size_t>(width);
+    for (int y = 0; y < height; ++y)
+        png_write_row(writer.png, big_endian.data() + row_bytes * static_cast<std::size_t>(y));
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
 bool is_opaque(const Image& image) {
     std::uint8_t all = 255;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) all &= image.rgba[i];
@@ -328,6 +342,22 @@ std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note
     std::vector<std::uint8_t> out;
     // libpng can fail only for lack of memory: sizes are checked above and the output is a vector.
     if (!encode(writer, image, text.chunks(), dpi, is_opaque(image), out)) throw std::bad_alloc();
+    return out;
+}
+
+std::vector<std::uint8_t> encode_gray_png(int width, int height, const std::vector<std::uint16_t>& gray) {
+    assert(gray.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::vector<std::uint8_t> big_endian;
+    big_endian.reserve(2 * gray.size());
+    for (const std::uint16_t value : gray) {
+        big_endian.push_back(static_cast<std::uint8_t>(value >> 8U));
+        big_endian.push_back(static_cast<std::uint8_t>(value & 0xffU));
+    }
+    PngFailure failure;
+    const Writer writer(failure);
+    if (writer.info == nullptr) throw std::bad_alloc();
+    std::vector<std::uint8_t> out;
+    if (!encode_gray(writer, width, height, big_endian, out)) throw std::bad_alloc();
     return out;
 }
 

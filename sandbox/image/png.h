@@ -45,6 +45,9 @@ Result<std::string> read_png_note(const std::filesystem::path& path);
 /// by default.
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);
 
+/// Returns the bytes of a PNG file of 16-bit gray values, rows from the top; gray.size() = width · height.
+std::vector<std::uint8_t> encode_gray_png(int width, int height, const std::vector<std::uint16_t>& gray);
+
 /// Writes the bytes from encode_png to a file, completely or not at all (file.h).
 Status write_png(const std::filesystem::path& path, const Image& image);
 

@@ -42,7 +42,8 @@ Status Presenter::depth(const FramePlan& plan, const gl::Target& from, const gl:
     program.mapping.set(plan.depth_mapping);
     program.linear_scale.set(plan.depth_scale == DepthScale::linear);
     program.orthographic.set(plan.lens.orthographic);
-    program.near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
+    const bool is_logarithmic = plan.depth_mapping == DepthMapping::logarithmic;
+    program.near_far.set(glm::dvec2(is_logarithmic ? plan.lens.logarithmic_near() : plan.lens.near, plan.lens.far));
     const GrayScale scale = gray_scale(plan);
     program.shown_first.set(static_cast<float>(scale.first));
     program.shown_slope.set(static_cast<float>(scale.slope));

@@ -54,6 +54,10 @@ Json matrices_as_json(const Derived& derived, const std::vector<Problem>& proble
     const CastShadow& cast = derived.planes.front().shadows.front();
     Json all{{"world_from_view", as_json(derived.world_from_view)},
              {"view_from_world", as_json(derived.view_from_world)},
+             {"look_at",
+              {{"eye", as_json(derived.look_at.eye)},
+               {"center", as_json(derived.look_at.center)},
+               {"up", as_json(derived.look_at.up)}}},
              {"clip_from_view", as_json(derived.clip_from_view)},
              {"clip_from_world", as_json(derived.clip_from_world)},
              {"shadow_from_world", as_json(cast.shadowed_world_from_world)},

@@ -170,13 +170,14 @@ const Field all_fields[] = {
      .place = IN(projection.near),
      .label = "z-near",
      .unit = length,
-     .min = 1e-6,
+     .min = -1e6,
      .max = 1e6,
      .step = 0.01,
      .logarithmic = true,
      .help =
          "Distance of the near plane: everything closer is clipped. In perspective with standard depth, this distance "
-         "decides the precision: a tenth of the distance makes the depth steps far away ten times as wide.",
+         "decides the precision: a tenth of the distance makes the depth steps far away ten times as wide. Perspective "
+         "and logarithmic depth need at least 1e-6; an orthographic near may be 0 or negative, as in glOrtho.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.far",

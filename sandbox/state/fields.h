@@ -115,6 +115,11 @@ std::vector<std::string> allowed_names(const Field& field);
 /// Returns these names as a phrase that completes "must be".
 std::string allowed_name_text(const Field& field);
 
+/// Returns the least near that the state's projection and depth mapping allow: perspective divides by the distance, and
+/// logarithmic depth takes its logarithm; otherwise near may be negative, as in glOrtho.
+double least_near(const Params& params);
+inline constexpr double least_positive_near = 1e-6;
+
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;
 

@@ -5,6 +5,22 @@
 
 namespace viewing {
 
+LookAt CameraParams::look_at() const {
+    constexpr double least_distance = 0.1;
+    const glm::dvec3 back(rotation_from_angles(angles())[2]);
+    const double depth = glm::dot(position - target, back);
+    return look_at_of(position, angles(), depth >= least_distance ? depth : 1.0);
+}
+
+LookAtFault CameraParams::look(const LookAt& look_at) {
+    const Looking looking = camera_looking_at(look_at);
+    position = look_at.eye;
+    yaw = looking.angles.yaw_deg;
+    pitch = looking.angles.pitch_deg;
+    roll = looking.angles.roll_deg;
+    return looking.fault;
+}
+
 constexpr double least_fovy_deg = 1e-3;
 
 Lens Params::lens() const {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/camera.h"
+#include "geometry/look_at.h"
 #include "geometry/navigation.h"
 #include "geometry/projection.h"
 #include "state/depth_params.h"
@@ -33,6 +33,11 @@ struct CameraParams {
     Navigation navigation = Navigation::fly;
 
     Angles angles() const { return {yaw, pitch, roll}; }
+    /// Returns eye, center and up of this camera; the center is at the depth of the target or, if the target is not at
+    /// least 0.1 in front of the eye, 1 away.
+    LookAt look_at() const;
+    /// Takes position and angles from eye, center and up; returns what made these degenerate.
+    LookAtFault look(const LookAt& look_at);
     bool operator==(const CameraParams&) const = default;
 };
 

@@ -135,6 +135,12 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
 
 }  // namespace
 
+double least_near(const Params& params) {
+    const bool divides = params.projection.type == ProjectionType::perspective;
+    return divides || params.depth.mapping == DepthMapping::logarithmic ? least_positive_near
+                                                                        : field("projection.near").min;
+}
+
 std::string element_form(std::string_view group) {
     std::string form;
     for (const Field* field : fields_of(group)) {
@@ -229,6 +235,7 @@ void clamp_to_ranges(Params& params) {
             mend_field(field, params, element);
         }
     }
+    params.projection.near = std::max(params.projection.near, least_near(params));
     if (params.projection.near >= params.projection.far) {
         params.projection.far = params.projection.near * 1.01;
     }

@@ -75,8 +75,9 @@ NumberChars number_chars(double value, int decimals, Tiny tiny) {
         return out;
     }
     const double magnitude = std::abs(value);
-    const bool vanishes = magnitude >= residue && magnitude < 0.5 * std::pow(10.0, -decimals);
-    const bool needs_power = magnitude >= largest_fixed || (vanishes && tiny == Tiny::exponent);
+    const bool vanishes = magnitude > 0.0 && magnitude < 0.5 * std::pow(10.0, -decimals);
+    const bool counts = tiny == Tiny::exact || (tiny == Tiny::exponent && magnitude >= residue);
+    const bool needs_power = magnitude >= largest_fixed || (vanishes && counts);
     return written(value, decimals, needs_power ? Notation::power : Notation::fixed);
 }
 

@@ -80,8 +80,9 @@ struct NumberChars {
     void append(std::string_view text);
 };
 
-/// How to write a magnitude too small for the decimals: 0.00, or 4.00·10⁻⁵ unless it is a rounding residue.
-enum class Tiny { zero, exponent };
+/// How to write a magnitude too small for the decimals: 0.00; 4.00·10⁻⁵ unless it is a rounding residue; or 4.00·10⁻⁵
+/// down to the smallest.
+enum class Tiny { zero, exponent, exact };
 /// Writes the same as number_text, with a choice for tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);
 /// Writes the same in at most `columns` characters. To fit, drops decimals, then the unit, then writes 1.2·10⁵, then

@@ -147,5 +147,56 @@ TEST_F(ChosenMatrices, LatexAcceptsThemBetweenDollars) {
     EXPECT_TRUE(exists("matrices.pdf"));
 }
 
+class ExplainedMatrices : public Program {
+protected:
+    std::string fault(const std::string& text, const Words& state = {}) const {
+        write("pasted.txt", text);
+        Words words{"matrices", "--explain", "pasted.txt", "--format", "json"};
+        words.insert(words.end(), state.begin(), state.end());
+        const Json json = expect(0, words).json();
+        const std::string letter = json["matrix"].is_null() ? "-" : json["matrix"].get<std::string>();
+        return letter + " " + json["fault"].get<std::string>();
+    }
+};
+
+TEST_F(ExplainedMatrices, KnowTheirOwnOutputInEveryFormat) {
+    for (const char* letter : {"C", "V", "P", "S", "R"}) {
+        for (const char* format : {"text", "latex", "glm", "glsl", "numpy", "matlab"}) {
+            const std::string text = expect(0, {"matrices", "--only", letter, "--format", format}).out;
+            EXPECT_EQ(fault(text), std::string(letter) + " none") << text;
+        }
+    }
+    EXPECT_EQ(fault("5.2 -2.6 0 0\n0 0 0 0\n0 -2.2 5.2 0\n0 -1 0 5.2"), "S none");
+    EXPECT_EQ(fault("5.2 0 0 0\n-2.6 0 -2.2 -1\n0 0 5.2 0\n0 0 0 5.2"), "S transposed");
+    EXPECT_EQ(fault("V = " + expect(0, {"matrices", "--only", "C", "--format", "numpy"}).out.substr(26)), "V inverse");
+    EXPECT_EQ(fault(expect(0, {"matrices", "--only", "P", "--format", "glm"}).out, {"--size", "100x100"}),
+              "P different");
+    EXPECT_EQ(
+        fault(expect(0, {"matrices", "--only", "P", "--format", "glm", "--set", "slips.degrees_as_radians=true"}).out),
+        "P degrees");
+}
+
+TEST_F(ExplainedMatrices, SayItInWords) {
+    const Ended told = expect(0, {"matrices", "--explain", "-"}, {.input = "[1 0 0 0; 0 1 0 0; 0 0 1 -5; 0 0 0 1]"});
+    EXPECT_TRUE(has(told.out, "V, view_from_world, read as rows (MATLAB)")) << told.out;
+    EXPECT_TRUE(has(told.out, "eye (0, 0, 5)")) << told.out;
+    EXPECT_TRUE(has(told.out, "yaw 0°, pitch 0°, roll 0°")) << told.out;
+    refused({"matrices", "--explain", "-"}, {"standard input", "16 numbers", "are 3"}, {.input = "1 2 3"});
+    refused({"matrices", "--explain", "none.txt"}, {"none.txt"});
+    refused({"matrices", "--explain", "-", "--only", "V"}, {"--explain", "--only"});
+}
+
+TEST_F(ExplainedMatrices, ComeWithTheCameraAsLookAt) {
+    const Words camera{"--set", "camera.look_at.eye=[1,1,3]", "--set", "camera.look_at.center=[0,0,0]"};
+    Words words{"matrices"};
+    words.insert(words.end(), camera.begin(), camera.end());
+    const Json look_at = expect(0, words).json()["look_at"];
+    EXPECT_EQ(look_at["eye"], (Json{1.0, 1.0, 3.0}));
+    EXPECT_EQ(look_at["up"], (Json{0.0, 1.0, 0.0}));
+    EXPECT_NEAR(look_at["center"][0].get<double>() * 3.0 - look_at["center"][2].get<double>(), 0.0, 1e-12);
+    words.insert(words.end(), {"--format", "text"});
+    EXPECT_TRUE(has(expect(0, words).out, "look_at: gluLookAt(1, 1, 3, "));
+}
+
 }  // namespace
 }  // namespace cli_tests

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "cli/program.h"
 #include "image/png.h"
@@ -47,6 +48,27 @@ class Compare : public Snapshot {};
 class Inspect : public Program {};
 class Doctor : public Program {};
 class Open : public Program {};
+
+TEST_F(Snapshot, DepthAsNumbersIsWhatInspectReads) {
+    for (const char* format : {"d16", "d24", "d32f"}) {
+        const std::string set = std::string("depth.format=") + format;
+        expect(0, {"snapshot", "--view", "depth", "--size", "96x64", "--set", set, "-o", "z.npy"});
+        const std::string npy = read("z.npy");
+        ASSERT_EQ(npy.size(), 128U + 8U * 96U * 64U);
+        for (const auto& [x, y] : {std::pair(48, 32), {48, 60}, {1, 1}}) {
+            double depth = 0.0;
+            std::memcpy(&depth, npy.data() + 128 + 8 * (96 * y + x), sizeof depth);
+            const std::string pixel = std::to_string(x) + "," + std::to_string(y);
+            const Json told = expect(0, {"inspect", "--size", "96x64", "--set", set, "--pixel", pixel}).json();
+            EXPECT_EQ(depth, told["depth"]["window"].get<double>()) << format << " " << pixel;
+        }
+    }
+    expect(0, {"snapshot", "--view", "depth", "--size", "96x64", "-o", "z.pfm"});
+    expect(0, {"snapshot", "--view", "depth", "--size", "96x64", "-o", "z16.png"});
+    EXPECT_EQ(png_size("z16.png"), std::pair(96, 64));
+    EXPECT_EQ(read("z16.png")[24], 16);
+    refused({"snapshot", "--view", "camera", "-o", "c.npy"}, {"-o", "--view depth"});
+}
 
 TEST_F(Snapshot, EveryViewHasItsSize) {
     for (const char* view : {"window", "camera", "depth", "stencil", "observer"}) {

@@ -155,7 +155,25 @@ TEST_F(LectureTest, MatrixRoundsNoiseToZeroAndAlignsDecimals) {
     EXPECT_EQ(ui.text_of("R/r0c0"), "0.000");
     EXPECT_EQ(ui.text_of("R/r0c1"), "0.000");
     EXPECT_EQ(ui.text_of("R/r0c2"), "12.346");
-    EXPECT_EQ(ui.text_of("R/r0c3"), "0.000");
+    EXPECT_EQ(ui.text_of("R/r0c3"), "−4.000·10⁻⁴");
+}
+
+TEST_F(LectureTest, MatrixShowsEveryEntryThatIsNotZero) {
+    glm::dmat4 value(1.0);
+    value[3][2] = -2.0000002e-4;  // P of near 0.0001
+    value[1][3] = -8e-12;         // S of a light with a tiny w
+    for (const float width : {600.0F, 350.0F, 250.0F}) {
+        for (const bool editable : {false, true}) {
+            start([&] { return Matrix("P", value, {.decimals = 3, .editable = editable}, width); });
+            for (const char* entry : {"P/r2c3", "P/r3c1"}) {
+                const std::string text = ui.text_of(entry);
+                EXPECT_NE(text.find_first_of("123456789"), std::string::npos) << text << " at " << width;
+            }
+        }
+    }
+    start([&] { return Matrix("P", value, {.decimals = 3}, 350.0F); });
+    EXPECT_TRUE(ui.text_of("P/r2c3").starts_with("−2"));
+    EXPECT_TRUE(ui.text_of("P/r2c3").ends_with("10⁻⁴"));
 }
 
 TEST_F(LectureTest, MatrixAdaptsToItsWidth) {

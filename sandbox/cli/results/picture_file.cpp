@@ -38,6 +38,7 @@ std::string carried_state(const Params& params) {
 
 std::vector<std::uint8_t> picture_file(const std::string& target, const DrawnPicture& picture,
                                        const VectorOptions& options) {
+    if (!picture.depths.depths.empty()) return encode_depths(picture.depths, target);
     if (!is_vector_name(target)) return encode_png(picture.image, options.note, options.dpi);
     if (ending_of(target) == ".pdf") return as_pdf(picture.drawing, options);
     const std::string svg = as_svg(picture.drawing, options);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "figure/write.h"
+#include "image/depth_file.h"
 #include "image/image.h"
 #include "state/params.h"
 
@@ -18,6 +19,7 @@ bool is_vector_name(const std::string& target);
 struct DrawnPicture {
     Image image;
     Drawing drawing;
+    DepthImage depths = {};  ///< of the same picture, if its file holds them instead
 
     bool is_blank() const;  ///< all pixels have the same color, or nothing is drawn
 };

@@ -52,7 +52,7 @@ void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) 
 class ExponentialDistances {
 public:
     explicit ExponentialDistances(const Lens& lens) {
-        const double ratio = lens.far / lens.near;
+        const double ratio = lens.far / lens.logarithmic_near();
         for (std::size_t i = 0; i < shares_.size(); ++i)
             shares_[i] = static_cast<float>(std::expm1(std::log(ratio) * static_cast<double>(i) / steps) / (ratio - 1));
     }

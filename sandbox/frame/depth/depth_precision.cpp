@@ -20,7 +20,7 @@ Steps steps_of(const DepthCoding& coding) {
     Steps steps;
     for (int i = 0; i <= curve_points; ++i) {
         const double share = static_cast<double>(i) / curve_points;
-        const double z = coding.lens.near * std::pow(coding.lens.far / coding.lens.near, share);
+        const double start = coding.lens.logarithmic_near(), z = start * std::pow(coding.lens.far / start, share);
         const FightingOnset onset = fighting_onset(coding, z);
         if (!onset.is_reachable) continue;
         steps.whole.emplace_back(z, onset.gap());

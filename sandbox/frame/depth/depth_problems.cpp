@@ -142,10 +142,10 @@ double unresolved_share(const Params& params, const Derived& derived, double dis
 std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
     Params finer = params;
     std::string setting;
-    if (params.lens().orthographic) {
+    if (params.lens().orthographic && z > 0.0) {
         finer.projection.far = 2.0 * rounded_down(z);
         setting = "projection.far=" + plain_number(finer.projection.far);
-    } else if (const std::optional<double> near = largest_near(seen)) {
+    } else if (const std::optional<double> near = largest_near(seen); near && !params.lens().orthographic) {
         finer.projection.near = *near;
         setting = "projection.near=" + plain_number(*near);
     }

@@ -172,8 +172,8 @@ double rounded_terms(const DepthCoding& coding, double z) {
     if (coding.mapping == DepthMapping::logarithmic) {
         // Relative errors of eye z, w and their quotient change the logarithm by the same amount; then the logarithm
         // and the depth are rounded.
-        const double range = std::log(lens.far / lens.near);
-        return (3.0 + 2.0 * std::log(z / lens.near)) / range + depth;
+        const double start = lens.logarithmic_near(), range = std::log(lens.far / start);
+        return (3.0 + 2.0 * std::log(std::max(z, start) / start)) / range + depth;
     }
     if (coding.clip_zero_to_one)
         return lens.orthographic ? depth : 2.0 * lens.far * lens.near / ((lens.far - lens.near) * z) + depth;

@@ -30,7 +30,7 @@ double HeatMap::onset_at(double distance) const {
 HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scene) {
     HeatMap made;
     const DepthCoding coding = depth_coding(params, derived);
-    made.near = coding.lens.near;
+    made.near = coding.lens.logarithmic_near();
     made.far = coding.lens.far;
     constexpr double narrowest = 1e-12;  // relative to the distance; keeps every entry positive
     for (std::size_t entry = HeatMap::entry_count; entry-- > 0;) {

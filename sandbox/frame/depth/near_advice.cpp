@@ -30,9 +30,11 @@ struct Reach {
     }
 };
 
-/// Returns the sides of the view, the plane through the eye, and far, in view space: p·(x, y, z, 1) ≥ 0 inside.
+/// Returns the sides of the view, the plane through the eye or a negative near, and far, in view space: p·(x, y, z, 1)
+/// ≥ 0 inside.
 std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
-    const glm::dvec4 front(0.0, 0.0, -1.0, 0.0), far(0.0, 0.0, 1.0, lens.far);
+    // A negative near, which only an orthographic view has, also shows what is behind the eye.
+    const glm::dvec4 front(0.0, 0.0, -1.0, -std::min(lens.near, 0.0)), far(0.0, 0.0, 1.0, lens.far);
     if (lens.orthographic) {
         const double y = 0.5 * lens.height, x = y * aspect;
         return {{{1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}, front, far}};

@@ -31,7 +31,7 @@ Json field_description(const Field& field) {
         json["min"] = field.min;
         json["max"] = field.max;
         json["step"] = field.step;
-        json["logarithmic"] = field.logarithmic;
+        json["logarithmic"] = field.logarithmic && field.min > 0.0;
     }
     const FieldRef value = field.in(defaults);
     if (const auto* choice = std::get_if<EnumRef>(&value)) {

@@ -253,49 +253,6 @@ struct FieldReader {
     void operator()(std::vector<std::string>* target) const { *target = read_names(value, field, where); }
 };
 
-void check_light(const glm::dvec4& position, const Where& where) {
-    if (glm::length(position) < min_length) {
-        where.refuse("must not be zero: a point light has w = 1, a parallel light a direction");
-    }
-}
-
-/// Returns the place of a list's element in the file: "light" for the first one, then "lights[0]".
-Where element(const Where& root, const std::string& group, std::size_t index) {
-    return index == 0 ? root.key(group) : root.key(group + "s").at(index - 1);
-}
-
-void check_chosen(int number, std::size_t count, const Where& where) {
-    if (number > static_cast<int>(count)) {
-        const std::string allowed =
-            (count == 1 ? "1" : "from 1 to " + std::to_string(count)) + ": the state has only " + std::to_string(count);
-        where.refuse("must be " + allowed + ", got " + std::to_string(number));
-    }
-}
-
-/// Refuses matrices for planes and lights that do not exist.
-void check_overrides(const Params& params, const Where& where) {
-    for (std::size_t plane = 0; plane < most_planes; ++plane) {
-        const PlaneOverrides& overrides = params.overrides[plane];
-        bool is_used = overrides.mirrored_world_from_world.has_value();
-        for (std::size_t light = 0; light < most_lights; ++light) {
-            const bool has_shadow = overrides.shadowed_world_from_world[light].has_value();
-            if (has_shadow && light >= params.lights.size()) {
-                where.refuse("there is no light " + std::to_string(light + 1));
-            }
-            is_used = is_used || has_shadow;
-        }
-        if (is_used && plane >= params.planes.size()) {
-            where.refuse("there is no plane " + std::to_string(plane + 1));
-        }
-    }
-}
-
-void check_plane(const glm::dvec4& equation, const Where& where) {
-    if (glm::length(glm::dvec3(equation)) < min_length) {
-        where.refuse("the normal (a, b, c) must not be zero");
-    }
-}
-
 }  // namespace
 
 bool is_group(std::string_view path) {
@@ -310,6 +267,7 @@ void read_field(const Field& field, Params& params, const Json& value, const Whe
 
 void read_group(Params& params, const Json& object, const Where& where) {
     require_object(object, where, "an object");
+    if (where.path == "camera") require_one_camera(object, where);
     for (const auto& [key, value] : object.items()) {
         const Where inside = where.key(key);
         if (key.empty() || key.find('.') != std::string::npos) {
@@ -317,6 +275,8 @@ void read_group(Params& params, const Json& object, const Where& where) {
         }
         if (const Field* known = find_field(inside.path)) {
             read_field(*known, params, value, inside);
+        } else if (inside.path == look_at_path) {
+            params.camera.look(read_look_at(value, inside));
         } else if (is_group(inside.path)) {
             read_group(params, value, inside);
         } else {
@@ -326,7 +286,8 @@ void read_group(Params& params, const Json& object, const Where& where) {
 }
 
 void refuse_unknown(const Where& where) {
-    const std::vector<std::string> known = known_paths();
+    std::vector<std::string> known = known_paths();
+    for (const char* part : {"", ".eye", ".center", ".up"}) known.push_back(std::string(look_at_path) + part);
     const std::string_view word = last_of(where.path);
     // Covers a typo anywhere in the path, and a correct name in the wrong group.
     const auto distance = [&](const std::string& path) {
@@ -346,24 +307,6 @@ void refuse_unknown(const Where& where) {
         }
     }
     where.refuse("no such field; " + (group.empty() ? "the fields are " : std::string(group) + " has ") + all);
-}
-
-void check_together(const Params& params, const std::string& prefix) {
-    const Where root{prefix, ""};
-    const auto [near, far] = std::pair(params.projection.near, params.projection.far);
-    if (near >= far) {
-        root.key("projection.near")
-            .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));
-    }
-    for (std::size_t i = 0; i < params.lights.size(); ++i) {
-        check_light(params.lights[i].position, element(root, "light", i).key("position"));
-    }
-    for (std::size_t i = 0; i < params.planes.size(); ++i) {
-        check_plane(params.planes[i].equation, element(root, "plane", i).key("equation"));
-    }
-    check_chosen(params.view.plane, params.planes.size(), root.key("view.plane"));
-    check_chosen(params.view.light, params.lights.size(), root.key("view.light"));
-    check_overrides(params, root.key("overrides.further"));
 }
 
 std::vector<int> read_slides(const Json& object, const Where& where) {

@@ -56,6 +56,18 @@ void read_group(Params& params, const Json& object, const Where& where);
 Json field_as_json(const Field& field, Params& params, std::size_t element = 0);
 Json params_as_document(Params params);
 
+// ---- camera.look_at (look_at_reader.cpp): read in place of position, yaw, pitch and roll, and never written --------
+
+inline constexpr std::string_view look_at_path = "camera.look_at";
+
+/// Returns the four fields that camera.look_at replaces.
+std::span<const std::string_view> fields_of_look_at();
+Json look_at_as_json(const LookAt& look_at);
+/// Reads {"eye", "center", "up"}; only up may be left out, and is then (0, 1, 0). Refuses a LookAt without a camera.
+LookAt read_look_at(const Json& value, const Where& where);
+/// Refuses an object of the camera that has both look_at and one of the fields that it replaces.
+void require_one_camera(const Json& camera, const Where& where);
+
 /// Refuses an unknown path or key, and names the nearest known one.
 [[noreturn]] void refuse_unknown(const Where& where);
 

@@ -193,6 +193,31 @@ Json document(const char* title, const Json& content) {
     return schema;
 }
 
+/// Adds camera.look_at, which excludes the fields that it replaces.
+void add_look_at(Json& camera) {
+    const Json point = vector<glm::dvec3>(field("camera.position"));
+    Json look_at = object_of({{"eye", point}, {"center", point}, {"up", point}});
+    look_at["required"] = {"eye", "center"};
+    look_at["description"] =
+        "The camera as gluLookAt takes it, in place of position, yaw, pitch and roll. Files are written with angles.";
+    camera["properties"]["look_at"] = std::move(look_at);
+    for (const std::string_view path : fields_of_look_at())
+        camera["allOf"].push_back({{"not", {{"required", {"look_at", field(path).name()}}}}});
+}
+
+/// Adds the rule that near is positive unless the projection is orthographic and depth is not logarithmic.
+void add_positive_near(Json& root) {
+    const auto is = [](const char* group, const char* name, std::string_view value) -> Json {
+        const Json inner = {{"properties", {{name, {{"const", value}}}}}, {"required", Json::array({name})}};
+        return {{"properties", {{group, inner}}}, {"required", Json::array({group})}};
+    };
+    const Json positive = {
+        {"properties", {{"projection", {{"properties", {{"near", {{"minimum", least_positive_near}}}}}}}}}};
+    root["allOf"] =
+        Json::array({{{"if", is("projection", "type", name_of(ProjectionType::orthographic))}, {"else", positive}},
+                     {{"if", is("depth", "mapping", name_of(DepthMapping::logarithmic))}, {"then", positive}}});
+}
+
 }  // namespace
 
 std::string state_schema() {
@@ -208,6 +233,8 @@ std::string state_schema() {
         }
         (*group)["properties"][std::string(rest)] = described(field);
     }
+    add_look_at(root["properties"]["camera"]);
+    add_positive_near(root);
     root["properties"] = with_titles(root["properties"]);
     root["$defs"] = {{"scene", scene_of(scene_properties())}};
     return print_document(document("A state of Viewing Sandbox", root)) + "\n";

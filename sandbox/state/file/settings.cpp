@@ -66,11 +66,10 @@ Json& member(Json& value, std::string_view& rest, Where& where) {
     return value[std::string(name)];
 }
 
-/// Changes a part of a field's value, then reads the whole field again, so that the same rules apply.
-void set_part(const Field& field, std::string_view rest, const Json& value, Params& params, const std::string& prefix) {
-    Json whole = field_as_json(field, params);
+/// Replaces the part of `whole` that `rest` names, such as ".name" or "[2]"; `path` names the whole.
+void set_part(Json& whole, std::string_view path, std::string_view rest, const Json& value, const std::string& prefix) {
     Json* part = &whole;
-    Where where{prefix, std::string(field.path)};
+    Where where{prefix, std::string(path)};
     while (!rest.empty()) {
         if (rest.front() != '.' && rest.front() != '[') {
             where.refuse("must not be followed by \"" + std::string(rest) + "\"");
@@ -78,26 +77,62 @@ void set_part(const Field& field, std::string_view rest, const Json& value, Para
         part = rest.front() == '[' ? &element(*part, rest, where) : &member(*part, rest, where);
     }
     *part = value;
-    read_field(field, params, whole, {prefix, std::string(field.path)});
 }
 
-void apply(const std::string& setting, Params& params, const std::string& prefix) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw Refusal(prefix + setting + ": must be PATH=VALUE, such as projection.near=0.01");
-    }
-    const Where where{prefix, setting.substr(0, equals)};
-    const Json value = value_of(setting.substr(equals + 1), where);
+/// Applies settings one by one. Parts of camera.look_at are gathered until the end, since a camera with only some of
+/// them may be degenerate.
+class Applier {
+public:
+    Applier(Params params, const std::string& prefix) : params_(std::move(params)), prefix_(prefix) {}
 
-    std::string_view rest;
-    if (const Field* field = field_at(where.path, rest)) {
-        set_part(*field, rest, value, params, prefix);
-    } else if (is_group(where.path)) {
-        read_group(params, value, where);
-    } else {
-        refuse_unknown(where);
+    void apply(const std::string& setting) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw Refusal(prefix_ + setting + ": must be PATH=VALUE, such as projection.near=0.01");
+        }
+        const Where where{prefix_, setting.substr(0, equals)};
+        const Json value = value_of(setting.substr(equals + 1), where);
+
+        std::string_view rest;
+        if (const Field* field = field_at(where.path, rest)) {
+            note_camera(field->path);
+            // Reads the whole field again, so that the same rules apply.
+            Json whole = field_as_json(*field, params_);
+            set_part(whole, field->path, rest, value, prefix_);
+            read_field(*field, params_, whole, {prefix_, std::string(field->path)});
+        } else if (is_in(where.path, look_at_path)) {
+            set_look_at(std::string_view(where.path).substr(look_at_path.size()), value);
+        } else if (is_group(where.path)) {
+            read_group(params_, value, where);
+        } else {
+            refuse_unknown(where);
+        }
     }
-}
+
+    Params result() {
+        if (!look_at_.is_null()) params_.camera.look(read_look_at(look_at_, {prefix_, std::string(look_at_path)}));
+        return params_;
+    }
+
+private:
+    void set_look_at(std::string_view rest, const Json& value) {
+        if (look_at_.is_null()) look_at_ = look_at_as_json(params_.camera.look_at());
+        set_part(look_at_, look_at_path, rest, value, prefix_);
+        if (!look_at_.is_object()) read_look_at(look_at_, {prefix_, std::string(look_at_path)});  // refuses it
+        note_camera(look_at_path);
+    }
+
+    /// Refuses settings of both look_at and a field that it replaces.
+    void note_camera(std::string_view path) {
+        if (path != "camera.navigation" && path != "camera.target" && is_in(path, "camera"))
+            camera_[std::string(path.substr(path.find('.') + 1))] = true;
+        require_one_camera(camera_, {prefix_, "camera"});
+    }
+
+    Params params_;
+    const std::string& prefix_;
+    Json look_at_, camera_ = Json::object();
+};
 
 }  // namespace
 
@@ -143,9 +178,11 @@ std::string default_setting(std::string_view path) {
 
 Result<Params> apply_settings(Params params, std::span<const std::string> settings, const std::string& source) {
     return guarded([&] {
+        Applier applier(std::move(params), source);
         for (const std::string& setting : settings) {
-            apply(setting, params, source);
+            applier.apply(setting);
         }
+        params = applier.result();
         if (!settings.empty()) {
             check_together(params, source);
         }

@@ -25,16 +25,19 @@ ImU32 color_of(DepthMapping mapping) {
     }
 }
 
+constexpr double usual_min_distance = 1e-3;
+
 /// The range over which near and far can be dragged. It is the same for all their usual values, so the axis never moves
 /// under the pointer. A value typed outside that range widens it, and the range stays wide while the value is dragged
 /// back.
 widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
-    constexpr double usual_min = 1e-3, usual_max = 1e4;
+    constexpr double usual_min = usual_min_distance, usual_max = 1e4;
     const auto decade = [](double z, bool is_upper) {
         return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
     };
+    const auto positive = [](double near) { return near > 0.0 ? near : usual_min; };
     return {.title = marked("eye distance z"),
-            .min = std::min(usual_min, decade(std::min(now.near, before.near), false)),
+            .min = std::min(usual_min, decade(std::min(positive(now.near), positive(before.near)), false)),
             .max = std::max(usual_max, decade(std::max(now.far, before.far), true))};
 }
 
@@ -108,11 +111,13 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
     for (const DistanceMark& thing : things)
-        marks.push_back(
-            {is_small || is_on_stage ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+        if (thing.z > 0.0)
+            marks.push_back(
+                {is_small || is_on_stage ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
     const ProjectionParams defaults;
     ProjectionParams& projection = params.projection;
-    if (widgets::PrecisionChart("precision", curves.all(), projection.near, projection.far,
+    double chart_near = projection.near > 0.0 ? projection.near : usual_min_distance;  // the axis has no place for 0
+    if (widgets::PrecisionChart("precision", curves.all(), chart_near, projection.far,
                                 {.x = distance_axis(projection, session.before_latest_edit().projection),
                                  .y = {.title = marked("safe gap")},
                                  .terms = terms,
@@ -121,8 +126,10 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
                                  .default_near = defaults.near,
                                  .default_far = defaults.far,
                                  .target = "chart:precision",
-                                 .size = {width, height}}))
+                                 .size = {width, height}})) {
+        if (projection.near > 0.0 || chart_near != usual_min_distance) projection.near = chart_near;
         clamp_to_ranges(params);
+    }
 }
 
 /// A sentence of advice and its button, which is on the same line if both fit and below the sentence otherwise.

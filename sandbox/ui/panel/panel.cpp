@@ -104,50 +104,13 @@ void slips(Params& params) {
     control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
-/// Draws the three angles in one row or, if the state lists its controls, each angle in a row of its own.
-void camera_angles(Params& params) {
-    if (widgets::IsListing()) {
-        static constexpr widgets::Links yaw[] = {link::yaw}, pitch[] = {link::pitch}, roll[] = {link::roll};
-        control(params, "camera.yaw", {.decimals = 1, .links = yaw});
-        control(params, "camera.pitch", {.decimals = 1, .links = pitch});
-        control(params, "camera.roll", {.decimals = 1, .links = roll});
-        return;
-    }
-    double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
-    static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
-    static constexpr double defaults[] = {30.6, -16.4, 0.0};
-    const Field& turn = field("camera.yaw");
-    const widgets::NumberStyle style{.min = turn.min,
-                                     .max = turn.max,
-                                     .drag_min = -360.0,
-                                     .drag_max = 360.0,
-                                     .step = 0.2,
-                                     .decimals = 1,
-                                     .unit = "°"};
-    static constexpr const char* targets[] = {"control:camera.yaw", "control:camera.pitch", "control:camera.roll"};
-    {
-        const widgets::TargetScope scope(targets);
-        if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
-            params.camera.yaw = angles[0];
-            params.camera.pitch = angles[1];
-            params.camera.roll = angles[2];
-        }
-    }
-    if (std::any_of(std::begin(targets), std::end(targets), widgets::IsCovered)) return;
-    widgets::Tooltip("Yaw, pitch, roll",
-                     "Yaws about y, then pitches about the camera's x axis, then rolls about its z axis.",
-                     "C = T R_y R_x R_z");
-}
-
-void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
+void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems, CameraTab& tab) {
     if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
     const widgets::Group group("camera");
     Params& params = session.params;
     static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
     control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
-    control(params, "camera.position", {.links = link::position, .label = marked("position")});
-
-    camera_angles(params);
+    draw_camera_pose(tab, params);
     camera_lamps(session);
     known_views(session, derived);
     control(params, "camera.target", {.label = marked("target")});
@@ -164,7 +127,9 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     const widgets::Group group("projection");
     Params& params = session.params;
     static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
-    control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
+    if (control(params, "projection.type", {.segments = true, .names = types, .label = "##type"}) &&
+        params.projection.near < least_near(params))
+        params.projection.near = default_params().projection.near;
     static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
                                     far[] = {link::far};
     if (params.projection.type == ProjectionType::perspective)
@@ -173,8 +138,10 @@ void projection_section(Session& session, const Derived& derived, const std::vec
         control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
     // Near and far stop just short of each other, so that near < far holds while either one is dragged.
     ProjectionParams& projection = params.projection;
-    if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
-        projection.near = std::min(projection.near, projection.far * 0.999);
+    const double least = least_near(params);  // a slider over negative numbers is linear
+    if (control(params, "projection.near",
+                {.decimals = 3, .slider = true, .links = near, .min = least > 0.0 ? 0.001 : -100.0, .max = 100.0}))
+        projection.near = std::clamp(projection.near, least, projection.far * 0.999);
     if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
         projection.far = std::max(projection.far, projection.near * 1.001);
 
@@ -257,12 +224,12 @@ float item_width() {
 }  // namespace
 
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
+                HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab) {
     ImGui::PushItemWidth(item_width());
     named_section("camera",
                   {"control:camera", "lamps", "button:home", "button:frame all", "button:level", "control:slips",
                    "section:slips"},
-                  [&] { camera_section(session, derived, problems); });
+                  [&] { camera_section(session, derived, problems, tab); });
     named_section("projection", {"control:projection", "control:slips.degrees_as_radians", "note:depth_step"},
                   [&] { projection_section(session, derived, problems); });
     named_section("visibility",
@@ -283,13 +250,13 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
 }
 
 void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                          HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab) {
     std::vector<std::string>& listed = widgets::CurrentContext().targets.listed;
     for (const std::string& path : session.params.view.layout.controls) listed.push_back(target_of(path));
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
     ImGui::TextUnformatted(tr("Controls"));
     ImGui::PopFont();
-    draw_panel(session, derived, problems, hidden_state, hidden);
+    draw_panel(session, derived, problems, hidden_state, hidden, tab);
     listed.clear();
 }
 

@@ -4,15 +4,16 @@
 #include "frame/problems.h"
 #include "session/session.h"
 #include "ui/hidden/hidden_panel.h"
+#include "ui/panel/camera_tab.h"
 
 namespace viewing {
 
 /// Draws the sections into the current ImGui window and edits the session's parameters.
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                HiddenPanelState& hidden_state, const HiddenStatus& hidden);
+                HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab);
 
 /// Draws only the controls that the state lists (view.layout.controls), under one heading.
 void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                          HiddenPanelState& hidden_state, const HiddenStatus& hidden);
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab);
 
 }  // namespace viewing

@@ -26,7 +26,7 @@ widgets::NumberStyle number_style(const Field& field, const ControlStyle& style,
     number.step = field.step;
     number.decimals = style.decimals;
     number.unit = field.unit == "°" ? "°" : "";
-    number.logarithmic = field.logarithmic;
+    number.logarithmic = field.logarithmic && (style.min > 0.0 || range.min > 0.0);
     if (!style.links.empty()) number.links = style.links[0];
     return number;
 }

@@ -34,7 +34,7 @@ const char* light_name(std::size_t light) {
 std::string light_label(const Derived& derived) {
     const glm::dvec4& light = derived.chosen_light();
     const char* const name = light_name(derived.chosen.light);
-    if (is_parallel_light(light)) return say("{light} (parallel)", "light"_a = name);
+    if (light.w == 0.0) return say("{light} (parallel)", "light"_a = name);
     return is_far_away(light) ? say("{light} (far away)", "light"_a = name) : name;
 }
 
@@ -177,8 +177,8 @@ std::optional<double> pulled_distance(const Params& params, const Overlay& overl
     const glm::dvec3 eye = params.camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
     const double distance = glm::dot(forward, grip.grabbed_world - eye);
-    if (!(distance > 0.0)) return std::nullopt;
     const bool is_pyramid = params.projection.type == ProjectionType::perspective;
+    if (is_pyramid && !(distance > 0.0)) return std::nullopt;
     const glm::dvec3 along = is_pyramid ? (grip.grabbed_world - eye) / distance : forward;
     const Ray now = overlay.ray_at(place);
     const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
@@ -215,7 +215,8 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             ProjectionParams& projection = params.projection;
             const std::optional<double> distance = pulled_distance(params, overlay, grip, place);
             if (!distance) return;
-            constexpr double least = 1e-3;
+            constexpr double usual_least = 1e-3;
+            const double least = least_near(params) > 0.0 ? usual_least : least_near(params);
             if (grip.handle == Handle::near_plane)
                 projection.near = std::clamp(*distance, least, projection.far * 0.999);
             else

@@ -230,9 +230,9 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
         begin_area("panel", layout.panel, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::none;
         if (session.params.view.layout.controls.empty())
-            draw_panel(session, derived, problems, views.hidden.panel, hidden);
+            draw_panel(session, derived, problems, views.hidden.panel, hidden, camera_tab_);
         else
-            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden);
+            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden, camera_tab_);
         section_links_.note();
         widgets::CountScrolled();
         ImGui::End();

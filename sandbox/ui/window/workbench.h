@@ -16,6 +16,7 @@
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
 #include "ui/matrices/matrices.h"
+#include "ui/panel/camera_tab.h"
 #include "ui/panel/section_links.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
@@ -180,6 +181,7 @@ private:
     HelpDialog help_;
     MatrixChoice matrix_choice_;
     SectionLinks section_links_;
+    CameraTab camera_tab_;
     void remember_opened(const Session& session);
 
     std::string opening_;      ///< the file being read

@@ -169,5 +169,27 @@ TEST(DepthStep, IsPositiveAndFiniteForAnyTarget) {
     }
 }
 
+TEST(Projection, AnOrthographicNearMayBeZeroOrNegative) {
+    for (const double near : {0.0, -1.0, -50.0}) {
+        const Lens lens{.orthographic = true, .height = 4.0, .near = near, .far = 20.0};
+        // glOrtho(−4, 4, −2, 2, near, 20), as its manual page writes it.
+        const glm::dmat4 p = clip_from_view(lens, 2.0);
+        EXPECT_DOUBLE_EQ(p[2][2], -2.0 / (20.0 - near));
+        EXPECT_DOUBLE_EQ(p[3][2], -(20.0 + near) / (20.0 - near));
+        EXPECT_DOUBLE_EQ(p[0][0], 0.25);
+        const DepthPrecision bits{16, false};
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed}) {
+            for (const double z : {near, 0.5 * near, 0.0, 7.0, 20.0}) {
+                const double depth = window_depth(lens, mapping, z);
+                const double linear = (z - near) / (20.0 - near);
+                EXPECT_NEAR(depth, mapping == DepthMapping::reversed ? 1.0 - linear : linear, 1e-15);
+                EXPECT_NEAR(distance_of_window_depth(lens, mapping, depth), z, 1e-13);
+                EXPECT_NEAR(depth_step(lens, mapping, bits, z), (20.0 - near) / 65535.0, 1e-15);
+            }
+        }
+        EXPECT_TRUE(std::isfinite(window_depth(lens, DepthMapping::logarithmic, 3.0)));
+    }
+}
+
 }  // namespace
 }  // namespace viewing

@@ -193,6 +193,9 @@ TEST(BadStates, OutOfRange) {
     expect_all_refused({
         {R"({"projection": {"near": 0}})", "projection.near", "must be a number from 1e-6 to 1e6, got the number 0"},
         {R"({"projection": {"near": -1}})", "projection.near", "from 1e-6 to 1e6"},
+        {R"({"projection": {"type": "orthographic", "near": -1}, "depth": {"mapping": "logarithmic"}})",
+         "projection.near", "from 1e-6 to 1e6"},
+        {R"({"projection": {"type": "orthographic", "near": -2e6}})", "projection.near", "from -1e6 to 1e6"},
         {R"({"projection": {"near": 40}})", "projection.near", "must be less than projection.far (40), got 40"},
         {R"({"projection": {"far": 0.25}})", "projection.near", "must be less than projection.far (0.25), got 0.5"},
         {R"({"projection": {"fovy": 180}})", "projection.fovy", "from 1 to 179"},

@@ -285,7 +285,7 @@ TEST(Fields, AreDescribed) {
         EXPECT_GE(field.min, -1e12) << field.path;
         EXPECT_LE(field.max, 1e12) << field.path;
         EXPECT_FALSE(allowed_text(field).empty()) << field.path;
-        if (field.logarithmic) {
+        if (field.logarithmic && field.path != "projection.near") {  // negative only where it is orthographic
             EXPECT_GT(field.min, 0.0) << field.path;
         }
     }
@@ -379,6 +379,20 @@ TEST(Clamp, RepairsRelationsBetweenFields) {
     EXPECT_EQ(params.view.light, 1);
     EXPECT_EQ((*params.overrides[0].shadowed_world_from_world[0])[0][0], 0.0);
     EXPECT_EQ(params.follow->vertex, 0);
+}
+
+TEST(Clamp, KeepsANegativeNearOnlyWhereItIsLegal) {
+    for (const bool orthographic : {false, true}) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            Params params;
+            if (orthographic) params.projection.type = ProjectionType::orthographic;
+            params.depth.mapping = mapping;
+            params.projection.near = -5.0;
+            clamp_to_ranges(params);
+            const bool is_legal = orthographic && mapping != DepthMapping::logarithmic;
+            EXPECT_EQ(params.projection.near, is_legal ? -5.0 : 1e-6);
+        }
+    }
 }
 
 // Pushes near and far to their extremes. The repair must work at both ends of their ranges.

@@ -350,7 +350,7 @@ TEST(ParamsCommand, ListsEveryField) {
     }
     const auto near = std::ranges::find_if(list, [](const auto& entry) { return entry["path"] == "projection.near"; });
     EXPECT_EQ((*near)["type"], "number");
-    EXPECT_EQ((*near)["min"], 1e-6);
+    EXPECT_EQ((*near)["min"], -1e6);
     EXPECT_EQ((*near)["default"], 0.5);
     EXPECT_EQ((*near)["unit"], "world units");
     const auto func = std::ranges::find_if(list, [](const auto& entry) { return entry["path"] == "depth.func"; });

@@ -24,8 +24,8 @@ public:
         }
         params.view.plane = whole(1, static_cast<int>(params.planes.size()));
         params.view.light = whole(1, static_cast<int>(params.lights.size()));
-        if (params.projection.near >= params.projection.far) {
-            params.projection.near = params.projection.far / 3.0;
+        if (params.projection.near >= params.projection.far || params.projection.near < least_near(params)) {
+            params.projection.near = std::min(params.projection.far / 3.0, 1e6);
         }
         return params;
     }
@@ -37,8 +37,9 @@ private:
 
     double number(const Field& field, int component) {
         const Range range = component_range(field, component);
-        const double value = field.logarithmic ? std::exp(uniform(std::log(range.min), std::log(range.max)))
-                                               : uniform(range.min, range.max);
+        const double value = field.logarithmic && range.min > 0.0
+                                 ? std::exp(uniform(std::log(range.min), std::log(range.max)))
+                                 : uniform(range.min, range.max);
         // Include round numbers and the ends of the range.
         const int kind = whole(0, 9);
         return std::clamp(kind == 0   ? range.min

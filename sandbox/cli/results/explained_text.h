@@ -1,0 +1,22 @@
+// Puts an explained matrix into words, for `matrices --explain`.
+#pragma once
+
+#include <string>
+
+#include "frame/explain/explain_matrix.h"
+#include "frame/explain/pasted_matrix.h"
+#include "state/file/document.h"
+
+namespace viewing {
+
+/// Whether something is wrong with the matrix, as opposed to a right one, of this state or of another.
+bool is_wrong(const ExplainedMatrix& found);
+
+/// Returns the explanation as lines: how the text was read, what the matrix is, what is wrong, by how much, and the
+/// fix. `own` explains the state's matrix of that letter (found.right).
+std::string explained_text(const PastedMatrix& pasted, const ExplainedMatrix& found, const ExplainedMatrix& own);
+
+/// Returns the same as JSON: "matrix", "fault", "read_as", "say" (sentences), "off", "right" (rows) and what was found.
+Json explained_json(const PastedMatrix& pasted, const ExplainedMatrix& found);
+
+}  // namespace viewing

@@ -1,0 +1,64 @@
+// Says what a matrix is, and how it differs from the state's V, C, P, S or R: first by comparing it with these and with
+// what common mistakes make of them, then by its own structure. Pure; cli/results/explained_text.h puts it into words.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "geometry/look_at.h"
+#include "state/params.h"
+
+namespace viewing {
+
+/// What is wrong with a matrix. `other_…` and `different` are right matrices of something else.
+enum class MatrixFault {
+    none,
+    inverse,             ///< C where V belongs, or V where C belongs
+    transposed,          ///< rows and columns swapped
+    translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
+    scaled,              ///< V, C: the axes do not have length 1
+    left_handed,         ///< V, C: det −1; P: clips w = z instead of w = −z
+    looks_back,          ///< V: x and z negated, as lookAtLH makes it
+    degrees,             ///< P: fovy in degrees where radians belong
+    inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
+    zero_to_one,         ///< P: for a clip range 0 … 1 where the state has −1 … 1
+    minus_one_to_one,    ///< P: the other way round
+    reversed,            ///< P: near and far swapped, unlike in the state
+    other_light,         ///< S of the state's plane and another light
+    other_plane,         ///< S, R of another plane
+    not_unit_normal,     ///< R: filled from a normal that is not a unit vector
+    plus_2ab,            ///< R: the slide's +2ab in row 2, column 1
+    different,           ///< a right V, C or P of another camera, or S of another plane and light
+    unknown,             ///< none of the lecture's matrices
+};
+
+/// The parameters of a projection as its entries tell them; lengths in world units, angles in degrees.
+struct FoundLens {
+    bool orthographic = false;
+    double fovy_deg = 0.0, height = 0.0;  ///< perspective; orthographic
+    double aspect = 1.0;
+    double near = 0.0, far = 0.0;  ///< far is +∞ if infinite; near > far if reversed
+    bool zero_to_one = false;      ///< read for a clip range 0 … 1 instead of −1 … 1
+    bool off_center = false;       ///< the frustum is not symmetric
+};
+
+/// What a matrix is. Optional parts are set if the matrix, after mending the fault, has them.
+struct ExplainedMatrix {
+    char letter = 0;  ///< V, C, P, S, R; 0: unknown
+    MatrixFault fault = MatrixFault::unknown;
+    std::size_t plane = 0, light = 0;  ///< of the state's S or R that `right` is; counted from 0
+    std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, as `--set` gives it without mistakes
+    double off = 0.0;                  ///< largest absolute entry of the difference from `right`; S: up to a factor
+    std::optional<LookAt> camera;      ///< V, C
+    Angles angles;                     ///< of that camera
+    std::optional<FoundLens> lens;     ///< P
+    std::optional<glm::dvec4> found_plane, found_light;  ///< S, R: unit plane; light with w = 1 or 0
+    glm::dvec3 scale{1.0};                               ///< V, C: lengths of the axes
+};
+
+/// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter that it should be, 0 if open. `aspect`:
+/// width ÷ height of the picture. `tolerance`: rounding of each entry; 2e-6 of the entry is added for float32.
+ExplainedMatrix explain_matrix(const glm::dmat4& pasted, char named, const Params& params, double aspect,
+                               double tolerance = 1e-9);
+
+}  // namespace viewing

@@ -1,0 +1,22 @@
+// The camera's pose in the panel, written in two ways: yaw, pitch and roll, or eye, center and up. Params hold the
+// angles; the second way is derived from them and converted back on every edit.
+#pragma once
+
+#include <optional>
+
+#include "state/params.h"
+
+namespace viewing {
+
+struct CameraTab {
+    bool shows_look_at = false;
+    /// As typed, while it still describes the state's camera: the angles do not tell the length of up or the distance
+    /// of the center.
+    std::optional<LookAt> typed;
+};
+
+/// Draws the choice of the two ways, and the pose. If the state lists its controls or a lesson covers a part of the
+/// pose, only position and angles appear.
+void draw_camera_pose(CameraTab& tab, Params& params);
+
+}  // namespace viewing

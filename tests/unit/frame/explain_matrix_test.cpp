@@ -1,0 +1,247 @@
+// What a pasted matrix is: on random states, each way to spoil a matrix is named rightly, and a right one is never
+// called wrong. The matrices come from GLM and from the slides' formulas, written out here.
+#include "frame/explain/explain_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "frame/explain/pasted_matrix.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using glm::dmat4;
+using glm::dvec3;
+using glm::dvec4;
+
+/// A random state, and its matrices in the words of books.
+struct Sample {
+    Params params;
+    double aspect;
+    dvec3 eye, center, up;
+    dmat4 v, c, p, s, r;
+    double fovy, near, far;
+    dvec4 plane, light;  // the plane has a unit normal
+
+    explicit Sample(Random& random) {
+        const double from = 5.0;
+        do {
+            eye = random.vec3(20);
+            center = random.vec3(4);
+            up = random.direction();
+        } while (glm::distance(eye, center) < from || glm::length(glm::cross(up, glm::normalize(center - eye))) < 0.2);
+        v = glm::lookAtRH(eye, center, up);
+        c = glm::inverse(v);
+        params.camera.look({eye, center, up});
+        fovy = random.number(20, 100);
+        near = random.number(0.1, 2);
+        far = random.number(10, 200);
+        aspect = random.number(1.2, 2.5);
+        params.projection.fovy = fovy;
+        params.projection.near = near;
+        params.projection.far = far;
+        p = glm::perspectiveRH_NO(glm::radians(fovy), aspect, near, far);
+        plane = dvec4(random.direction(), random.number(0.5, 3));
+        light = dvec4(random.vec3(5) + dvec3(0, 9, 0), random.number(0, 1) < 0.5 ? 0.0 : 1.0);
+        params.planes.front().equation = random.number(1.5, 3) * plane;
+        params.lights.front().position = light;
+        s = shadow(plane, light);
+        r = mirror(plane);
+    }
+
+    static dmat4 shadow(const dvec4& n, const dvec4& l) {
+        dmat4 m;
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column)
+                m[column][row] = (row == column ? glm::dot(n, l) : 0.0) - l[row] * n[column];
+        return m;
+    }
+    static dmat4 mirror(const dvec4& n) {
+        dmat4 m(1.0);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column) m[column][row] -= 2.0 * n[row] * n[column];
+        return m;
+    }
+
+    ExplainedMatrix explained(const dmat4& matrix, char named = 0) const {
+        return explain_matrix(matrix, named, params, aspect);
+    }
+};
+
+struct MatrixCase {
+    const char* name;
+    char letter;
+    MatrixFault fault;
+    dmat4 (*make)(const Sample& sample, Random& random);
+    char named = 0;
+};
+
+dmat4 diagonal(double x, double y, double z) {
+    return glm::scale(dmat4(1.0), {x, y, z});
+}
+dmat4 with_row_of_translation(dmat4 m) {
+    for (int axis = 0; axis < 3; ++axis) std::swap(m[axis][3], m[3][axis]);
+    return m;
+}
+
+using F = MatrixFault;
+
+const MatrixCase spoiled_matrices[] = {
+    {"V transposed", 'V', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.v); }},
+    {"C in place of V", 'V', F::inverse, [](const Sample& x, Random&) { return x.c; }, 'V'},
+    {"V scaled", 'V', F::scaled,
+     [](const Sample& x, Random& random) { return x.v * glm::scale(dmat4(1.0), dvec3(random.number(1.5, 3))); }},
+    {"V scaled unevenly", 'V', F::scaled, [](const Sample& x, Random&) { return diagonal(2, 1, 1.5) * x.v; }},
+    {"V left-handed", 'V', F::left_handed, [](const Sample& x, Random&) { return diagonal(1, 1, -1) * x.v; }},
+    {"V of lookAtLH", 'V', F::looks_back,
+     [](const Sample& x, Random&) { return glm::lookAtLH(x.eye, x.center, x.up); }},
+    {"V with w in the wrong row", 'V', F::translation_in_row,
+     [](const Sample& x, Random&) { return with_row_of_translation(x.v); }},
+    {"P in degrees", 'P', F::degrees,
+     [](const Sample& x, Random&) { return glm::perspectiveRH_NO(x.fovy, x.aspect, x.near, x.far); }},
+    {"P transposed", 'P', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.p); }},
+    {"P for 0 … 1", 'P', F::zero_to_one,
+     [](const Sample& x, Random&) { return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, x.near, x.far); }},
+    {"P reversed", 'P', F::reversed,
+     [](const Sample& x, Random&) { return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, x.far, x.near); }},
+    {"P with 1/aspect", 'P', F::inverse_aspect,
+     [](const Sample& x, Random&) {
+         return glm::perspectiveRH_NO(glm::radians(x.fovy), 1.0 / x.aspect, x.near, x.far);
+     }},
+    {"P left-handed", 'P', F::left_handed,
+     [](const Sample& x, Random&) { return glm::perspectiveLH_NO(glm::radians(x.fovy), x.aspect, x.near, x.far); }},
+    {"S transposed", 'S', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.s); }},
+    {"S of another light", 'S', F::other_light,
+     [](const Sample& x, Random& random) {
+         return Sample::shadow(x.plane, {random.vec3(5) + dvec3(0, 9, 0), 1.0});
+     }},
+    {"S of another plane", 'S', F::other_plane,
+     [](const Sample& x, Random& random) {
+         return 2.0 * Sample::shadow({random.direction(), 4.0}, x.light);
+     }},
+    {"R transposed", 'R', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.r); }},
+    {"R of another plane", 'R', F::other_plane,
+     [](const Sample&, Random& random) {
+         return Sample::mirror({random.direction(), random.number(1, 2)});
+     }},
+    {"R of a normal that is not a unit vector", 'R', F::not_unit_normal,
+     [](const Sample& x, Random&) { return Sample::mirror(x.params.planes.front().equation); }},
+};
+
+const MatrixCase right_matrices[] = {
+    {"V", 'V', F::none, [](const Sample& x, Random&) { return x.v; }},
+    {"V, named", 'V', F::none, [](const Sample& x, Random&) { return x.v; }, 'V'},
+    {"C", 'C', F::none, [](const Sample& x, Random&) { return x.c; }},
+    {"C, named", 'C', F::none, [](const Sample& x, Random&) { return x.c; }, 'C'},
+    {"P", 'P', F::none, [](const Sample& x, Random&) { return x.p; }},
+    {"S", 'S', F::none, [](const Sample& x, Random&) { return x.s; }},
+    {"−3 S", 'S', F::none, [](const Sample& x, Random&) { return -3.0 * x.s; }},
+    {"R", 'R', F::none, [](const Sample& x, Random&) { return x.r; }},
+    {"V of another camera", 'V', F::different,
+     [](const Sample& x, Random&) { return glm::lookAtRH(x.eye + dvec3(0, 1, 0), x.center, x.up); }},
+    {"P of another lens", 'P', F::different,
+     [](const Sample& x, Random&) {
+         return glm::perspectiveRH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
+     }},
+    {"P of glFrustum", 'P', F::different,
+     [](const Sample& x, Random&) { return glm::frustumRH_NO(-0.2, 0.5, -0.3, 0.4, x.near, x.far); }},
+    {"P of an infinite far", 'P', F::different,
+     [](const Sample& x, Random&) { return glm::infinitePerspective(glm::radians(x.fovy), x.aspect, x.near); }},
+};
+
+template <std::size_t count>
+void check(const MatrixCase (&cases)[count]) {
+    for (const MatrixCase& one : cases) {
+        SCOPED_TRACE(one.name);
+        Random random(seed);
+        int named_rightly = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Sample sample(random);
+            const ExplainedMatrix found = sample.explained(one.make(sample, random), one.named);
+            named_rightly += found.letter == one.letter && found.fault == one.fault ? 1 : 0;
+        }
+        EXPECT_EQ(named_rightly, 200);
+    }
+}
+
+TEST(ExplainMatrix, NamesEachWayToSpoilAMatrix) {
+    check(spoiled_matrices);
+}
+
+TEST(ExplainMatrix, NeverCallsARightMatrixWrong) {
+    check(right_matrices);
+    // In special states, V = C, R is symmetric, or a transpose is the matrix itself.
+    for (const char named : {'\0', 'V', 'C', 'P', 'S', 'R'}) {
+        Params params;
+        params.camera.look({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}});
+        EXPECT_EQ(explain_matrix(dmat4(1.0), named, params, 1.5).fault, MatrixFault::none) << named;
+        EXPECT_EQ(explain_matrix(Sample::mirror({0, 1, 0, 0}), named, params, 1.5).fault, MatrixFault::none);
+        EXPECT_EQ(explain_matrix(Sample::shadow({0, 1, 0, 0}, params.lights[0].position), named, params, 1.5).fault,
+                  MatrixFault::none);
+    }
+}
+
+TEST(ExplainMatrix, TellsWhatItHolds) {
+    Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+        const Sample x(random), other(random);
+        const ExplainedMatrix v = x.explained(other.v), p = x.explained(other.p), s = x.explained(other.s);
+        ASSERT_TRUE(v.camera && p.lens && s.found_plane && s.found_light);
+        EXPECT_LT(glm::distance(v.camera->eye, other.eye), 1e-9);
+        EXPECT_LT(worst_difference(view_from_world(world_from_view(v.camera->eye, v.angles)), other.v), 1e-9);
+        EXPECT_NEAR(p.lens->fovy_deg, other.fovy, 1e-9);
+        EXPECT_NEAR(p.lens->aspect, other.aspect, 1e-9);
+        EXPECT_NEAR(p.lens->near, other.near, 1e-9 * other.far);
+        EXPECT_NEAR(p.lens->far, other.far, 1e-7 * other.far * other.far / other.near);
+        const double sign = glm::dot(*s.found_plane, other.plane) < 0.0 ? -1.0 : 1.0;
+        EXPECT_LT(glm::length(sign * *s.found_plane - other.plane), 1e-9);
+        if (other.light.w == 1.0) {
+            EXPECT_LT(glm::length(*s.found_light - other.light), 1e-8);
+        }
+    }
+    const ExplainedMatrix far_away = explain_matrix(glm::infinitePerspective(1.0, 2.0, 0.25), 'P', Params{}, 2.0);
+    ASSERT_TRUE(far_away.lens);
+    EXPECT_TRUE(std::isinf(far_away.lens->far));
+    EXPECT_NEAR(far_away.lens->near, 0.25, 1e-12);
+    EXPECT_TRUE(explain_matrix(glm::frustumRH_NO(-1.0, 2.0, -1.0, 1.0, 1.0, 9.0), 'P', Params{}, 2.0).lens->off_center);
+    EXPECT_EQ(explain_matrix(dmat4(3.0, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8, 9, 7, 9, 3), 0, Params{}, 2.0).letter, 0);
+}
+
+TEST(PastedMatrix, ReadsEachLanguage) {
+    dmat4 expected;
+    for (int i = 0; i < 16; ++i) expected[i % 4][i / 4] = i + 0.5;  // rows 0.5 1.5 2.5 3.5 | 4.5 …
+    const std::string rows[] = {
+        "np.array([[0.5, 1.5, 2.5, 3.5],\n [4.5, 5.5, 6.5, 7.5], [8.5, 9.5, 10.5, 11.5], [12.5, 13.5, 14.5, 15.5]], "
+        "dtype=np.float32)",
+        "[[ 0.5  1.5  2.5  3.5]\n [ 4.5  5.5  6.5  7.5]\n [ 8.5  9.5 10.5 11.5]\n [12.5 13.5 14.5 15.5]]",
+        "V = [0.5 1.5 2.5 3.5; 4.5 5.5 6.5 7.5; 8.5 9.5 10.5 11.5; 12.5 13.5 14.5 15.5]; % the view",
+        R"({"view_from_world": [[0.5,1.5,2.5,3.5],[4.5,5.5,6.5,7.5],[8.5,9.5,10.5,11.5],[12.5,13.5,14.5,15.5]]})",
+        "V =\n  0.5 1.5 2.5 3.5\n  4.5 5.5 6.5 7.5\n  8.5 9.5 10.5 11.5\n  12.5 13.5 14.5 15.5\n"};
+    for (const std::string& text : rows) {
+        const Result<PastedMatrix> pasted = read_pasted_matrix(text);
+        ASSERT_TRUE(pasted) << text << pasted.error();
+        EXPECT_EQ(pasted->matrix, expected) << text;
+        EXPECT_FALSE(pasted->by_columns);
+    }
+    const std::string columns[] = {
+        "const glm::dmat4 view(0.5, 4.5, 8.5, 12.5, 1.5, 5.5, 9.5, 13.5,  // columns\n"
+        " 2.5, 6.5, 10.5, 14.5, 3.5, 7.5, 11.5, 15.5);",
+        "mat4 V = mat4(vec4(0.5f, 4.5f, 8.5f, 12.5f), vec4(1.5f, 5.5f, 9.5f, 13.5f), vec4(2.5f, 6.5f, 10.5f, 14.5f), "
+        "vec4(3.5f, 7.5f, 11.5f, 15.5f));",
+        "GLfloat V[16] = {0.5, 4.5, 8.5, 12.5, 1.5, 5.5, 9.5, 13.5, 2.5, 6.5, 10.5, 14.5, 3.5, 7.5, 11.5, 15.5};",
+        "[0.5, 4.5, 8.5, 12.5, 1.5, 5.5, 9.5, 13.5, 2.5, 6.5, 10.5, 14.5, 3.5, 7.5, 11.5, 15.5]"};
+    for (const std::string& text : columns) {
+        const Result<PastedMatrix> pasted = read_pasted_matrix(text);
+        ASSERT_TRUE(pasted) << text << pasted.error();
+        EXPECT_EQ(pasted->matrix, expected) << text;
+        EXPECT_TRUE(pasted->by_columns);
+        EXPECT_EQ(pasted->letter, text.front() == '[' ? 0 : 'V');
+    }
+    EXPECT_EQ(read_pasted_matrix("1 2 3").error(), "a matrix has 16 numbers, but there are 3");
+    EXPECT_FALSE(read_pasted_matrix(""));
+}
+
+}  // namespace
+}  // namespace viewing
