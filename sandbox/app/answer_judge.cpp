@@ -131,9 +131,8 @@ void AnswerJudge::give_up() {
 }
 
 void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Session& session) {
-    workbench.lesson_trouble = verdict ? "" : verdict.error();
-    if (!verdict) return;
     LessonRun& run = *workbench.guide.run();
+    if (!verdict) return run.tell_trouble(verdict.error());
     const Ask& ask = run.step().ask;
     const Verdict told =
         with_what_is_allowed(*verdict, ask, session.in_own_looks(run.step().start.params), session.params);

@@ -153,6 +153,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"too_many", "how many polygons, with the noun: 12 polygons"},
     {"tree", "another text of the catalog: a tree in numbers"},
     {"tried", "how many exercises were tried, a whole number"},
+    {"typed", "a text as typed into a field, which is no number"},
     {"unit", "another text of the catalog: a unit's name"},
     {"value", "a number"},
     {"values", "one or more numbers, such as +16, 32"},

@@ -125,7 +125,7 @@ TEST_F(ExercisesInTheWindow, PastedNumbersBecomeTheAnswer) {
     desk.clipboard = "1 2 3";
     desk.click("lesson strip/Paste");
     EXPECT_EQ(desk.run().answer().numbers, wanted) << "three numbers are not a matrix";
-    EXPECT_NE(desk.session.message.text.find("3 numbers"), std::string::npos) << desk.session.message.text;
+    EXPECT_NE(desk.run().trouble().find("3 numbers"), std::string::npos) << desk.run().trouble();
 }
 
 TEST_F(ExercisesInTheWindow, AMisconceptionIsExplainedAndARightAnswerUncovers) {

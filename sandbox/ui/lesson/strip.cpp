@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/lesson/answers.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
@@ -32,6 +33,10 @@ float button_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
 }
 
+std::string what_cannot_be_read(const std::string& typed) {
+    return say("{typed} is not a number. You can type 4/2.7, sqrt(2), cos(30°) or pi.", "typed"_a = excerpt(typed));
+}
+
 /// Height of the tallest possible feedback at this width.
 float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
     float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
@@ -42,6 +47,7 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
     };
     for (const LessonChoice& choice : step.ask.choices) say(choice.why);
     for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
+    if (is_typed(step.ask.kind)) say(LessonText{{what_cannot_be_read("0.0.0.0.0.0.0.0.0.0")}});
     return height;
 }
 
@@ -188,10 +194,12 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         wishes.previous =
             button(!run.is_first() || (is_revealed && !run.step().only_shows()), marked("this is the first step"),
                    marked("Goes back to the question first, then to the previous step."));
-        wishes.next =
+        const bool is_next =
             is_revealed
                 ? button(!run.is_last() || run.end(), marked("this is the last step"), marked("The next step."))
                 : button(true, "", marked("Shows the result and explains it. You learn more if you answer first."));
+        // The second click of a double-click was not meant for the button that has just taken this place.
+        wishes.next = is_next && ImGui::GetIO().MouseClickedLastCount[0] < 2;
     }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&
         button(true, "", marked("Shows a hint toward the answer.")))
@@ -247,7 +255,9 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
         return;
     }
     if (look.presents) return;
-    if (!look.trouble.empty()) return draw_told(false, look.trouble, width, "trouble");
+    if (const std::string unread = run.first_unread(); !unread.empty())
+        return draw_told(false, what_cannot_be_read(unread), width, "trouble");
+    if (!run.trouble().empty()) return draw_told(false, run.trouble(), width, "trouble");
     if (!run.verdict()) return;
     const Verdict& verdict = *run.verdict();
     if (verdict.right)
@@ -281,6 +291,7 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
                              "Shows the picture that your matrix produces, next to the correct one.");
         }
     }
+    wishes.check = wishes.check && run.first_unread().empty();
     draw_feedback(run, look, width);
 }
 
