@@ -350,6 +350,8 @@ struct Lamp {
     const char* label;
     bool available;
     bool active;
+    const char* keys = "";  ///< after the label: "W S"
+    bool asked = false;     ///< its key is pressed; a lamp that is not available then lights up as trouble
 };
 /// Draws lamps in one row if they fit, otherwise in several rows of equal length.
 void Lamps(const char* label, std::span<const Lamp> lamps, Role role);

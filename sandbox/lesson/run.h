@@ -66,6 +66,14 @@ public:
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
 
+    /// Returns how far a goal is, as text for each number of Ask::progress, and the state that was judged.
+    struct GoalProgress {
+        std::optional<Params> at;
+        std::vector<std::string> numbers;
+    };
+    GoalProgress& progress() { return now().progress; }
+    const GoalProgress& progress() const { return now().progress; }
+
     /// Returns the right answer of a typed question, once it has been computed after the reveal.
     std::optional<Answer>& model() { return now().model; }
 
@@ -89,6 +97,7 @@ private:
         std::vector<std::string> unread;
         std::vector<int> tried;  ///< wrong choices
         std::optional<Answer> model;
+        GoalProgress progress;
         int hints = 0;
         Ballot ballot;
         std::optional<Params> reached;

@@ -110,6 +110,65 @@ TEST_F(AnswerFields, ExploringAnUnsolvedExerciseUncoversNothing) {
     EXPECT_TRUE(ui.has("matrices/S/r0c0"));
 }
 
+TEST_F(AnswerFields, AGoalShowsItsNumbers) {
+    desk.begin("E04-place-the-camera");
+    desk.run().progress().numbers = {"(0.2, 0, −6.1)"};
+    ui.frames(2);
+    ASSERT_TRUE(ui.has("lesson strip/progress"));
+    const LessonStep& step = desk.run().step();
+    ASSERT_EQ(step.ask.progress.size(), 1U);
+    EXPECT_EQ(step.ask.progress[0].needed.in_english().substr(0, 10), "(0, 0, −");
+    EXPECT_LE(ui.find("lesson strip/progress").max.y, desk.layout().strip.max.y);
+}
+
+TEST(ALessonsButtons, AHintMovesNothing) {
+    Desk desk({1600, 900});
+    desk.workbench.guide.begin(*load_lesson("view-is-the-inverse"), 6, desk.session);
+    desk.settle();
+    desk.apply_looks();
+    desk.ui.frames(3);
+    EXPECT_TRUE(desk.ui.has("camera/position/x")) << "the id does not depend on the label";
+    const float top = desk.layout().strip.min.y, button = desk.ui.find("lesson strip/All steps").min.y;
+    while (desk.ui.has("lesson strip/Hint")) {
+        desk.ui.click("lesson strip/Hint");
+        desk.ui.frames(30);
+    }
+    EXPECT_EQ(desk.layout().strip.min.y, top);
+    EXPECT_EQ(desk.ui.find("lesson strip/All steps").min.y, button);
+    EXPECT_LE(desk.ui.find("lesson strip/hint").max.y, desk.layout().strip.max.y);
+}
+
+TEST(ALessonsButtons, AWalkersLampsRefuseTheKeysOfFlying) {
+    Desk desk({1600, 900});
+    desk.session.params.camera.navigation = Navigation::walk;
+    desk.hold(Key::r);
+    desk.ui.frame();
+    EXPECT_EQ(desk.ui.text_of("camera/degrees of freedom/up/down"), "refused");
+    desk.let_go(Key::r);
+    desk.ui.frames(2);
+    EXPECT_EQ(desk.ui.text_of("camera/degrees of freedom/up/down"), "absent");
+    desk.hold(Key::w);
+    desk.ui.frame();
+    EXPECT_EQ(desk.ui.text_of("camera/degrees of freedom/forward"), "active");
+    desk.let_go(Key::w);
+}
+
+TEST(ALessonsButtons, TilesMoveAndDoNotSwap) {
+    Desk lesson_desk({1600, 900});
+    lesson_desk.workbench.guide.begin(*load_lesson("rays"), 3, lesson_desk.session);
+    lesson_desk.settle();
+    lesson_desk.apply_looks();
+    lesson_desk.ui.frames(3);
+    LessonRun& run = *lesson_desk.workbench.guide.run();
+    ASSERT_EQ(run.step().ask.kind, AskKind::order);
+    ASSERT_EQ(run.answer().items, (std::vector<int>{0, 1, 2}));
+    const RecordedItem from = lesson_desk.ui.find("lesson strip/answers/item 1");
+    const RecordedItem to = lesson_desk.ui.find("lesson strip/answers/item 3");
+    const ImVec2 begin((from.min.x + from.max.x) * 0.5F, (from.min.y + from.max.y) * 0.5F);
+    lesson_desk.drag_from(begin, (to.min.x + to.max.x) * 0.5F - begin.x, (to.min.y + to.max.y) * 0.5F - begin.y, 8);
+    EXPECT_EQ(run.answer().items, (std::vector<int>{1, 2, 0}));
+}
+
 TEST(ALessonsButtons, ADoubleClickOnNextDoesNotAnswerTheNextStep) {
     Desk desk({1600, 900});
     desk.workbench.guide.begin(*load_lesson("view-is-the-inverse"), 0, desk.session);

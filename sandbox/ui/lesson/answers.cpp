@@ -243,13 +243,13 @@ bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, con
     return pressed && is_open;
 }
 
-/// Draws tiles that the student puts in order: the arrows at their ends move them, and dragging one onto another swaps
-/// them.
+/// Draws tiles that the student puts in order: the arrows at their ends move them, and a tile that is dragged onto
+/// another takes its place; the others move up.
 void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const std::vector<int> order = style.shows_right ? ask.expected_items.front() : run.answer().items;
-    std::optional<std::pair<int, int>> swapped;
+    std::optional<std::pair<int, int>> moved;
     int place = 0;
     const float end = lay_out_tiles(ask, order, width, sizes, [&](int item, float x, float y, ImVec2 tile) {
         const ImVec2 min(corner.x + x, corner.y + y);
@@ -263,14 +263,14 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
         }
         if (ImGui::BeginDragDropTarget()) {
             if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload("place"))
-                swapped = std::pair(*static_cast<const int*>(payload->Data), place);
+                moved = std::pair(*static_cast<const int*>(payload->Data), place);
             ImGui::EndDragDropTarget();
         }
         const auto arrow_button = [&](const char* sign, float at, int neighbor) {
             if (!style.is_open || neighbor < 0 || neighbor >= std::ssize(order)) return;
             ImGui::SetCursorScreenPos({at, min.y});
             const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
-            if (ImGui::InvisibleButton(id.c_str(), {arrow, tile.y})) swapped = std::pair(place, neighbor);
+            if (ImGui::InvisibleButton(id.c_str(), {arrow, tile.y})) moved = std::pair(place, neighbor);
             widgets::Record(id.c_str());
             const ImVec2 size = ImGui::CalcTextSize(sign);
             ImGui::GetWindowDrawList()->AddText({at + (arrow - size.x) * 0.5F, min.y + (tile.y - size.y) * 0.5F},
@@ -281,9 +281,11 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
         arrow_button("▸", min.x + tile.x - arrow, place + 1);
         ++place;
     });
-    if (swapped && swapped->first != swapped->second) {
-        std::swap(run.answer().items[static_cast<std::size_t>(swapped->first)],
-                  run.answer().items[static_cast<std::size_t>(swapped->second)]);
+    if (moved && moved->first != moved->second) {
+        std::vector<int>& items = run.answer().items;
+        const int item = items[static_cast<std::size_t>(moved->first)];
+        items.erase(items.begin() + moved->first);
+        items.insert(items.begin() + moved->second, item);
         run.forget_verdict();
     }
     ImGui::SetCursorScreenPos({corner.x, corner.y + end});
