@@ -36,8 +36,9 @@ std::string target_of(std::string_view path);
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
 /// Returns a control's label: in a lesson, where no section's header is above it, the one that names the section too.
+/// A stage has no room for it.
 inline const char* label_of(const char* in_section, const char* alone) {
-    return widgets::IsListing() ? alone : in_section;
+    return widgets::IsListing() && !widgets::CurrentContext().is_on_stage ? alone : in_section;
 }
 
 /// Draws the last item's tooltip, which explains a field. Its title is `label` without any "##…" or, if `label` is
