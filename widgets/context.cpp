@@ -32,6 +32,7 @@ void NewFrame(Context& context) {
     const int frame = ImGui::GetFrameCount();
     if (editing.typing_frame < frame - 1) editing.typing = 0;  // its panel was folded
     editing.ends = std::exchange(editing.ends_next, false);
+    editing.entered = 0;
     editing.type_now = editing.type_next;
     editing.type_next = 0;
     editing.tab = 0;

@@ -11,8 +11,19 @@ using inner::Shown;
 
 namespace {
 
+constexpr float keys_gap = 5.0F;  // design pixels
+
+bool IsRefused(const Lamp& lamp) {
+    return lamp.asked && !lamp.available;
+}
+
+float TextWidth(const Lamp& lamp, const inner::Face& face) {
+    const float keys = *lamp.keys == '\0' ? 0.0F : Px(keys_gap) + face.Measure(lamp.keys).x;
+    return face.Measure(lamp.label).x + keys;
+}
+
 /// Draws a lamp. Moving: filled, with a glow. Available but at rest: a ring in its color. Unavailable: a quiet ring,
-/// struck through.
+/// struck through, in the trouble color while its key is pressed.
 void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU32 color, const inner::Face& face) {
     const Palette& palette = CurrentContext().palette;
     const float radius = Px(4.5F), line = Px(1.5F) * palette.stroke;
@@ -23,7 +34,8 @@ void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU3
     } else if (lamp.available) {
         draw->AddCircle(center, radius - line * 0.5F, Shown(color), 0, line);
     } else {
-        const ImU32 off = Shown(inner::Mix(palette.ground, palette.quiet, 0.6F));
+        const ImU32 off = Shown(IsRefused(lamp) ? palette.trouble : inner::Mix(palette.ground, palette.quiet, 0.6F));
+        if (IsRefused(lamp)) draw->AddCircleFilled(center, radius + Px(3), inner::WithAlpha(off, 0.25F));
         draw->AddCircle(center, radius - line * 0.5F, off, 0, line);
         const float reach = radius * 0.72F;
         draw->AddLine(ImVec2(center.x - reach, center.y + reach), ImVec2(center.x + reach, center.y - reach), off,
@@ -32,7 +44,10 @@ void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU3
     const ImU32 ink = lamp.active      ? palette.text
                       : lamp.available ? palette.quiet
                                        : inner::Mix(palette.ground, palette.quiet, 0.75F);
-    face.Draw(draw, ImVec2(min.x + Px(17), std::floor(min.y + (height - face.size) * 0.5F)), Shown(ink), lamp.label);
+    const ImVec2 at(min.x + Px(17), std::floor(min.y + (height - face.size) * 0.5F));
+    face.Draw(draw, at, Shown(IsRefused(lamp) ? palette.trouble : ink), lamp.label);
+    const ImVec2 behind(at.x + face.Measure(lamp.label).x + Px(keys_gap), at.y);
+    face.Draw(draw, behind, Shown(lamp.available ? palette.accent : ink), lamp.keys);
 }
 
 }  // namespace
@@ -42,7 +57,7 @@ void Lamps(const char* label, std::span<const Lamp> lamps, Role role) {
     const Context& context = CurrentContext();
     const inner::Face face = inner::FaceOf(context.fonts.note);
     float widest = 0.0F;
-    for (const Lamp& lamp : lamps) widest = std::max(widest, face.Measure(lamp.label).x);
+    for (const Lamp& lamp : lamps) widest = std::max(widest, TextWidth(lamp, face));
     const float each = std::ceil(widest + Px(17) + Px(8)), height = face.size + Px(6);
 
     // Use as few rows as possible, all of the same length.
@@ -63,6 +78,7 @@ void Lamps(const char* label, std::span<const Lamp> lamps, Role role) {
         inner::RecordRect(lamp.label, at, ImVec2(at.x + each, at.y + height),
                           lamp.active      ? "active"
                           : lamp.available ? "available"
+                          : lamp.asked     ? "refused"
                                            : "absent");
     }
 }

@@ -172,7 +172,9 @@ bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const M
                              .decimals = measures.decimals,
                              .shows_tiny = true,
                              .default_value = Entry(style.defaults ? *style.defaults : identity, cell),
-                             .links = info ? info->links : 0};
+                             .links = info ? info->links : 0,
+                             .read = style.read,
+                             .unread = style.unread ? style.unread + cell : nullptr};
     ImGui::SetCursorScreenPos(ImVec2(min.x + Px(1), min.y + Px(2)));
     return inner::NumberBox(cell_names[cell], Entry(value, cell), number, measures.cell_width - Px(2));
 }

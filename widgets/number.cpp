@@ -19,6 +19,7 @@ bool NumberRow(std::span<double> values, std::span<const char* const> names, con
         NumberStyle own = style;
         if (i < defaults.size()) own.default_value = defaults[i];
         if (i < links.size()) own.links = links[i];
+        if (own.unread) own.unread += i;
         if (i > 0) ImGui::SameLine(0.0F, gap);
         const int component = first + static_cast<int>(i);
         if (CoveredBox(names[i], component, {each, ImGui::GetFrameHeight()})) continue;
@@ -47,6 +48,11 @@ bool LabelledBox(const char* label, double& value, const NumberStyle& style, flo
 
 bool Number(const char* label, double& value, const NumberStyle& style, float width) {
     return LabelledBox(label, value, style, width, inner::BoxKind::drag);
+}
+
+bool IsLastEntered() {
+    const Editing& editing = CurrentContext().editing;
+    return editing.entered != 0 && editing.entered == editing.last_number;
 }
 
 bool Slider(const char* label, double& value, const NumberStyle& style, float width) {

@@ -40,14 +40,16 @@ int SignificantDecimals(double value, int digits) {
 
 // ---- typing ----------------------------------------------------------------------------------------
 
-void StartTyping(Editing& editing, ImGuiID id, double value) {
+void StartTyping(Editing& editing, ImGuiID id, double value, const NumberStyle& style) {
     editing.typing = id;
     ++editing.typing_count;
     editing.typing_frame = ImGui::GetFrameCount();
     editing.type_now = 0;
     editing.focused = false;
     editing.frames_waited = 0;
-    std::snprintf(editing.text, sizeof editing.text, "%s", viewing::plain_number(value).c_str());
+    const bool has_text = style.unread && !style.unread->empty();
+    const std::string text = has_text ? *style.unread : viewing::plain_number(value);
+    std::snprintf(editing.text, sizeof editing.text, "%s", text.c_str());
     std::copy(std::begin(editing.text), std::end(editing.text), std::begin(editing.text_before));
 }
 
@@ -89,11 +91,14 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     if (active) editing.focused = true;
     if (!entered && !lost && editing.tab == 0 && !editing.ends) return std::nullopt;
 
+    if (entered) editing.entered = editing.typing;
     editing.typing = 0;
     if (editing.tab < 0) editing.type_next = editing.last_number;
     // On Escape, ImGui has restored the original text. Unchanged text keeps the value, even if it is out of range.
     if (std::string_view(editing.text) == editing.text_before) return std::nullopt;
-    const std::optional<double> typed = ParseNumber(editing.text, style.unit);
+    std::optional<double> typed = ParseNumber(editing.text, style.unit);
+    if (!typed && style.read) typed = style.read(editing.text);
+    if (style.unread) *style.unread = typed ? "" : editing.text;
     return typed ? std::optional(Clamped(*typed, style)) : std::nullopt;
 }
 
@@ -239,6 +244,18 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
+/// Draws the box with typed text that is no number.
+void DrawUnread(const std::string& text, ImVec2 min, ImVec2 max) {
+    const Palette& palette = CurrentContext().palette;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    DrawField(draw, min, max, ImGui::IsItemHovered(), false, false, Role::none);
+    draw->AddRect(min, max, Shown(palette.trouble), ImGui::GetStyle().FrameRounding, 0, Px(1.5F) * palette.stroke);
+    const FontScope font(CurrentContext().fonts.number);
+    const std::string shown = Shortened(text, max.x - min.x - Px(8));
+    const float y = std::floor((min.y + max.y - ImGui::GetFontSize()) * 0.5F);
+    draw->AddText({min.x + Px(4), y}, Shown(palette.trouble), shown.c_str());
+}
+
 /// Implements Tab while the user types in a number: it leads to the next number drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
@@ -259,7 +276,7 @@ std::optional<double> PointAtBox(ImGuiID id, double value, const NumberStyle& st
             // The first click of a double-click may have moved the knob.
             const bool moved = doubled && kind == BoxKind::slider;
             const double typed_from = moved ? editing.value_before : value;
-            StartTyping(editing, id, typed_from);
+            StartTyping(editing, id, typed_from, style);
             editing.jumped_at_s = -1.0;
             return moved ? std::optional(typed_from) : std::nullopt;
         }
@@ -306,7 +323,7 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
     const ImVec2 size(std::max(width, 1.0F), ImGui::GetFrameHeight());
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 max(min.x + size.x, min.y + size.y);
-    if (editing.type_now == id) StartTyping(editing, id, value);
+    if (editing.type_now == id) StartTyping(editing, id, value, style);
     if (editing.typing == id && IsDisabled()) editing.typing = 0;
 
     const NumberLook look = shared_look ? *shared_look : LookOf({&value, 1}, style, size.x);
@@ -321,13 +338,21 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
         ImGui::InvisibleButton("##box", size);
         const bool lit = FollowLinks(style.links);
         edited = PointAtBox(id, value, drags, Track(min.x, max.x), kind);
-        if (ImGui::IsItemVisible()) DrawBox(edited.value_or(value), drags, min, max, kind, lit, look);
+        const bool has_text = style.unread && !style.unread->empty() && !edited;
+        if (has_text)
+            DrawUnread(*style.unread, min, max);
+        else if (ImGui::IsItemVisible())
+            DrawBox(edited.value_or(value), drags, min, max, kind, lit, look);
     }
     ImGui::PopID();
 
     const bool changed = edited && !(*edited == value);
     if (changed) value = *edited;
-    if (context.record) RecordSwitch(id_text, min, max, TextInBox(value, drags, size.x, look).view());
+    if (edited && style.unread) style.unread->clear();
+    const bool has_text = style.unread && !style.unread->empty();
+    if (context.record)
+        RecordSwitch(id_text, min, max,
+                     has_text ? std::string_view(*style.unread) : TextInBox(value, drags, size.x, look).view());
     return changed;
 }
 

@@ -74,6 +74,7 @@ struct Editing {
     ImGuiID type_next = 0;    ///< the number where it starts in the next frame (Tab, Shift+Tab)
     ImGuiID last_number = 0;  ///< the last number drawn, where Shift+Tab leads
     int tab = 0;              ///< typing moves to another number; +1: the next one drawn, −1: the previous one
+    ImGuiID entered = 0;      ///< the number in which Enter has ended typing in this frame
     bool focused = false;     ///< the text field has keyboard focus
     int typing_frame = 0;     ///< the frame in which the text field was last drawn
     int frames_waited = 0;    ///< frames that it has waited for keyboard focus
@@ -227,6 +228,9 @@ void Tooltip(const char* title, const char* body, const char* formula = "", cons
 
 // ---- values ----------------------------------------------------------------------------------------
 
+/// Reads a number in a way of its own; none if the text is no number.
+using NumberReader = std::optional<double> (*)(std::string_view text);
+
 /// Settings for editing a number.
 struct NumberStyle {
     double min = -1e12, max = 1e12;         ///< for typing
@@ -240,12 +244,17 @@ struct NumberStyle {
     double default_value = 0.0;  ///< right-click resets to it
     Links links = 0;             ///< highlighted together with matrix entries that depend on them
     Role role = Role::none;
+    NumberReader read = nullptr;    ///< reads typed text that ParseNumber does not
+    std::string* unread = nullptr;  ///< keeps typed text that is no number, which the box shows; in a row, one of many
 };
 
 /// Draws a number that can be dragged; a double-click or Ctrl-click starts typing, and a right-click resets it. `width`
 /// 0: the item width. A number that does not fit loses a final zero; if that is not enough, it is written smaller, and
 /// then with fewer decimals. Reserves space for a sign, so that the decimals stay in place when it appears.
 bool Number(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
+
+/// Returns whether Enter has just ended typing in the last number drawn.
+bool IsLastEntered();
 
 /// Draws a number as a slider, with a knob between min and max.
 bool Slider(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
@@ -331,6 +340,8 @@ struct MatrixStyle {
     const glm::dmat4* defaults = nullptr;  ///< a right-click resets an entry to its value here; null: the identity
     const char* target = nullptr;          ///< its name as in targets.h, "matrix:V"; null: none
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
+    NumberReader read = nullptr;           ///< see NumberStyle
+    std::string* unread = nullptr;         ///< see NumberStyle: 16, row by row
 };
 
 /// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Only a zero
@@ -351,6 +362,8 @@ struct Lamp {
     const char* label;
     bool available;
     bool active;
+    const char* keys = "";  ///< after the label: "W S"
+    bool asked = false;     ///< its key is pressed; a lamp that is not available then lights up as trouble
 };
 /// Draws lamps in one row if they fit, otherwise in several rows of equal length.
 void Lamps(const char* label, std::span<const Lamp> lamps, Role role);

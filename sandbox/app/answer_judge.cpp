@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lesson/allowed.h"
+#include "lesson/progress.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
 
@@ -30,7 +31,7 @@ Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Param
     const std::vector<std::string> others = changed_without_leave(start, now, ask.allow);
     if (others.empty()) return verdict;
     const std::string why = say("Goal met, but {field} must keep its original value here.", "field"_a = others.front());
-    return {false, LessonText{{why}}, "", 0, 0};
+    return {.say = LessonText{{why}}};
 }
 
 }  // namespace
@@ -55,6 +56,10 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
     const Ask& ask = run->step().ask;
     const bool is_goal = ask.kind == AskKind::goal;
     const bool is_asked = asked_ && asked_->is_of(*run, session.params);
+    if (!ask.progress.empty() && run->progress().at != session.params && !has_measured_progress(ask)) {
+        LessonNumbers numbers(session.params, run->step().start.params, session.scene(), &renderer_);
+        run->progress() = {session.params, progress_of(ask, with_constants(ask, numbers.surroundings()))};
+    }
     const auto asked_case = [&] {
         const Params start = session.in_own_looks(run->step().start.params);
         return Case{asked_->lesson, asked_->step,   asked_->answer, asked_->params.value_or(start),
@@ -131,9 +136,9 @@ void AnswerJudge::give_up() {
 }
 
 void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Session& session) {
-    workbench.lesson_trouble = verdict ? "" : verdict.error();
-    if (!verdict) return;
     LessonRun& run = *workbench.guide.run();
+    if (verdict) run.progress() = {session.params, verdict->progress};
+    if (!verdict) return run.tell_trouble(verdict.error());
     const Ask& ask = run.step().ask;
     const Verdict told =
         with_what_is_allowed(*verdict, ask, session.in_own_looks(run.step().start.params), session.params);

@@ -227,6 +227,15 @@ MovingFreedoms available_freedoms(Navigation mode) {
             .roll = mode == Navigation::fly};
 }
 
+MovingFreedoms asked_freedoms(const MotionInput& input) {
+    return {.forward = input.move.z != 0.0,
+            .strafe = input.move.x != 0.0,
+            .lift = input.move.y != 0.0,
+            .yaw = input.yaw != 0.0,
+            .pitch = input.pitch != 0.0,
+            .roll = input.roll != 0.0};
+}
+
 MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode) {
     const MovingFreedoms can = available_freedoms(mode);
     const bool is_moved_forward = mode == Navigation::orbit ? input.zoom != 1.0 : input.dolly != 0.0;

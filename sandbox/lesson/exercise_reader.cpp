@@ -10,6 +10,13 @@
 #include "text/words.h"
 
 namespace viewing {
+
+void require_constant_name(const std::string& name, const Where& where) {
+    if (!is_constant_name(name))
+        where.refuse("\"" + excerpt(name) +
+                     "\" is not a valid name: use letters, digits and _, and a word without another meaning");
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/progress.h"
+
 namespace viewing {
 namespace {
 
@@ -12,40 +14,105 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-/// Returns the difference in each entry, after multiplying `typed` by a common factor if the question allows one; none
-/// if the answers cannot be compared. `largest` receives the largest absolute value in `right`.
-std::optional<std::vector<double>> differences(std::vector<double> typed, const std::vector<double>& right,
-                                               const Ask& ask, double& largest) {
-    if (typed.size() != right.size() || right.empty()) return std::nullopt;
+/// Returns the tolerance for each entry.
+double tolerance_of(const Ask& ask, const std::vector<double>& right) {
+    double largest = 0.0;
+    for (const double number : right) largest = std::max(largest, std::abs(number));
+    return std::max({ask.tolerance, ask.relative_tolerance * largest, 1e-9});
+}
+
+std::vector<bool> close_entries(const std::vector<double>& typed, const std::vector<double>& right, double factor,
+                                double tolerance) {
+    std::vector<bool> close;
+    for (std::size_t i = 0; i < typed.size(); ++i) close.push_back(std::abs(typed[i] * factor - right[i]) <= tolerance);
+    return close;
+}
+
+bool are_all(const std::vector<bool>& close) {
+    return std::find(close.begin(), close.end(), false) == close.end();
+}
+
+/// Returns the factor for the entry whose right value is the largest; none if it is zero.
+std::optional<double> factor_at_largest(const std::vector<double>& typed, const std::vector<double>& right) {
     const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto at = static_cast<std::size_t>(std::max_element(right.begin(), right.end(), by_size) - right.begin());
-    largest = std::abs(right[at]);
-    if (ask.up_to_factor) {
-        if (right[at] == 0.0 || typed[at] == 0.0) return std::nullopt;
-        const double factor = right[at] / typed[at];
-        for (double& number : typed) number *= factor;
-    }
-    for (std::size_t i = 0; i < typed.size(); ++i) typed[i] = std::abs(typed[i] - right[i]);
-    return typed;
+    if (right[at] == 0.0 || typed[at] == 0.0) return std::nullopt;
+    return right[at] / typed[at];
 }
 
 bool are_close(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
-    double largest = 0.0;
-    const std::optional<std::vector<double>> apart = differences(typed, right, ask, largest);
-    if (!apart) return false;
-    const double tolerance = std::max({ask.tolerance, ask.relative_tolerance * largest, 1e-9});
-    return std::all_of(apart->begin(), apart->end(), [&](double difference) { return difference <= tolerance; });
+    if (typed.size() != right.size() || right.empty()) return false;
+    const std::optional<double> factor = ask.up_to_factor ? factor_at_largest(typed, right) : 1.0;
+    return factor && are_all(close_entries(typed, right, *factor, tolerance_of(ask, right)));
 }
 
-/// Returns the number of the row or entry that differs most from the right answer, counted from 1; 0 if there is only
-/// one row, or if the answers cannot be compared.
-int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
-    if (ask.rows == 1 || answer.numbers.empty()) return 0;
-    const Result<Answer> model = model_answer(ask, surroundings);
-    double largest = 0.0;
-    const auto apart = model ? differences(answer.numbers, model->numbers, ask, largest) : std::nullopt;
-    if (!apart) return 0;
-    return static_cast<int>(std::max_element(apart->begin(), apart->end()) - apart->begin()) / ask.columns + 1;
+/// Returns which entries are right. If any factor is allowed, takes the one with the most right entries.
+std::vector<bool> right_entries(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
+    const double tolerance = tolerance_of(ask, right);
+    std::vector<bool> best = close_entries(typed, right, 1.0, tolerance);
+    for (std::size_t i = 0; ask.up_to_factor && i < typed.size(); ++i) {
+        if (typed[i] == 0.0 || right[i] == 0.0) continue;
+        std::vector<bool> close = close_entries(typed, right, right[i] / typed[i], tolerance);
+        if (std::count(close.begin(), close.end(), true) > std::count(best.begin(), best.end(), true))
+            best = std::move(close);
+    }
+    return best;
+}
+
+/// Says what is right about numbers: by rows of a matrix, or by entries.
+void tell_near_numbers(const Ask& ask, const std::vector<double>& typed, const std::vector<double>& right,
+                       Verdict& verdict) {
+    if (typed.size() != right.size() || right.empty()) return;
+    const double tolerance = tolerance_of(ask, right);
+    const std::optional<double> factor = factor_at_largest(typed, right);
+    if (right.size() > 1 && factor && are_all(close_entries(typed, right, *factor, tolerance))) {
+        verdict.near = Near::factor;
+        return;
+    }
+    const std::vector<bool> close = right_entries(typed, right, ask);
+    const std::vector<bool> opposite = close_entries(typed, right, -1.0, tolerance);
+    bool are_signs = true;
+    std::vector<int> wrong_rows, right_rows;
+    for (int row = 0; row < ask.rows; ++row) {
+        bool is_right = true;
+        for (auto i = static_cast<std::size_t>(row * ask.columns);
+             i < static_cast<std::size_t>((row + 1) * ask.columns); ++i) {
+            is_right = is_right && close[i];
+            are_signs = are_signs && (close[i] || opposite[i]);
+        }
+        (is_right ? right_rows : wrong_rows).push_back(row + 1);
+    }
+    if (are_signs && !ask.up_to_factor) {
+        verdict.near = Near::sign;
+        verdict.places = std::move(wrong_rows);
+    } else if (!right_rows.empty()) {
+        verdict.near = Near::right_parts;
+        verdict.places = std::move(right_rows);
+    }
+}
+
+/// Says what is right about chosen or ordered tiles.
+void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& verdict) {
+    if (items.empty() || ask.expected_items.empty()) return;
+    if (ask.kind == AskKind::subset) {
+        const auto holds_all = [](const std::vector<int>& all, const std::vector<int>& some) {
+            return std::all_of(some.begin(), some.end(),
+                               [&](int one) { return std::find(all.begin(), all.end(), one) != all.end(); });
+        };
+        for (const std::vector<int>& expected : ask.expected_items) {
+            if (holds_all(expected, items)) verdict.near = Near::incomplete;
+            if (holds_all(items, expected)) verdict.near = Near::too_many;
+        }
+        return;
+    }
+    int most = 0;
+    for (const std::vector<int>& expected : ask.expected_items) {
+        const auto end = std::mismatch(items.begin(), items.end(), expected.begin(), expected.end());
+        most = std::max(most, static_cast<int>(end.first - items.begin()));
+    }
+    if (most == 0) return;
+    verdict.near = Near::first_items;
+    verdict.places = {most};
 }
 
 std::vector<int> sorted(std::vector<int> items) {
@@ -86,7 +153,7 @@ Surroundings with_constants(const Ask& ask, Surroundings surroundings) {
 }
 
 bool is_measured(const Ask& ask) {
-    return is_measured(ask.expect) || is_measured(ask.until) ||
+    return is_measured(ask.expect) || is_measured(ask.until) || has_measured_progress(ask) ||
            std::any_of(ask.wrong.begin(), ask.wrong.end(),
                        [](const WrongAnswer& wrong) { return is_measured(wrong.when); });
 }
@@ -121,25 +188,38 @@ Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
     return model;
 }
 
-Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings) {
-    surroundings = with_constants(ask, std::move(surroundings));
-    surroundings.answer = answer_as_json(ask, answer);
+namespace {
+
+Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
     const Result<bool> right = is_right(ask, answer, surroundings);
     if (!right) return Error{right.error()};
-    if (*right) return Verdict{true, {}, "", 0, 0};
+    if (*right) return Verdict{.right = true};
     if (ask.kind == AskKind::choice) {
         if (answer.items.empty()) return Verdict{};
         const LessonChoice& chosen = ask.choices[static_cast<std::size_t>(answer.items.front())];
-        return Verdict{false, chosen.why, chosen.tag, 0, 0};
+        return Verdict{.say = chosen.why, .tag = chosen.tag};
     }
     for (const WrongAnswer& wrong : ask.wrong) {
         const Result<bool> does_fit = fits(wrong, ask, answer, surroundings);
         if (!does_fit) return Error{does_fit.error()};
-        if (*does_fit) return Verdict{false, wrong.say, wrong.tag, wrong.points, 0};
+        if (*does_fit) return Verdict{.say = wrong.say, .tag = wrong.tag, .points = wrong.points};
     }
     Verdict unknown;
-    if (is_typed(ask.kind)) unknown.place = farthest_place(ask, answer, surroundings);
+    if (has_items(ask.kind)) tell_near_items(ask, answer.items, unknown);
+    if (is_typed(ask.kind))
+        if (const Result<Answer> model = model_answer(ask, surroundings))
+            tell_near_numbers(ask, answer.numbers, model->numbers, unknown);
     return unknown;
+}
+
+}  // namespace
+
+Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings) {
+    surroundings = with_constants(ask, std::move(surroundings));
+    surroundings.answer = answer_as_json(ask, answer);
+    Result<Verdict> verdict = judged(ask, answer, surroundings);
+    if (verdict) verdict->progress = progress_of(ask, surroundings);
+    return verdict;
 }
 
 }  // namespace viewing

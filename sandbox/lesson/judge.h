@@ -2,18 +2,32 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lesson/expression.h"
 #include "lesson/lesson.h"
 
 namespace viewing {
 
+/// What is right about an answer that matches no known mistake.
+enum class Near {
+    nothing,      ///< nothing that can be said
+    factor,       ///< all numbers are right but for one common factor
+    sign,         ///< only the signs at the places are wrong
+    right_parts,  ///< the rows or entries at the places are right, the others are not
+    first_items,  ///< so many tiles at the beginning are right
+    incomplete,   ///< every chosen tile is right, but some are missing
+    too_many      ///< all right tiles are chosen, and others too
+};
+
 struct Verdict {
     bool right = false;
-    LessonText say;   ///< why the answer is wrong; empty if it is right or not a known mistake
-    std::string tag;  ///< the misconception
-    int points = 0;   ///< in an exercise: points earned although the answer is not right
-    int place = 0;    ///< for an unknown mistake: the row or entry with the largest difference, counted from 1
+    LessonText say = {};                     ///< why the answer is wrong; empty if it is right or not a known mistake
+    std::string tag = {};                    ///< the misconception
+    int points = 0;                          ///< in an exercise: points earned although the answer is not right
+    Near near = Near::nothing;               ///< for an unknown mistake
+    std::vector<int> places = {};            ///< for `near`: rows or entries, counted from 1, or the number of tiles
+    std::vector<std::string> progress = {};  ///< of a goal: see progress_of()
     bool operator==(const Verdict&) const = default;
 };
 

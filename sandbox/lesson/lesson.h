@@ -68,6 +68,13 @@ struct WrongAnswer {
     int points = 0;                     ///< in an exercise: points that it still earns
 };
 
+/// A number that shows how far a goal is.
+struct GoalNumber {
+    LessonText name;    ///< "V p"
+    std::string value;  ///< an expression for a number or a vector
+    LessonText needed;  ///< "(0, 0, −5)"
+};
+
 struct Ask {
     AskKind kind = AskKind::choice;
     LessonText question;
@@ -80,10 +87,11 @@ struct Ask {
     double tolerance = 0.0;                        ///< absolute, for each entry
     double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
-    std::string shows_as;            ///< the field that shows the effect of an entered matrix; "": none
-    std::string until;               ///< for a goal: an expression that is true when it is reached
-    std::vector<std::string> allow;  ///< the fields or groups that may change; empty: all
-    std::vector<std::string> model;  ///< settings that reach the goal
+    std::string shows_as;              ///< the field that shows the effect of an entered matrix; "": none
+    std::string until;                 ///< for a goal: an expression that is true when it is reached
+    std::vector<GoalNumber> progress;  ///< of a goal
+    std::vector<std::string> allow;    ///< the fields or groups that may change; empty: all
+    std::vector<std::string> model;    ///< settings that reach the goal
     std::vector<WrongAnswer> wrong;
     std::string constants;  ///< the step's own names for its expressions: a JSON object, or ""
 };

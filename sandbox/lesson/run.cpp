@@ -17,6 +17,7 @@ LessonRun::LessonRun(Lesson lesson, std::size_t step)
 }
 
 void LessonRun::go_to(std::size_t step) {
+    now().trouble.clear();
     index_ = std::min(step, lesson_->steps.size() - 1);
     shows_end_ = false;
 }
@@ -31,10 +32,24 @@ const LessonEnd* LessonRun::end() const {
 }
 
 void LessonRun::take(const Verdict& verdict) {
+    forget_verdict();
     now().verdict = verdict;
+    if (!verdict.right && step().ask.kind == AskKind::choice)
+        now().tried.insert(now().tried.end(), answer().items.begin(), answer().items.end());
     if (!verdict.right) return;
     now().done = true;
     reveal();
+}
+
+std::string LessonRun::first_unread() const {
+    const std::vector<std::string>& texts = now().unread;
+    const auto at = std::find_if(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
+    return at == texts.end() ? "" : *at;
+}
+
+bool LessonRun::is_tried(std::size_t choice) const {
+    const std::vector<int>& tried = now().tried;
+    return std::find(tried.begin(), tried.end(), static_cast<int>(choice)) != tried.end();
 }
 
 void LessonRun::restore(std::size_t step, const Answer& answer, int hints, bool is_done,

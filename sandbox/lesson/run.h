@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lesson/judge.h"
@@ -25,7 +27,10 @@ public:
 
     bool is_revealed() const { return now().revealed || step().only_shows(); }
     /// Shows the step's answer, after a right answer or on request.
-    void reveal() { now().revealed = true; }
+    void reveal() {
+        now().revealed = true;
+        now().trouble.clear();
+    }
     /// Shows the question again.
     void cover() { now().revealed = false; }
     void go_to(std::size_t step);
@@ -44,10 +49,30 @@ public:
     const std::optional<Verdict>& verdict() const { return now().verdict; }
     /// Keeps the verdict; a right one reveals the answer.
     void take(const Verdict& verdict);
-    void forget_verdict() { now().verdict.reset(); }
+    void forget_verdict() {
+        now().verdict.reset();
+        now().trouble.clear();
+    }
+    /// Why the latest answer could not be judged or pasted; "": no trouble. Gone with the next answer or step.
+    const std::string& trouble() const { return now().trouble; }
+    void tell_trouble(std::string sentence) { now().trouble = std::move(sentence); }
+    /// Returns, for each entered number, the typed text in its place that is no number; empty ones for the others.
+    std::vector<std::string>& unread() { return now().unread; }
+    /// Returns the first of these texts; "" if every number can be read.
+    std::string first_unread() const;
+    /// Whether this choice was checked and is wrong.
+    bool is_tried(std::size_t choice) const;
     /// Returns the state in which the student left an exercise; none before any change.
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
+
+    /// Returns how far a goal is, as text for each number of Ask::progress, and the state that was judged.
+    struct GoalProgress {
+        std::optional<Params> at;
+        std::vector<std::string> numbers;
+    };
+    GoalProgress& progress() { return now().progress; }
+    const GoalProgress& progress() const { return now().progress; }
 
     /// Returns the right answer of a typed question, once it has been computed after the reveal.
     std::optional<Answer>& model() { return now().model; }
@@ -68,7 +93,11 @@ private:
         bool revealed = false, done = false;
         Answer answer;
         std::optional<Verdict> verdict;
+        std::string trouble;
+        std::vector<std::string> unread;
+        std::vector<int> tried;  ///< wrong choices
         std::optional<Answer> model;
+        GoalProgress progress;
         int hints = 0;
         Ballot ballot;
         std::optional<Params> reached;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lesson/judge.h"
+#include "lesson/progress.h"
 #include "lesson/targets.h"
 #include "state/file/json.h"
 #include "state/scene.h"
@@ -60,12 +61,6 @@ std::string expression_in(const Json& value, const Where& where, const std::vect
     const std::string expression = value.is_string() ? value.get<std::string>() : as_expression(value, where);
     if (const Status fine = check_expression(expression, constants); !fine) where.refuse(fine.error());
     return expression;
-}
-
-void require_constant_name(const std::string& name, const Where& where) {
-    if (!is_constant_name(name))
-        where.refuse("\"" + excerpt(name) +
-                     "\" is not a valid name: use letters, digits and _, and a word without another meaning");
 }
 
 namespace {
@@ -293,6 +288,7 @@ void read_right(const Json& object, const LessonStep& step, Ask& ask, const std:
         ask.expected_items = read_expected_items(object, ask.items.size(), where);
     } else if (ask.kind == AskKind::goal) {
         ask.until = expression_at(object, "until", where, true, constants);
+        ask.progress = read_progress(object, constants, where);
         ask.allow = names_at(object, "allow", where);
         for (std::size_t i = 0; i < ask.allow.size(); ++i)
             if (!find_field(ask.allow[i]) && !is_group(ask.allow[i])) refuse_unknown({where.prefix, ask.allow[i]});
@@ -308,7 +304,7 @@ void read_ask(const Json& object, LessonStep& step, const Where& where, Mistakes
     mistakes.part([&] {
         require_keys(object, where,
                      {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel",
-                      "up_to_factor", "shows_as", "until", "allow", "model", "wrong"});
+                      "up_to_factor", "shows_as", "until", "progress", "allow", "model", "wrong"});
     });
     if (!object.is_object()) return;
     Ask& ask = step.ask;

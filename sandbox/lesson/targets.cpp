@@ -54,7 +54,7 @@ constexpr const char* texts[] = {"mirror_derivation",
                                  "unit normal",
                                  "why.fault"};
 constexpr const char* labels[] = {"mirrored", "heights"};
-constexpr const char* notes[] = {"depth_step"};
+constexpr const char* notes[] = {"depth_step", "codes"};
 constexpr const char* bars[] = {"pixel"};
 constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},

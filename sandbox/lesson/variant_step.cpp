@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_computed = 4096;             // expressions and {…} in a variant
 constexpr std::size_t most_computed_bytes = 4U << 20U;  // total of their values, as JSON
-constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items"};
+constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items", "name", "needed"};
 
 /// Converts whole numbers to integers: vertex 3, not 3.0.
 Json with_whole_numbers(Json value) {

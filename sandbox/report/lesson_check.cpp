@@ -27,6 +27,7 @@ public:
     LessonFindings all() {
         check_texts();
         check_tags();
+        check_marks();
         if (!load_scenes()) return findings_;
         {
             LessonNumbers before(step_.start.params, step_.start.params, *scene_, &renderer_);
@@ -73,6 +74,13 @@ private:
             check(choice.why, template_texts.why, where + "why");
         }
         check(step_.reveal.say, template_texts.reveal, "reveal.say");
+    }
+
+    /// Finds a mark with the name that the followed point has in the picture.
+    void check_marks() {
+        if (!step_.target || !step_.start.params.follow) return;
+        const std::string label = step_.target->label.in_english();
+        if (label == "p" || label == "q") find("layout.target is a second " + label + " beside the followed point");
     }
 
     void check_tags() {

@@ -65,6 +65,7 @@ void Session::navigate(const MotionInput& input, double dt_s) {
     const Navigation mode = params.camera.navigation;
     const Pose after = step(before, motion_, input, mode, slips, tuning_, dt_s);
     moving_ = viewing::moving_freedoms(motion_, input, mode);
+    asked_ = viewing::asked_freedoms(input);
     params.camera.position = after.position;
     params.camera.yaw = after.angles.yaw_deg;
     params.camera.pitch = after.angles.pitch_deg;

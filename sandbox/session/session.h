@@ -77,6 +77,7 @@ public:
     void navigate(const MotionInput& input, double dt_s);
     bool is_moving() const { return !motion_.at_rest(); }
     const MovingFreedoms& moving_freedoms() const { return moving_; }    ///< in the last step
+    const MovingFreedoms& asked_freedoms() const { return asked_; }      ///< by keys, in the last step
     static constexpr double least_speed = 0.05, greatest_speed = 200.0;  ///< world units per second
     double speed() const { return tuning_.speed; }
     void set_speed(double speed);
@@ -209,7 +210,7 @@ private:
     CameraParams home_;
     double home_height_ = 0.0;  ///< of the orthographic view at home_
     Motion motion_;
-    MovingFreedoms moving_;
+    MovingFreedoms moving_, asked_;
     MotionTuning tuning_;
     std::shared_ptr<const OpenPreset> preset_;
     /// The looks that an opened state sets, and the user's own, which return with the next state that sets none.

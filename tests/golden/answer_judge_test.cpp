@@ -67,7 +67,7 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     EXPECT_FALSE(run().verdict()) << "the check in progress is shown first";
     EXPECT_GE(studio_->redraw_in_s(), 0.0);
     ASSERT_TRUE(frames_until([&] { return !is_checking(); }));
-    ASSERT_TRUE(run().verdict()) << studio_->workbench.lesson_trouble;
+    ASSERT_TRUE(run().verdict()) << run().trouble();
     EXPECT_EQ(run().verdict()->tag, "M14");
     Attempt attempt;
     attempt.is_goal = true;

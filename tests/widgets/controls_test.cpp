@@ -283,7 +283,8 @@ TEST_F(ControlsTest, SplitterFollowsInBothDirectionsAndStops) {
 }
 
 TEST_F(ControlsTest, LampsExplainTheirState) {
-    const Lamp lamps[] = {{"yaw", true, true}, {"pitch", true, false}, {"roll", false, false}};
+    const Lamp lamps[] = {
+        {"yaw", true, true}, {"pitch", true, false}, {"roll", false, false}, {"lift", false, false, "R F", true}};
     start([&] {
         Lamps("freedom", lamps, Role::camera);
         return false;
@@ -291,6 +292,7 @@ TEST_F(ControlsTest, LampsExplainTheirState) {
     EXPECT_EQ(ui.text_of("freedom/yaw"), "active");
     EXPECT_EQ(ui.text_of("freedom/pitch"), "available");
     EXPECT_EQ(ui.text_of("freedom/roll"), "absent");
+    EXPECT_EQ(ui.text_of("freedom/lift"), "refused") << "its key is pressed in vain";
 }
 
 TEST_F(ControlsTest, LabelsAreRecordedWithTheirPath) {

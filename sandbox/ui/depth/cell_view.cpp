@@ -128,7 +128,9 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     const DepthPrecision precision = precision_of(plan.depth_format);
     const CellPicture picture = picture_of(data, plan, !shows_whole_frame(view, data.calls), layout.depths);
     caption(layout.colors, layout.caption_height, tr("Color buffer"), "");
-    caption(layout.depths, layout.caption_height, tr("Depth buffer"), picture.texts.note);
+    caption(layout.depths, layout.caption_height, tr("Depth buffer"),
+            widgets::IsCovered("note:codes") ? "" : picture.texts.note);
+    widgets::MarkTarget("note:codes");
 
     // Each grid highlights the cell that is under the pointer in the other grid, one frame later.
     ImGuiStorage& storage = *ImGui::GetStateStorage();

@@ -87,8 +87,10 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
-/// Hides the code width if a lesson covers it. The panel shows the code width too, and lessons use one name for both.
+/// Hides the code width and the range of codes if a lesson covers them. The panel shows the code width too, and lessons
+/// use one name for both.
 void cover(PixelNumber& number) {
+    if (widgets::IsCovered("note:codes")) number.unit.clear();
     const bool is_step = number.name == "width Δz" || number.name == "eye Δz";
     if (!is_step || !widgets::IsCovered("note:depth_step")) return;
     number.value = " ?";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lesson/typed_number.h"
 #include "text/catalogue.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
@@ -147,7 +148,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
         const bool pressed = ImGui::InvisibleButton(name.c_str(), {one, height});
         widgets::Record(name.c_str());
         const bool is_chosen = answer.items == std::vector<int>{static_cast<int>(i)};
-        const bool is_told = is_chosen && run.verdict() && !run.verdict()->right;
+        const bool is_told = run.is_tried(i) && !style.presents;
         const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
         draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
         const char letter[] = {static_cast<char>('A' + i), '\0'};
@@ -189,19 +190,26 @@ void frame_right_answer() {
                                         px(2.0F));
 }
 
-void draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float room) {
+/// Draws the fields. Returns true if Enter has just left the last one.
+bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float room) {
     const Ask& ask = run.step().ask;
     const bool shows_model = style.shows_right && run.model() && !run.model()->numbers.empty();
     Answer model = shows_model ? *run.model() : Answer{};
     Answer& answer = shows_model ? model : run.answer();
-    if (style.presents && !shows_model) return draw_unanswered(ask, sizes, room);
+    if (style.presents && !shows_model) {
+        draw_unanswered(ask, sizes, room);
+        return false;
+    }
     answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
+    run.unread().resize(answer.numbers.size());
+    std::string* const unread = style.is_open ? run.unread().data() : nullptr;
     const std::vector<double> before = answer.numbers;
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix(0.0);
         for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
-        widgets::Matrix("answer", matrix, {.editable = style.is_open}, std::min(room, widest_matrix * sizes.enlarged));
+        widgets::Matrix("answer", matrix, {.editable = style.is_open, .read = typed_number, .unread = unread},
+                        std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
     } else {
@@ -211,13 +219,16 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
             const std::string name = row == 0 ? "answer" : "answer " + std::to_string(row + 1);
             ImGui::SetNextItemWidth(number_width * sizes.enlarged * static_cast<float>(count));
             widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, count),
-                             {.decimals = shows_model && are_whole ? 0 : 3});
+                             {.decimals = shows_model && are_whole ? 0 : 3,
+                              .read = typed_number,
+                              .unread = unread ? unread + row * columns : nullptr});
             if (shows_model) frame_right_answer();
         }
     }
-    if (shows_model) return;
+    if (shows_model) return false;
     if (!style.is_open) answer.numbers = before;
     if (answer.numbers != before) run.forget_verdict();
+    return style.is_open && widgets::IsLastEntered();
 }
 
 bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, const TileLook& look, bool is_open,
@@ -232,13 +243,13 @@ bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, con
     return pressed && is_open;
 }
 
-/// Draws tiles that the student puts in order: the arrows at their ends move them, and dragging one onto another swaps
-/// them.
+/// Draws tiles that the student puts in order: the arrows at their ends move them, and a tile that is dragged onto
+/// another takes its place; the others move up.
 void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const std::vector<int> order = style.shows_right ? ask.expected_items.front() : run.answer().items;
-    std::optional<std::pair<int, int>> swapped;
+    std::optional<std::pair<int, int>> moved;
     int place = 0;
     const float end = lay_out_tiles(ask, order, width, sizes, [&](int item, float x, float y, ImVec2 tile) {
         const ImVec2 min(corner.x + x, corner.y + y);
@@ -252,14 +263,14 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
         }
         if (ImGui::BeginDragDropTarget()) {
             if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload("place"))
-                swapped = std::pair(*static_cast<const int*>(payload->Data), place);
+                moved = std::pair(*static_cast<const int*>(payload->Data), place);
             ImGui::EndDragDropTarget();
         }
         const auto arrow_button = [&](const char* sign, float at, int neighbor) {
             if (!style.is_open || neighbor < 0 || neighbor >= std::ssize(order)) return;
             ImGui::SetCursorScreenPos({at, min.y});
             const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
-            if (ImGui::InvisibleButton(id.c_str(), {arrow, tile.y})) swapped = std::pair(place, neighbor);
+            if (ImGui::InvisibleButton(id.c_str(), {arrow, tile.y})) moved = std::pair(place, neighbor);
             widgets::Record(id.c_str());
             const ImVec2 size = ImGui::CalcTextSize(sign);
             ImGui::GetWindowDrawList()->AddText({at + (arrow - size.x) * 0.5F, min.y + (tile.y - size.y) * 0.5F},
@@ -270,9 +281,11 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
         arrow_button("▸", min.x + tile.x - arrow, place + 1);
         ++place;
     });
-    if (swapped && swapped->first != swapped->second) {
-        std::swap(run.answer().items[static_cast<std::size_t>(swapped->first)],
-                  run.answer().items[static_cast<std::size_t>(swapped->second)]);
+    if (moved && moved->first != moved->second) {
+        std::vector<int>& items = run.answer().items;
+        const int item = items[static_cast<std::size_t>(moved->first)];
+        items.erase(items.begin() + moved->first);
+        items.insert(items.begin() + moved->second, item);
         run.forget_verdict();
     }
     ImGui::SetCursorScreenPos({corner.x, corner.y + end});
@@ -341,12 +354,12 @@ bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
     ImFont* const number_font = context.fonts.number;
     if (style.presents) context.fonts.number = context.fonts.matrix;  // numbers as large as sentences
     ImGui::PushFont(sizes.font);
-    if (is_typed(kind)) draw_numbers(run, style, sizes, width);
+    const bool is_given = is_typed(kind) && draw_numbers(run, style, sizes, width);
     if (kind == AskKind::order || kind == AskKind::product) draw_order(run, style, sizes, width);
     if (kind == AskKind::sequence || kind == AskKind::subset) draw_chosen(run, style, sizes, width);
     ImGui::PopFont();
     context.fonts.number = number_font;
-    return false;
+    return is_given;
 }
 
 }  // namespace viewing

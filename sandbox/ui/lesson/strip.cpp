@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/lesson/answers.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/parts/look.h"
@@ -32,6 +33,10 @@ float button_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
 }
 
+std::string what_cannot_be_read(const std::string& typed) {
+    return say("{typed} is not a number. You can type 4/2.7, sqrt(2), cos(30°) or pi.", "typed"_a = excerpt(typed));
+}
+
 /// Height of the tallest possible feedback at this width.
 float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
     float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
@@ -42,6 +47,7 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
     };
     for (const LessonChoice& choice : step.ask.choices) say(choice.why);
     for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
+    if (is_typed(step.ask.kind)) say(LessonText{{what_cannot_be_read("0.0.0.0.0.0.0.0.0.0")}});
     return height;
 }
 
@@ -147,10 +153,10 @@ float left_height(const LessonRun& run, float width, const widgets::Context& con
     const float gap = line_gap * context.scale;
     float height = heading(run, width, context, !look.clock.empty()).height + gap;
     height += paragraph(step.say.shown(), context.fonts.caption, width).height + gap;
-    for (int i = 0; i < run.hints_shown(); ++i)
-        height +=
-            paragraph(step.ask.hints[static_cast<std::size_t>(i)].shown(), context.fonts.text, width).height + gap;
-    return look.presents ? height : height + buttons_height(run, width, context);
+    if (look.presents) return height;
+    for (const LessonText& hint : step.ask.hints)
+        height += paragraph(hint.shown(), context.fonts.text, width).height + gap;
+    return height + buttons_height(run, width, context);
 }
 
 float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
@@ -158,6 +164,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     const float gap = line_gap * context.scale;
     float height = paragraph(step.ask.question.shown(), context.fonts.caption, width).height + gap;
     height += answers_height(step.ask, width, context, presents);
+    height += static_cast<float>(step.ask.progress.size()) * (context.fonts.text->FontSize + gap);
     if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
     return height + feedback_height(step, width, context, presents);
 }
@@ -188,10 +195,12 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         wishes.previous =
             button(!run.is_first() || (is_revealed && !run.step().only_shows()), marked("this is the first step"),
                    marked("Goes back to the question first, then to the previous step."));
-        wishes.next =
+        const bool is_next =
             is_revealed
                 ? button(!run.is_last() || run.end(), marked("this is the last step"), marked("The next step."))
                 : button(true, "", marked("Shows the result and explains it. You learn more if you answer first."));
+        // The second click of a double-click was not meant for the button that has just taken this place.
+        wishes.next = is_next && ImGui::GetIO().MouseClickedLastCount[0] < 2;
     }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&
         button(true, "", marked("Shows a hint toward the answer.")))
@@ -209,9 +218,10 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
     const LessonStep& step = run.step();
     draw_heading(run, look, width);
     draw_paragraph(step.say, context.fonts.caption, width, "say", palette().text);
-    for (int i = 0; i < run.hints_shown(); ++i)
+    if (look.presents) return;
+    draw_buttons(run, look, width, wishes);
+    for (int i = 0; i < run.hints_shown(); ++i)  // below the buttons, which stay where they are
         draw_paragraph(step.ask.hints[static_cast<std::size_t>(i)], context.fonts.text, width, "hint", palette().quiet);
-    if (!look.presents) draw_buttons(run, look, width, wishes);
 }
 
 /// Draws feedback with ✓ or ✗ in front of it, so that color is not the only cue.
@@ -226,13 +236,53 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
     paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
 }
 
-/// Returns feedback on an answer that matches no known mistake. It may say where the largest error is, but never how
-/// large it is.
+/// Returns "x, z" or "1, 3".
+std::string places_in_words(const Ask& ask, const std::vector<int>& places) {
+    const bool has_letters = ask.kind == AskKind::vector && ask.rows == 3;
+    std::string text;
+    for (const int place : places)
+        text += (text.empty() ? "" : ", ") + (has_letters ? std::string(1, "xyz"[place - 1]) : std::to_string(place));
+    return text;
+}
+
+/// Returns feedback on an answer that matches no known mistake: what is right about it, but no number.
 std::string not_yet(const Ask& ask, const Verdict& verdict) {
-    if (verdict.place == 0) return tr("Not yet. Try again, or ask for a hint.");
-    if (ask.kind == AskKind::matrix)
-        return say("Not yet: the largest difference is in row {row}.", "row"_a = verdict.place);
-    return say("Not yet: the largest difference is in entry {number}.", "number"_a = verdict.place);
+    const std::string places = places_in_words(ask, verdict.places);
+    const bool is_matrix = ask.kind == AskKind::matrix;
+    switch (verdict.near) {
+        case Near::factor:
+            return tr("Not yet: all numbers are right up to one common factor.");
+        case Near::sign:
+            if (ask.rows == 1) return tr("Not yet: only the sign is wrong.");
+            return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
+                             : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
+        case Near::right_parts:
+            return is_matrix ? say("Not yet. These rows are right: {places}.", "places"_a = places)
+                             : say("Not yet. These numbers are right: {places}.", "places"_a = places);
+        case Near::first_items:
+            return say_count(verdict.places.front(), "Not yet: the first tile is right.",
+                             "Not yet: the first {count} tiles are right.");
+        case Near::incomplete:
+            return tr("Not yet: what you chose is right, but something is missing.");
+        case Near::too_many:
+            return tr("Not yet: all the right ones are chosen, but others too.");
+        case Near::nothing:
+            break;
+    }
+    return tr("Not yet. Try again, or ask for a hint.");
+}
+
+/// Draws how far a goal is, a line for each of its numbers.
+void draw_progress(const LessonRun& run, float width) {
+    const std::vector<GoalNumber>& numbers = run.step().ask.progress;
+    if (run.is_revealed()) return;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::vector<std::string>& values = run.progress().numbers;
+        const std::string text =
+            say("{name} = {value}, needed: {needed}", "name"_a = numbers[i].name.shown(),
+                "value"_a = i < values.size() ? values[i] : "…", "needed"_a = numbers[i].needed.shown());
+        paragraph(text, widgets::CurrentContext().fonts.text, width).draw("progress", palette().text);
+    }
 }
 
 void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
@@ -247,7 +297,9 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
         return;
     }
     if (look.presents) return;
-    if (!look.trouble.empty()) return draw_told(false, look.trouble, width, "trouble");
+    if (const std::string unread = run.first_unread(); !unread.empty())
+        return draw_told(false, what_cannot_be_read(unread), width, "trouble");
+    if (!run.trouble().empty()) return draw_told(false, run.trouble(), width, "trouble");
     if (!run.verdict()) return;
     const Verdict& verdict = *run.verdict();
     if (verdict.right)
@@ -264,6 +316,7 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
     draw_paragraph(step.ask.question, context.fonts.caption, width, "question", palette().text);
     const AnswerStyle style{!run.is_revealed() && !look.presents, run.is_revealed(), look.presents};
     wishes.check = draw_answers(run, style, width);
+    draw_progress(run, width);
     if (!look.presents && needs_check(step.ask.kind)) {
         const bool is_open = !run.is_revealed();
         wishes.check = widgets::Button("Check", is_open, "") || wishes.check;
@@ -281,6 +334,7 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
                              "Shows the picture that your matrix produces, next to the correct one.");
         }
     }
+    wishes.check = wishes.check && run.first_unread().empty();
     draw_feedback(run, look, width);
 }
 

@@ -14,7 +14,6 @@ struct StripLook {
     bool presents = false;     ///< for an audience: choices in larger type, no buttons
     bool departs = false;      ///< the state differs from the step's, which a dot indicates
     std::string clock;         ///< the timer's text; empty if there is no timer
-    std::string trouble;       ///< why an answer could not be judged; empty if it could
     bool is_checking = false;  ///< a measurement is still running
 };
 

@@ -123,7 +123,8 @@ void draw_camera_pose(CameraTab& tab, Params& params) {
         if (widgets::IsSought(pose_targets)) tab.shows_look_at = false;
         if (tab.shows_look_at) return look_at_fields(tab, params.camera);
     }
-    control(params, "camera.position", {.links = link::position, .label = marked("position")});
+    control(params, "camera.position",
+            {.links = link::position, .label = label_of(marked("position"), marked("camera position###position"))});
     camera_angles(params);
 }
 

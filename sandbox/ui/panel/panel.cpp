@@ -35,9 +35,13 @@ void camera_lamps(const Session& session) {
     const Navigation mode = session.params.camera.navigation;
     const MovingFreedoms can = available_freedoms(mode);
     const MovingFreedoms& now = session.moving_freedoms();
-    const Lamp lamps[] = {{marked("forward"), can.forward, now.forward}, {marked("strafe"), can.strafe, now.strafe},
-                          {marked("up/down"), can.lift, now.lift},       {marked("yaw"), can.yaw, now.yaw},
-                          {marked("pitch"), can.pitch, now.pitch},       {marked("roll"), can.roll, now.roll}};
+    const MovingFreedoms& asked = session.asked_freedoms();
+    const Lamp lamps[] = {{marked("forward"), can.forward, now.forward, "W S", asked.forward},
+                          {marked("strafe"), can.strafe, now.strafe, "A D", asked.strafe},
+                          {marked("up/down"), can.lift, now.lift, "R F", asked.lift},
+                          {marked("yaw"), can.yaw, now.yaw, "← →", asked.yaw},
+                          {marked("pitch"), can.pitch, now.pitch, "↑ ↓", asked.pitch},
+                          {marked("roll"), can.roll, now.roll, "Q E", asked.roll}};
     if (!widgets::IsListed(target_of("camera.navigation")) && !widgets::IsHighlighted("lamps")) return;
     if (widgets::IsCovered("lamps")) {
         widgets::Plate("degrees of freedom", {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()});
@@ -47,7 +51,8 @@ void camera_lamps(const Session& session) {
     widgets::Lamps("degrees of freedom", lamps, Role::camera);
     widgets::MarkTarget("lamps", from, ImGui::GetItemRectMax());
     widgets::Tooltip("Degrees of freedom",
-                     "Ring: the degree of freedom is available in this mode. Filled: it is moving now. Fly-through has "
+                     "Ring: the degree of freedom is available in this mode. Filled: it is moving now. Red: its key "
+                     "is pressed, but this mode does not have it. Fly-through has "
                      "six; walk-through has two: panning about y and walking forward or back.");
 }
 

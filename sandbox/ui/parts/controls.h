@@ -35,6 +35,12 @@ std::string target_of(std::string_view path);
 /// If the field's control is covered, draws a plate `width` pixels wide in its place. Returns whether it is covered.
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
+/// Returns a control's label: in a lesson, where no section's header is above it, the one that names the section too.
+/// A stage has no room for it.
+inline const char* label_of(const char* in_section, const char* alone) {
+    return widgets::IsListing() && !widgets::CurrentContext().is_on_stage ? alone : in_section;
+}
+
 /// Draws the last item's tooltip, which explains a field. Its title is `label` without any "##…" or, if `label` is
 /// empty, the field's own label; the field's path is at the bottom. `why_not` says why the field has no effect now, or
 /// is empty.

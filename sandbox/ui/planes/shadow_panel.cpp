@@ -94,9 +94,10 @@ void plane_controls(Params& params, std::size_t index, const Bounds& bounds) {
     const auto is_drawn = [index](const Field& of, const char* label, float width = 0.0F) {
         return index > 0 || (widgets::IsListed(target_of(of.path)) && !is_covered(of, label, width));
     };
-    if (is_drawn(equation, marked("equation"))) {
+    const char* const equation_label = label_of(marked("equation"), marked("plane equation###equation"));
+    if (is_drawn(equation, equation_label)) {
         const widgets::TargetScope scope(name(equation));
-        widgets::PlaneEquation("equation", plane.equation, defaults.equation, links,
+        widgets::PlaneEquation(equation_label, plane.equation, defaults.equation, links,
                                d_clear_of(bounds, params.camera.position));
         widgets::MarkTarget(name(equation));
         if (!widgets::IsPartCovered(name(equation))) explain(equation, marked("plane"));
@@ -109,9 +110,10 @@ void plane_controls(Params& params, std::size_t index, const Bounds& bounds) {
                                      .step = extent.step,
                                      .logarithmic = extent.logarithmic,
                                      .default_value = defaults.extent};
-    if (is_drawn(extent, marked("extent"))) {
+    const char* const extent_label = label_of(marked("extent"), marked("plane extent###extent"));
+    if (is_drawn(extent, extent_label)) {
         const widgets::TargetScope scope(name(extent));
-        widgets::Slider("extent", plane.extent, style);
+        widgets::Slider(extent_label, plane.extent, style);
         explain(extent, marked("extent"));
     }
     const auto toggle = [&](const char* path, const char* label, bool& value, bool default_value) {
@@ -196,7 +198,7 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     if (!widgets::Section(headline.c_str(), true, "", troubles(problems, {"light"}).c_str())) return;
     const widgets::Group group("light");
     Params& params = session.params;
-    light_controls(params, 0, marked("position"));
+    light_controls(params, 0, label_of(marked("position"), marked("light position###position")));
     const std::string position = target_of("light.position");
     if (widgets::IsListed(position) && !widgets::IsPartCovered(position))
         explain(field("light.position"), marked("light"));

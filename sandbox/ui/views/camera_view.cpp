@@ -93,9 +93,10 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const LegendEntry entries[] = {{caster_colors[0], marked("w > 0: projected")},
+        const bool tells = !widgets::IsCovered("sentences");  // what becomes of them
+        const LegendEntry entries[] = {{caster_colors[0], tells ? marked("w > 0: projected") : "w > 0"},
                                        {caster_colors[1], marked("w > 0 behind the plane")},
-                                       {caster_colors[2], marked("w ≤ 0: clipped away")}};
+                                       {caster_colors[2], tells ? marked("w ≤ 0: clipped away") : "w ≤ 0"}};
         show_legend(overlay, entries);
     } else if (params.view.shows == Shows::overdraw) {
         const LegendEntry entries[] = {{overdraw_colors[0], "0"},

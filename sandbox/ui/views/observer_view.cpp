@@ -79,7 +79,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     draw_plane_handles(overlay, places, hovered);
     draw_light_handles(overlay, places, derived, hovered);
-    draw_derivation_overlay(overlay, session.params, derived);
+    if (!state.target || session.params.follow) draw_derivation_overlay(overlay, session.params, derived);
 }
 
 void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,

@@ -47,7 +47,8 @@ bool is_any(const std::vector<std::string>& names, std::initializer_list<std::st
 
 /// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
 void Workbench::show_only_named(const LessonStep& step) {
-    views.marks_lights = views.marks_plane = views.marks_derivation = !presenter.is_on();
+    views.marks_lights = views.marks_plane = !presenter.is_on();
+    views.marks_derivation = !presenter.is_on() && !step.target;  // a step's own mark is its only p or q
     if (!presenter.is_on()) return;
     const std::vector<std::string> names = named_in(step);
     const bool follows = step.start.params.follow.has_value();
@@ -59,6 +60,21 @@ void Workbench::show_only_named(const LessonStep& step) {
     if (!is_any(names, {"matrix:P", "projection.fovy", "projection.aspect"})) stage.least_aspect = written_for;
 }
 
+void Workbench::cover_question(const LessonRun& run) {
+    stage.asks = !run.is_revealed();
+    stage.cover.clear();
+    if (!stage.asks) return;
+    const std::vector<std::string>& cover = stage.cover = run.step().cover;
+    // Tooltips hide their formulas while a question is open; entries of matrices, only if the step says so.
+    if (std::count(cover.begin(), cover.end(), "formulas") > 0) stage.cover.emplace_back("symbols");
+}
+
+void Workbench::leave_lesson(Session& session) {
+    guide.leave();
+    if (guide.is_sheet() && !guide.run()->is_revealed())
+        session.message = {tr("what the exercise asks for stays covered until it is solved"), false};
+}
+
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
     follow_exercises(session);
@@ -66,17 +82,14 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     LessonRun* const run = guide.run();
     arrangement.stage = {};
-    if (!run || !guide.is_shown()) {
-        if (std::exchange(leads_, false)) {
-            stage = {};
-            views.movable.reset();
-            views.marks_lights = views.marks_plane = views.marks_derivation = true;
-        }
-        return;
+    const bool leads = run && (guide.is_shown() || guide.is_sheet());
+    if (std::exchange(leads_, leads) || leads) {
+        stage = {};
+        views.movable.reset();
+        views.marks_lights = views.marks_plane = views.marks_derivation = true;
     }
-    stage = {};
-    leads_ = true;
-    views.movable.reset();
+    if (!leads) return;
+    if (!guide.is_shown()) return cover_question(*run);  // exploring does not uncover what an exercise asks for
     const Lesson& lesson = run->lesson();
     if (!lesson.sheet && !lesson.lecture) {
         LessonProgress& known = progress[lesson.id];
@@ -91,11 +104,8 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     }
     const LessonStep& step = run->step();
     stage.has_lesson = true;
-    stage.asks = !run->is_revealed();
+    cover_question(*run);
     if (stage.asks) {
-        stage.cover = step.cover;
-        // Tooltips hide their formulas while a question is open; entries of matrices, only if the step says so.
-        if (std::count(step.cover.begin(), step.cover.end(), "formulas") > 0) stage.cover.emplace_back("symbols");
         const bool may_change_all = step.ask.kind == AskKind::goal && step.ask.allow.empty();
         if (!may_change_all) views.movable = step.start.params.view.layout.controls;
         if (views.movable) views.movable->insert(views.movable->end(), step.ask.allow.begin(), step.ask.allow.end());
@@ -140,18 +150,17 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
         begin_area("lesson", layout.strip);
         ImGui::PopStyleVar();
-        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), lesson_trouble, is_checking};
+        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), is_checking};
         const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);
         ImGui::End();
-        if (wishes.check) lesson_trouble.clear();
         requests.check_answer = wishes.check;
         if (wishes.next) guide.next(session);
         if (wishes.previous) guide.previous(session);
         if (wishes.again) guide.return_to_step(session);
         if (wishes.overview) guide.is_sheet() ? exercise_page.open(exercises) : presenter.show_overview(guide);
-        if (wishes.paste) paste_answer(session);
+        if (wishes.paste) paste_answer();
         if (wishes.show_matrix) typed_matrix_.open(*guide.run());
-        if (wishes.leave) guide.leave();
+        if (wishes.leave) leave_lesson(session);
     }
     draw_end(session, pictures);
     draw_overview(presenter, guide, session, pictures);
@@ -259,22 +268,25 @@ void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
         });
 }
 
-bool Workbench::paste_answer(Session& session) {
-    LessonRun* const run = guide.is_shown() ? guide.run() : nullptr;
-    if (!run || run->is_revealed() || run->step().ask.rows < 2) return false;
+bool Workbench::takes_pasted_answer() const {
+    return guide.is_shown() && !guide.run()->is_revealed() && guide.run()->step().ask.rows > 1;
+}
+
+void Workbench::paste_answer() {
+    if (!takes_pasted_answer()) return;
+    LessonRun* const run = guide.run();
     const Ask& ask = run->step().ask;
     const char* const text = ImGui::GetClipboardText();
     const std::vector<double> numbers = numbers_in(text ? text : "");
     const int wanted = ask.rows * ask.columns;
     if (std::ssize(numbers) != wanted) {
-        session.message = {say("the clipboard has {count} numbers; the answer needs {wanted}",
-                               "count"_a = numbers.size(), "wanted"_a = wanted),
-                           true};
-        return false;
+        run->tell_trouble(say("The clipboard has {count} numbers; the answer needs {wanted}.",
+                              "count"_a = numbers.size(), "wanted"_a = wanted));
+        return;
     }
     run->answer().numbers = numbers;
+    run->unread().clear();
     run->forget_verdict();
-    return true;
 }
 
 }  // namespace viewing

@@ -51,7 +51,7 @@ void Workbench::carry_out(MenuCommand command, Session& session) {
         case MenuCommand::exercises:
             return exercise_page.open(exercises);
         case MenuCommand::leave_lesson:
-            return guide.leave();
+            return leave_lesson(session);
     }
 }
 

@@ -32,7 +32,7 @@ void want_texts(const Lesson& lesson, Syllables& korean) {
 
 void Workbench::want_korean(const Session& session) {
     korean.want(session.message.text);
-    korean.want(lesson_trouble);
+    if (guide.run()) korean.want(guide.run()->trouble());
     korean.want(preset_picker_.search());
     korean.want(search_.typed());
     for (const SearchEntry& entry : search_.entries()) {

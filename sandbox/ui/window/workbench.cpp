@@ -65,8 +65,8 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
 Layout Workbench::layout_of_areas(ImVec2 window_px, const Session& session) const {
     Arrangement now = arranged(session);
     if (guide.is_shown() && arrangement.has_strip)
-        now.strip_px = strip_height(*guide.run(), window_px.x, widgets,
-                                    {arrangement.presents, false, presenter.clock(), "", false});
+        now.strip_px =
+            strip_height(*guide.run(), window_px.x, widgets, {arrangement.presents, false, presenter.clock(), false});
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
@@ -159,8 +159,11 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
     if (key == Key::z) shift ? session.redo() : session.undo();
     if (key == Key::y) session.redo();
     if (key == Key::c) copy(session);
-    if (key == Key::v && !(guide.is_shown() && guide.run()->step().ask.rows > 1 && paste_answer(session)))
-        paste(guide, session);
+    if (key == Key::v) {
+        const char* const held = ImGui::GetClipboardText();
+        const bool is_link_or_state = held && std::string_view(held).find_first_of("#{") != std::string_view::npos;
+        takes_pasted_answer() && !is_link_or_state ? paste_answer() : paste(guide, session);
+    }
     if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
     if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
     if (key == Key::p) search_.open();

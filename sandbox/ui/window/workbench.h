@@ -70,7 +70,6 @@ public:
     std::string last_lesson;                 ///< the id of the lesson that was open last; "" for none
     std::vector<std::string> recent;         ///< opened files, latest first
     std::string link_address = link_base();  ///< the part of a link in front of its #
-    std::string lesson_trouble;              ///< why an answer could not be judged; "": no problem
     Syllables korean;                        ///< Korean characters shown so far, for the next frame's fonts
     widgets::Context widgets;
 
@@ -108,6 +107,9 @@ private:
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
     void show_only_named(const LessonStep& step);
+    /// Covers what the question asks for, until it is answered.
+    void cover_question(const LessonRun& run);
+    void leave_lesson(Session& session);
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
     /// Draws the card that ends the lesson, if it is shown.
@@ -116,9 +118,9 @@ private:
     void follow_exercises(Session& session);
     void draw_exercises(Session& session, const Pictures& pictures);
     void choose_answers(FileDialog::Purpose purpose, Session& session);
-    /// Pastes numbers as the answer to the current question. Returns false if there is no open question about a matrix,
-    /// or if the count does not match.
-    bool paste_answer(Session& session);
+    /// Whether the current question is about a matrix or vector, so that pasted numbers are its answer.
+    bool takes_pasted_answer() const;
+    void paste_answer();
     void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);

@@ -67,6 +67,57 @@ TEST(Judge, TilesCountInOrderOrAsASet) {
     EXPECT_FALSE(judged(ask, {{}, {1, 2}}).right);
 }
 
+TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
+    Ask ask;
+    ask.kind = AskKind::vector;
+    ask.rows = 3;
+    ask.expect = "camera.position";  // (1, 2, 4)
+    const auto told = [&](const Answer& answer) {
+        const Verdict verdict = judged(ask, answer);
+        return std::pair(verdict.near, verdict.places);
+    };
+    const auto is = [](Near near, std::vector<int> places) { return std::pair(near, std::move(places)); };
+    EXPECT_EQ(told({{1, 2, -4}, {}}), is(Near::sign, {3}));
+    EXPECT_EQ(told({{-1, 2, -4}, {}}), is(Near::sign, {1, 3}));
+    EXPECT_EQ(told({{1, 7, 4}, {}}), is(Near::right_parts, {1, 3}));
+    EXPECT_EQ(told({{3, 6, 12}, {}}), is(Near::factor, {}));
+    EXPECT_EQ(told({{5, 6, 7}, {}}), is(Near::nothing, {}));
+    ask.up_to_factor = true;
+    EXPECT_EQ(told({{2, 4, 9}, {}}), is(Near::right_parts, {1, 2}));
+    ask = {};
+    ask.kind = AskKind::matrix;
+    ask.rows = ask.columns = 2;
+    ask.expect = "{{1, 2}, {3, 4}}";
+    EXPECT_EQ(told({{1, 2, 3, 5}, {}}), is(Near::right_parts, {1}));
+    EXPECT_EQ(told({{1, -2, 3, 4}, {}}), is(Near::sign, {1}));
+    ask = {};
+    ask.kind = AskKind::number;
+    ask.expect = "5";
+    EXPECT_EQ(told({{-5}, {}}), is(Near::sign, {1}));
+    EXPECT_EQ(told({{10}, {}}), is(Near::nothing, {}));
+    ask = {};
+    ask.kind = AskKind::order;
+    ask.items = {{"A", ""}, {"B", ""}, {"C", ""}, {"D", ""}};
+    ask.expected_items = {{2, 0, 1, 3}, {2, 3, 1, 0}};
+    EXPECT_EQ(told({{}, {2, 3, 0, 1}}), is(Near::first_items, {2}));
+    EXPECT_EQ(told({{}, {0, 1, 2, 3}}), is(Near::nothing, {}));
+    ask.kind = AskKind::subset;
+    ask.expected_items = {{1, 2}};
+    EXPECT_EQ(told({{}, {2}}), is(Near::incomplete, {}));
+    EXPECT_EQ(told({{}, {1, 3, 2}}), is(Near::too_many, {}));
+    EXPECT_EQ(told({{}, {1, 3}}), is(Near::nothing, {}));
+}
+
+TEST(Judge, AGoalTellsItsNumbers) {
+    Ask ask;
+    ask.kind = AskKind::goal;
+    ask.until = "camera.yaw > 90";
+    ask.progress = {{{"yaw", ""}, "camera.yaw", {"more than 90", ""}},
+                    {{"p", ""}, "camera.position", {"", ""}},
+                    {{"none", ""}, "camera.position[7]", {"", ""}}};
+    EXPECT_EQ(judged(ask, {}, 12.3456).progress, (std::vector<std::string>{"12.3", "(1, 2, 4)", "—"}));
+}
+
 TEST(Judge, GoalDependsOnTheStateAlone) {
     Ask ask;
     ask.kind = AskKind::goal;
@@ -87,6 +138,17 @@ Lesson of_three() {
         step.ask.hints = {{"one", ""}, {"two", ""}};
     }
     return lesson;
+}
+
+TEST(LessonRun, RemembersWrongChoices) {
+    LessonRun run(of_three());
+    run.answer().items = {0};
+    run.take({});
+    run.answer().items = {1};
+    EXPECT_TRUE(run.is_tried(0));
+    EXPECT_FALSE(run.is_tried(1));
+    run.go_to(1);
+    EXPECT_FALSE(run.is_tried(0));
 }
 
 TEST(LessonRun, RightAnswerRevealsAndWrongAnswerExplains) {

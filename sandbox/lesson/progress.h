@@ -1,0 +1,22 @@
+// How far a goal is: numbers of the present state beside the needed ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lesson/expression.h"
+#include "lesson/lesson.h"
+#include "lesson/tree.h"
+
+namespace viewing {
+
+/// Reads a goal's list of numbers; it may be missing. Throws a Refusal.
+std::vector<GoalNumber> read_progress(const Json& ask, const std::vector<std::string>& constants, const Where& where);
+
+/// Whether one of a goal's numbers is measured, which may take a second.
+bool has_measured_progress(const Ask& ask);
+
+/// Returns the goal's numbers in these surroundings, as text: "(0.2, 0, −6.1)"; "—" for one that has no value.
+std::vector<std::string> progress_of(const Ask& ask, const Surroundings& surroundings);
+
+}  // namespace viewing

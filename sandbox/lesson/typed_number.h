@@ -1,0 +1,14 @@
+// Reads what students type into a field for a number: fractions, roots, angles, π.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace viewing {
+
+/// Returns the value of a formula from the mathematics of the lesson language: "4/2.7", "−sqrt(2)/2", "pi/6". Angles
+/// are in radians there; "cos(30°)" is cos(radians(30)), but an angle alone, "30°", is 30. None if the text is no
+/// finite number.
+std::optional<double> typed_number(std::string_view text);
+
+}  // namespace viewing
