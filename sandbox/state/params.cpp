@@ -18,6 +18,7 @@ LookAtFault CameraParams::look(const LookAt& look_at) {
     yaw = looking.angles.yaw_deg;
     pitch = looking.angles.pitch_deg;
     roll = looking.angles.roll_deg;
+    if (looking.fault != LookAtFault::center_is_eye) target = look_at.center;
     return looking.fault;
 }
 

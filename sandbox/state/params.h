@@ -36,7 +36,7 @@ struct CameraParams {
     /// Returns eye, center and up of this camera; the center is at the depth of the target or, if the target is not at
     /// least 0.1 in front of the eye, 1 away.
     LookAt look_at() const;
-    /// Takes position and angles from eye, center and up; returns what made these degenerate.
+    /// Takes position, angles and target from eye, center and up; returns what made these degenerate.
     LookAtFault look(const LookAt& look_at);
     bool operator==(const CameraParams&) const = default;
 };

@@ -34,8 +34,9 @@ glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_
     return made;
 }
 
-/// Says what a fragment does in its pass: the tests with their numbers, and what it writes.
-std::string outcome(const WhyQuestion& question, const Touch& touch) {
+/// Says what a fragment does in its pass: the tests with their numbers, and what it writes. `below`: the fragment that
+/// the same method has painted there before; null if there is none.
+std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch* below) {
     const Fragment& fragment = touch.fragment;
     const Pass& pass = question.plan.passes[fragment.pass];
     std::string name = surface_name(question, fragment.object_index);
@@ -60,6 +61,9 @@ std::string outcome(const WhyQuestion& question, const Touch& touch) {
     if (fragment.passes && fragment.stencil_after != fragment.stencil_before)
         said += ", " + say("stencil {before} → {after}", "before"_a = fragment.stencil_before,
                            "after"_a = fragment.stencil_after);
+    if (touch.paints && below)
+        said += ", " + say("over triangle {number}, {surface}", "number"_a = below->fragment.triangle + 1,
+                           "surface"_a = surface_name(question, below->fragment.object_index));
     if (touch.paints && pass.blend == Blend::alpha)
         said += ", " + say("covers {share} of the color", "share"_a = percent(touch.color.alpha, 0));
     return said;
@@ -70,9 +74,11 @@ std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*
     constexpr std::size_t most = 4;
     std::vector<std::string> said;
     std::size_t left = 0;
+    const Touch* below = nullptr;
     for (const Touch* touch : touches) {
         const bool changes = touch->fragment.passes;
-        const std::string text = outcome(question, *touch);
+        const std::string text = outcome(question, *touch, below);
+        if (touch->paints && question.plan.passes[touch->fragment.pass].subject == Subject::ordered) below = touch;
         if (std::find(said.begin(), said.end(), text) != said.end()) continue;
         if (said.size() < most || changes)
             said.push_back(text);
