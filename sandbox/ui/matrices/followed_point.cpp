@@ -1,9 +1,12 @@
 #include "ui/matrices/followed_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "frame/camera_way.h"
+#include "frame/depth/fragment_text.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/matrices/shown_matrix.h"
@@ -17,8 +20,9 @@ namespace {
 
 /// Draws one line about the followed point: its name, then its value, which starts at `column`. `target` is the line's
 /// name in lessons.
-void followed_line(const char* target, const char* name, float column, const std::string& value, Role role) {
-    if (widgets::IsCovered(target)) {
+void followed_line(const char* target, const char* name, float column, const std::string& value, Role role,
+                   bool is_covered) {
+    if (is_covered) {
         widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
     } else {
         ImGui::BeginGroup();
@@ -50,6 +54,50 @@ float number_width(const char* text) {
 
 }  // namespace
 
+namespace {
+
+const char* outcome_of(FrustumPlane plane) {
+    static constexpr std::array texts = {marked("inside the frustum"),       marked("cut off by the near plane"),
+                                         marked("cut off by the far plane"), marked("left of the picture"),
+                                         marked("right of the picture"),     marked("below the picture"),
+                                         marked("above the picture")};
+    return tr(texts[static_cast<std::size_t>(plane)]);
+}
+
+/// Where the value of a line begins, and with how many characters a component of a vector is padded.
+struct LineStyle {
+    float column;
+    std::size_t digits;
+};
+
+/// Draws p and its way through V and P. A lesson that covers one of these matrices covers what it gives away.
+void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style) {
+    const CameraWay way = camera_way(params, derived, derived.followed->point_world);
+    const bool is_covered = widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P");
+    const auto line = [&](const char* name, const std::string& value, Role role) {
+        const float width = std::ceil(number_width(name) + number_width(" "));
+        followed_line("matrix:V", name, std::max(style.column, width), value, role, is_covered);
+    };
+    followed_line("follow:p", "p", style.column, vector_text(derived.followed->point_world, style.digits), Role::point,
+                  false);
+    line("V p", vector_text(way.point_view, style.digits), Role::camera);
+    line("P V p", vector_text(glm::dvec3(way.point_clip), style.digits, &way.point_clip.w), Role::none);
+    if (way.point_ndc)
+        line("÷ w", vector_text(*way.point_ndc, style.digits), Role::camera);
+    else
+        line("÷ w", tr("at infinity: w = 0"), Role::trouble);
+    if (way.window_depth)
+        line(tr("depth"),
+             say("= {depth}, code {code}", "depth"_a = number_text(*way.window_depth, 6),
+                 "code"_a = code_text(way.code, precision_of(params.depth.format))),
+             Role::none);
+    else
+        line(tr("depth"), "= —", Role::none);
+    line("", outcome_of(way.cut_by), way.cut_by == FrustumPlane::none ? Role::none : Role::trouble);
+}
+
+}  // namespace
+
 float followed_point_height(const Session& session) {
     constexpr int lines = 6;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
@@ -57,7 +105,7 @@ float followed_point_height(const Session& session) {
            (session.params.follow ? lines * (widgets::CurrentContext().fonts.number->FontSize + spacing) : 0.0F);
 }
 
-void draw_followed_point(Session& session, const Derived& derived) {
+void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers) {
     if (widgets::CurrentContext().printed && !session.params.follow) return;
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
     const std::string of = session.params.follow ? object_text(session.params.follow->object) : "";
@@ -96,8 +144,11 @@ void draw_followed_point(Session& session, const Derived& derived) {
     const auto vector = [digits = fits(column, 7) ? 7U : 6U](const glm::dvec3& value, const double* w = nullptr) {
         return vector_text(value, digits, w);
     };
+    if (numbers == PointNumbers::camera)
+        return draw_camera_numbers(session.params, derived,
+                                   {column_of("P V p"), fits(column_of("P V p"), 7) ? 7U : 6U});
     const auto line = [&](const char* target, const char* name, const std::string& value, Role role) {
-        followed_line(target, name, std::max(column, column_of(name)), value, role);
+        followed_line(target, name, std::max(column, column_of(name)), value, role, widgets::IsCovered(target));
     };
     line("follow:p", "p", vector(followed.point_world), Role::point);
     line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);

@@ -1,4 +1,5 @@
-// The numbers of the followed point p, its shadow, and its mirror image, which are part of the matrix column.
+// The numbers of the followed point p, which are part of the matrix column: its shadow and its mirror image, or its way
+// through V and P into the depth buffer.
 #pragma once
 
 #include "frame/derive.h"
@@ -9,7 +10,10 @@ namespace viewing {
 /// Returns the height of what draw_followed_point() draws.
 float followed_point_height(const Session& session);
 
+/// What happens to the point: the chosen plane's S and R, or the camera's V and P.
+enum class PointNumbers { plane, camera };
+
 /// Draws the numbers; without a point, one line that says how to choose one.
-void draw_followed_point(Session& session, const Derived& derived);
+void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers = PointNumbers::plane);
 
 }  // namespace viewing

@@ -319,7 +319,11 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         choose_pair(session.params);
         show(2);
         show(3);
-        draw_followed_point(session, derived);
+        const auto is_about = [about](const char* name) {
+            return std::find(about.begin(), about.end(), name) != about.end();
+        };
+        draw_followed_point(session, derived,
+                            is_about("S") || is_about("R") ? PointNumbers::plane : PointNumbers::camera);
     });
     if (!side_by_side) show_display({session, derived, before});
 }

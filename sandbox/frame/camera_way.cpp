@@ -1,0 +1,33 @@
+#include "frame/camera_way.h"
+
+#include <cmath>
+
+#include "frame/depth/fragment_depth.h"
+
+namespace viewing {
+
+CameraWay camera_way(const Params& params, const Derived& derived, const glm::dvec3& point_world) {
+    CameraWay way;
+    const glm::dvec4 view = derived.view_from_world * glm::dvec4(point_world, 1.0);
+    way.point_view = glm::dvec3(view) / view.w;
+    way.point_clip = derived.clip_from_view * view;
+    const glm::dvec4& clip = way.point_clip;
+    if (std::abs(clip.w) > 1e-12) way.point_ndc = glm::dvec3(clip) / clip.w;
+    const Lens lens = params.lens();
+    const double distance = -way.point_view.z;
+    if (distance < lens.near)
+        way.cut_by = FrustumPlane::near;
+    else if (distance > lens.far)
+        way.cut_by = FrustumPlane::far;
+    else if (std::abs(clip.x) > clip.w)
+        way.cut_by = clip.x < 0.0 ? FrustumPlane::left : FrustumPlane::right;
+    else if (std::abs(clip.y) > clip.w)
+        way.cut_by = clip.y < 0.0 ? FrustumPlane::bottom : FrustumPlane::top;
+    if (distance >= lens.near && distance <= lens.far) {
+        way.window_depth = window_depth(lens, params.depth.mapping, distance);
+        way.code = code_of(*way.window_depth, precision_of(params.depth.format));
+    }
+    return way;
+}
+
+}  // namespace viewing

@@ -1,0 +1,24 @@
+// The followed point on its way into the picture: view space, clip space, after the division, depth buffer; and which
+// plane of the frustum cuts it off. Pure; ui/matrices/followed_point.h shows the numbers.
+#pragma once
+
+#include "frame/derive.h"
+
+namespace viewing {
+
+/// The six planes of the frustum, in the order in which they are named if several cut the point off.
+enum class FrustumPlane { none, near, far, left, right, bottom, top };
+
+struct CameraWay {
+    glm::dvec3 point_view{0.0};           ///< V p
+    glm::dvec4 point_clip{0.0};           ///< P V p
+    std::optional<glm::dvec3> point_ndc;  ///< after ÷ w; none if w = 0
+    FrustumPlane cut_by{};                ///< none: inside the frustum
+    std::optional<double> window_depth;   ///< 0 … 1; none outside near … far
+    std::uint32_t code = 0;               ///< of window_depth, in the state's format
+};
+
+/// Returns the way of a world point through the state's V, P and depth mapping, mistakes included.
+CameraWay camera_way(const Params& params, const Derived& derived, const glm::dvec3& point_world);
+
+}  // namespace viewing
