@@ -266,6 +266,14 @@ bool folded_heading(std::size_t number) {
     return is_clicked;
 }
 
+/// Returns what a point is followed through: the camera, unless S or R is shown or no matrix at all.
+PointNumbers point_numbers(std::span<const std::string> matrices) {
+    const auto has = [matrices](const char* name) {
+        return std::find(matrices.begin(), matrices.end(), name) != matrices.end();
+    };
+    return (has("V") || has("P")) && !has("S") && !has("R") ? PointNumbers::camera : PointNumbers::plane;
+}
+
 }  // namespace
 
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
@@ -319,11 +327,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         choose_pair(session.params);
         show(2);
         show(3);
-        const auto is_about = [about](const char* name) {
-            return std::find(about.begin(), about.end(), name) != about.end();
-        };
-        draw_followed_point(session, derived,
-                            is_about("S") || is_about("R") ? PointNumbers::plane : PointNumbers::camera);
+        draw_followed_point(session, derived, point_numbers(about));
     });
     if (!side_by_side) show_display({session, derived, before});
 }
@@ -354,7 +358,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
             const bool is_view = name == "V";
             if (name == "S") show_shadow(shown);
             if (name == "R") show_mirror(shown);
-            if (name == "follow") draw_followed_point(session, derived);
+            if (name == "follow") draw_followed_point(session, derived, point_numbers(listed));
             if (has_both && is_view) show_view(shown, {});
             if (has_both && name == "C") show_camera(shown, {});
             if (!has_both && (is_view || name == "C")) show_view_or_camera(shown, shows_camera);
