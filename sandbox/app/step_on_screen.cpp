@@ -4,6 +4,7 @@
 #include "lesson/judge.h"
 #include "lesson/seen_answer.h"
 #include "report/state_numbers.h"
+#include "state/person/language.h"
 
 namespace viewing {
 
@@ -19,14 +20,17 @@ LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step
     Lesson lesson;
     lesson.id = lesson_id;
     lesson.steps.push_back(step);
-    const LoadedState state = show_step({.lesson = std::move(lesson), .has_strip = false}, request);
+    LoadedState state = show_step({.lesson = std::move(lesson), .has_strip = false}, request);
+    state.params.ui.language = Language::en;
     const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
                                            {.origin = state.scene_origin, .reach = state.reach});
     if (!scene) return {};
-    RestingWindow window(renderer, state, *scene);
-    if (const Status rests = window.rest(request); !rests) return {found(rests.error())};
+    const Language spoken = spoken_language();  // the window speaks its state's
     LessonFindings findings;
+    RestingWindow window(renderer, state, *scene);
+    if (const Status rests = window.rest(request); !rests) findings.push_back(found(rests.error()));
     for (const std::string& sentence : seen_answers(step, *right, window.texts())) findings.push_back(found(sentence));
+    if (const Status back = speak(spoken); !back) findings.push_back(found(back.error()));
     return findings;
 }
 
