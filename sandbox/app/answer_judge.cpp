@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lesson/allowed.h"
+#include "lesson/filled_text.h"
 #include "lesson/progress.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
@@ -48,6 +49,12 @@ bool AnswerJudge::Question::is_of(const LessonRun& run, const Params& now) const
 bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& moment) {
     const bool was_checking = std::exchange(workbench.is_checking, false);
     LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
+    if (run && run->wants_reveal() && !session.loading_fraction()) {
+        const Params start = session.in_own_looks(run->step().start.params);
+        LessonNumbers numbers(start, start, session.scene(), nullptr);
+        run->take_reveal(
+            filled_or_same(run->step().reveal.say, with_constants(run->step().ask, numbers.surroundings())));
+    }
     const bool has_model = run && run->is_revealed() && show_model(*run, session, moment.may_wait);
     if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) {
         give_up();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/faces.h"
 #include "ui/parts/topics.h"
 #include "ui/window/recording.h"
 
@@ -143,6 +144,38 @@ Drawing RestingWindow::record() {
     ImGui::GetStyle().AntiAliasedLinesUseTex = false;
     studio_.frame(surroundings_);
     return studio_.record();
+}
+
+std::vector<SeenText> RestingWindow::texts() {
+    widgets::Context& context = studio_.workbench.widgets;
+    context.record = true;
+    studio_.frame(surroundings_);
+    std::vector<SeenText> texts;
+    for (const Mark& mark : sketch().marks) {
+        const Line* const line = std::get_if<Line>(&mark.what);
+        if (!line) continue;
+        SeenText seen{"",
+                      "the window",
+                      line->lefts_px.front(),
+                      line->lefts_px.back() + 0.5F * line->em_px,
+                      line->baseline_px,
+                      line->em_px};
+        for (const char32_t character : line->characters) seen.text += utf8(character);
+        const Rect* place = nullptr;
+        Rect smallest;
+        const ImVec2 middle{0.5F * (seen.left_px + seen.right_px), seen.baseline_px - 0.3F * line->em_px};
+        for (const widgets::RecordedItem& item : context.recorded) {
+            const Rect rect{item.min, item.max};
+            if (!rect.contains(middle) || item.label.empty()) continue;
+            if (place && rect.width() * rect.height() >= smallest.width() * smallest.height()) continue;
+            smallest = rect;
+            place = &smallest;
+            seen.place = item.label;
+        }
+        if (!place) seen.place += " at " + size_text({static_cast<int>(middle.x), static_cast<int>(middle.y)});
+        texts.push_back(std::move(seen));
+    }
+    return texts;
 }
 
 Topic topic_of(PictureView view, const Params& params) {

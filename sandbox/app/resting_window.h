@@ -5,6 +5,7 @@
 #include "app/picture.h"
 #include "app/studio.h"
 #include "image/matte.h"
+#include "lesson/seen_answer.h"
 
 namespace viewing {
 
@@ -32,6 +33,8 @@ public:
     Image read() const { return studio_.read(); }
     /// Draws the window once more and returns it as shapes, text and pictures.
     Drawing record();
+    /// Draws the window once more and returns its visible texts, line by line.
+    std::vector<SeenText> texts();
 
 private:
     Status settle();

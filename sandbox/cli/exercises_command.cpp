@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/picture.h"
+#include "app/step_on_screen.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/options.h"
@@ -142,6 +143,7 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
             VariantCheck check = check_variant(exercise, variant, headless.renderer());
             if (exercise.visible_px > 0 && check.findings.empty())
                 check.findings = check_visible(exercise, *check.step, headless);
+            if (check.findings.empty()) check.findings = check_screen(exercise.id, *check.step, headless.renderer());
             headless.require_no_errors();
             for (const std::string& finding : check.findings) found += finding + "\n";
             wrong_answers += check.wrong_answers;
@@ -190,7 +192,8 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     options.group("For authors");
     options.flag("--test", typed.test,
                  "Tests every deployed variant: the model answer is accepted, each listed wrong one is refused and "
-                 "distinguished, each fault is visible; exits with 0, or 1 and a line per failure");
+                 "distinguished, each fault is visible, no answer can be read before it; exits with 0, or 1 and a line "
+                 "per failure");
     options.flag("--deploy", typed.deploy,
                  "Prints the variants of FILE to keep in it, so that later versions give the same sheets");
     add_device_option(options, typed.device);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/picture.h"
+#include "app/step_on_screen.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/options.h"
@@ -88,13 +89,15 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
         for (const LessonStep& step : lesson.steps) {
             for (const std::string& found : check_step(lesson, step, headless.renderer())) findings += found + "\n";
             for (const std::string& found : draw_step(lesson, step, headless)) findings += found + "\n";
+            for (const std::string& found : check_screen(lesson.id, step, headless.renderer()))
+                findings += found + "\n";
             headless.require_no_errors();
         }
         steps += std::ssize(lesson.steps);
     }
     if (findings.empty()) {
         print(counted(std::ssize(read), "lesson") + ", " + counted(steps, "step") +
-              ": claims hold, answers are judged correctly, every step can be drawn\n");
+              ": claims hold, answers are judged correctly and cannot be read before, every step can be drawn\n");
         return ExitStatus::done;
     }
     print(findings);
@@ -165,9 +168,10 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     options.text("--handout", "OUT.html", typed.handout,
                  "Writes the lesson for printing, a page per step; - for standard output");
     options.flag("--answers", typed.answers, "Adds the answers");
-    options.flag("--check", typed.check,
-                 "Tests the named lessons, or all of the program's: claims, model answers, wrong answers, and that "
-                 "every step can be drawn; exits with 0, or 1 and a line per failure");
+    options.flag(
+        "--check", typed.check,
+        "Tests the named lessons, or all of the program's: claims, model answers, wrong answers, that no "
+        "answer can be read before it, and that every step can be drawn; exits with 0, or 1 and a line per failure");
     options.flag("--names", typed.names, "Prints the names that expressions may use");
     options.flag("--list", typed.list, "Prints the lessons that come with the program, one per line");
     add_device_option(options, typed.device);

@@ -156,7 +156,7 @@ Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surrou
         parts = {{tr("Say"), step.say.shown()},
                  {tr("Ask"), step.ask.question.shown()},
                  {tr("Answer"), answer_in_words(step.ask, surroundings)},
-                 {tr("Reveal"), step.reveal.say.shown()},
+                 {tr("Reveal"), filled_or_same(step.reveal.say, with_constants(step.ask, surroundings)).shown()},
                  {tr("Note"), step.note.shown()}};
     parts.push_back({tr("Then"), next_text(run)});
     for (const Notes::Part& part : parts)

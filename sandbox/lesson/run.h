@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lesson/filled_text.h"
 #include "lesson/judge.h"
 #include "lesson/votes.h"
 
@@ -77,6 +78,12 @@ public:
     /// Returns the right answer of a typed question, once it has been computed after the reveal.
     std::optional<Answer>& model() { return now().model; }
 
+    /// Returns what the reveal says, with its numbers once take_reveal() has them.
+    const LessonText& reveal_say() const { return now().reveal_say.empty() ? step().reveal.say : now().reveal_say; }
+    /// Whether the reveal's numbers are still to be filled in.
+    bool wants_reveal() const { return now().reveal_say.empty() && has_places(step().reveal.say); }
+    void take_reveal(LessonText say) { now().reveal_say = std::move(say); }
+
     int hints_shown() const { return now().hints; }
     void show_hint();
     /// Returns the votes of the room on the step's choices; each step keeps its own.
@@ -97,6 +104,7 @@ private:
         std::vector<std::string> unread;
         std::vector<int> tried;  ///< wrong choices
         std::optional<Answer> model;
+        LessonText reveal_say;  ///< filled; empty until then, and for a text without numbers to fill in
         GoalProgress progress;
         int hints = 0;
         Ballot ballot;

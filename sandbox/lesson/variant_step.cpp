@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "lesson/exercise.h"
+#include "lesson/filled_text.h"
 #include "lesson/step_reader.h"
 #include "lesson/variants.h"
-#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -26,23 +26,6 @@ Json with_whole_numbers(Json value) {
     constexpr double largest = 9007199254740992.0;  // 2⁵³
     if (number == std::trunc(number) && std::abs(number) < largest) return static_cast<std::int64_t>(number);
     return value;
-}
-
-/// Returns a value as it appears in a sentence: 0.25, −3, (0, 1, 0, 0); a name is unchanged.
-std::string in_words(const Json& value) {
-    constexpr int digits = 6;
-    if (value.is_number()) return figures(value.get<double>(), digits);
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-    std::string list;
-    for (const Json& entry : value) list += (list.empty() ? "" : ", ") + in_words(entry);
-    return "(" + list + ")";
-}
-
-/// Whether a sentence can contain the value: it is neither null nor NaN.
-bool has_words(const Json& value) {
-    if (value.is_array()) return std::all_of(value.begin(), value.end(), has_words);
-    return !value.is_null() && !(value.is_number() && std::isnan(value.get<double>()));
 }
 
 /// Replaces strings that begin with "=", and placeholders in texts and keys, with their values.
@@ -84,18 +67,11 @@ private:
     }
 
     std::string with_places(const std::string& text, const Where& where) {
-        std::string result;
-        std::size_t at = 0;
-        for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', at)) {
-            const std::size_t close = text.find('}', open);
-            if (close == std::string::npos) where.refuse("has a { without a }");
-            result += text.substr(at, open - at);
-            const Json value = computed(text.substr(open + 1, close - open - 1), where);
-            if (!has_words(value)) where.refuse(excerpt(text.substr(open, close + 1 - open)) + " has no value");
-            result += in_words(value);
-            at = close + 1;
-        }
-        return result + text.substr(at);
+        constexpr int digits = 6;
+        Result<std::string> result = viewing::filled(
+            text, [&](const std::string& expression) -> Result<Json> { return computed(expression, where); }, digits);
+        if (!result) where.refuse(result.error());
+        return *std::move(result);
     }
 
     const Surroundings& surroundings_;

@@ -4,6 +4,7 @@
 
 #include "lesson/allowed.h"
 #include "lesson/append.h"
+#include "lesson/filled_text.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
 #include "state/file/json.h"
@@ -34,6 +35,10 @@ public:
             check_claims(step_.claims_before, "claims_before", before);
             if (step_.ask.kind != AskKind::goal) check_answers(before);
         }
+        // A reveal is filled at once, without measurements.
+        LessonNumbers at_once(step_.start.params, step_.start.params, *scene_, nullptr);
+        const Result<LessonText> told = filled(step_.reveal.say, with_constants(step_.ask, at_once.surroundings()));
+        if (!told) find("reveal.say: " + told.error());
         if (step_.ask.kind == AskKind::goal) check_goal();
         LessonNumbers after(step_.revealed, step_.start.params, *revealed_scene_, &renderer_);
         check_claims(step_.claims, "claims", after);

@@ -39,6 +39,21 @@ TEST_F(LessonCommand, ACheckThatFailsNamesLessonStepAndValues) {
     EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is accepted as right"));
 }
 
+TEST_F(LessonCommand, ACheckFindsAnAnswerOnTheScreen) {
+    const auto lesson = [](const std::string& more) {
+        return R"({"lesson": 1, "id": "mine", "title": "Mine", "steps": [{"id": "one", "say": "Look.", )" + more + R"(
+            "state": {"preset": "opening", "set": {"light.position": [2.345, 5, 2, 1]}},
+            "ask": {"kind": "number", "question": "How far to the right?", "expect": "light.position[0]", "tol": 0.1},
+            "reveal": {"say": "There."}}]})";
+    };
+    write("mine.json", lesson(""));
+    const std::string found = expect(1, {"lesson", "--check", "mine.json"}).out;
+    EXPECT_TRUE(has(found, "mine, step one: the answer 2.345 can be read before it: 2.3")) << found;
+    EXPECT_TRUE(has(found, "light/position/x")) << found;
+    write("mine.json", lesson(R"("cover": ["control:light.position"],)"));
+    expect(0, {"lesson", "--check", "mine.json"});
+}
+
 TEST_F(LessonCommand, ACheckTellsAllMistakesOfAFile) {
     write("mine.json", R"({"lesson": 1, "id": "mine", "minutes": 0, "steps": [
         {"id": "one", "state": {"preset": "opennig"}, "say": "Look.", "cover": ["matrix:Q", "matrix:V", "lmaps"],

@@ -97,7 +97,7 @@ std::string told_text() {
         lines.push_back(step.say.shown());
         lines.push_back(step.ask.question.shown());
         if (const std::optional<Verdict>& verdict = run->verdict()) lines.push_back(verdict->say.shown());
-        if (run->is_revealed()) lines.push_back(step.reveal.say.shown());
+        if (run->is_revealed()) lines.push_back(run->reveal_say().shown());
     } else if (const OpenPreset* const preset = studio.session.preset()) {
         for (const NamedFile& file : page->presets)
             if (file.name == preset->name)

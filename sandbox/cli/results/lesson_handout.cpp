@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
+#include "lesson/filled_text.h"
 #include "lesson/notes.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
@@ -78,7 +79,9 @@ std::string answer_of(const LessonStep& step) {
     const Scene scene = scene_of(step.start);
     LessonNumbers numbers(step.start.params, step.start.params, scene, nullptr);
     return "<div class=\"answer\"><strong>" + prose(answer_in_words(step.ask, numbers.surroundings())) +
-           "</strong><br>" + prose(step.reveal.say.shown()) + "</div>\n";
+           "</strong><br>" +
+           prose(filled_or_same(step.reveal.say, with_constants(step.ask, numbers.surroundings())).shown()) +
+           "</div>\n";
 }
 
 std::string step_picture(Headless& headless, const Lesson& lesson, std::size_t index) {

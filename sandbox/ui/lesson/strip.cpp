@@ -38,8 +38,9 @@ std::string what_cannot_be_read(const std::string& typed) {
 }
 
 /// Height of the tallest possible feedback at this width.
-float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
-    float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
+float feedback_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+    const LessonStep& step = run.step();
+    float height = paragraph(run.reveal_say().shown(), context.fonts.caption, width).height;
     if (presents) return height;
     const auto say = [&](const LessonText& text) {
         const float sign = 24.0F * context.scale;
@@ -166,7 +167,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     height += answers_height(step.ask, width, context, presents);
     height += static_cast<float>(step.ask.progress.size()) * (context.fonts.text->FontSize + gap);
     if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
-    return height + feedback_height(step, width, context, presents);
+    return height + feedback_height(run, width, context, presents);
 }
 
 /// Draws a paragraph; draws nothing if the text is empty.
@@ -293,7 +294,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
         return;
     }
     if (run.is_revealed()) {
-        draw_paragraph(step.reveal.say, context.fonts.caption, width, "reveal", palette().accent);
+        draw_paragraph(run.reveal_say(), context.fonts.caption, width, "reveal", palette().accent);
         return;
     }
     if (look.presents) return;

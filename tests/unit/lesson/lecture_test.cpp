@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "lesson/lesson.h"
@@ -38,7 +39,9 @@ void for_each_step(const Look& look) {
 }
 
 std::vector<std::string> texts_of(const LessonStep& step) {
-    std::vector<std::string> texts{step.say.in_english(), step.ask.question.in_english(), step.reveal.say.in_english()};
+    // A value that is filled in has up to five characters.
+    const std::string told = std::regex_replace(step.reveal.say.in_english(), std::regex("\\{[^}]*\\}"), "0.000");
+    std::vector<std::string> texts{step.say.in_english(), step.ask.question.in_english(), told};
     for (const LessonChoice& choice : step.ask.choices) texts.push_back(choice.why.in_english());
     for (const WrongAnswer& wrong : step.ask.wrong) texts.push_back(wrong.say.in_english());
     return texts;

@@ -1,0 +1,12 @@
+// The window of a lesson's step before the answer: whether the answer can be read off it.
+#pragma once
+
+#include "report/lesson_check.h"
+
+namespace viewing {
+
+/// Returns a finding for each part of the answer that is visible in the window, outside the strip with the question
+/// (seen_answers). Needs a current context. The window is in English.
+LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step, Renderer& renderer);
+
+}  // namespace viewing
