@@ -1,5 +1,7 @@
 #include "ui/panel/section_links.h"
 
+#include <array>
+
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 
@@ -24,6 +26,12 @@ float SectionLinks::height_px(const Rect& panel) const {
 
 void SectionLinks::note() {
     ImFont* const font = widgets::CurrentContext().fonts.note;
+    const auto measures = [this] {
+        float width_px = 0.0F;
+        for (const Link& link : links_) width_px += link.width_px;
+        return std::array{width_px, content_px_, line_px_};
+    };
+    const std::array before = measures();
     links_.clear();
     for (const widgets::SectionPlace& place : widgets::CurrentContext().sections)
         links_.push_back({place, width_of(place.shown, font) + px(20.0F)});
@@ -31,6 +39,7 @@ void SectionLinks::note() {
     scroll_px_ = ImGui::GetScrollY();
     seen_px_ = ImGui::GetWindowHeight();
     line_px_ = font->FontSize + px(8.0F);
+    if (measures() != before) widgets::AskForRedraw(0.0F);  // the next frame's layout may differ
 }
 
 void SectionLinks::draw() const {
