@@ -42,7 +42,7 @@ struct FoundLens {
     bool off_center = false;       ///< the frustum is not symmetric
 };
 
-/// What a matrix is. Optional parts are set if the matrix, after mending the fault, has them.
+/// What a matrix is. Optional parts are set if the matrix, once the fault is fixed, has them.
 struct ExplainedMatrix {
     char letter = 0;  ///< V, C, P, S, R; 0: unknown
     MatrixFault fault = MatrixFault::unknown;

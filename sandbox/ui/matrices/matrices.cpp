@@ -19,6 +19,10 @@ namespace {
 
 using widgets::Role;
 
+bool is_named(std::span<const std::string> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// The data of the column: the state, and the derived numbers now and before the latest edit.
 struct Column {
     Session& session;
@@ -213,9 +217,8 @@ std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& h
     float left = room - 4.0F * heights.front();
     const auto grow = [&](bool is_first, MatrixPart part) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const bool is_named = std::find(first.begin(), first.end(), matrices_in_order[i]) != first.end();
             const float cost = heights[static_cast<std::size_t>(part)] - heights[static_cast<std::size_t>(parts[i])];
-            if (is_named != is_first || parts[i] >= part || cost > left) continue;
+            if (is_named(first, matrices_in_order[i]) != is_first || parts[i] >= part || cost > left) continue;
             left -= cost;
             parts[i] = part;
         }
@@ -268,9 +271,7 @@ bool folded_heading(std::size_t number) {
 
 /// Returns what a point is followed through: the camera, unless S or R is shown or no matrix at all.
 PointNumbers point_numbers(std::span<const std::string> matrices) {
-    const auto has = [matrices](const char* name) {
-        return std::find(matrices.begin(), matrices.end(), name) != matrices.end();
-    };
+    const auto has = [matrices](const char* name) { return is_named(matrices, name); };
     return (has("V") || has("P")) && !has("S") && !has("R") ? PointNumbers::camera : PointNumbers::plane;
 }
 
@@ -335,9 +336,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
 void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
                           const std::vector<std::string>& listed) {
     const widgets::Group group("matrices");
-    const auto has = [&listed](const char* name) {
-        return std::find(listed.begin(), listed.end(), name) != listed.end();
-    };
+    const auto has = [&listed](const char* name) { return is_named(listed, name); };
     if (has("S") || has("R")) choose_pair(session.params);
     const bool has_both = has("V") && has("C");
     bool shows_camera = has("V") ? choice.shows_camera : !choice.shows_camera;

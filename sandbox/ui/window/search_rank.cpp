@@ -177,9 +177,8 @@ std::vector<SearchEntry> on_slide(std::span<const SearchEntry> entries, int slid
     for (const SearchEntry& entry : entries)
         if (std::find(entry.slides.begin(), entry.slides.end(), slide) != entry.slides.end()) there.push_back(entry);
     // Troubles show what the slide warns of; what the slide itself shows comes before them.
-    const auto rank = [](const SearchEntry& entry) { return entry.kind == EntryKind::trouble; };
-    std::stable_sort(there.begin(), there.end(),
-                     [&](const SearchEntry& a, const SearchEntry& b) { return rank(a) < rank(b); });
+    std::stable_partition(there.begin(), there.end(),
+                          [](const SearchEntry& entry) { return entry.kind != EntryKind::trouble; });
     if (there.size() > most) there.resize(most);
     return there;
 }

@@ -151,7 +151,7 @@ const page = (() => {
 
   const fingers = new Map();
   let pair = null;
-  const slop = 8;  // CSS pixels that a resting finger may tremble
+  const slop = 8;  // CSS pixels that a resting finger may move
   let resting = null;  // where the only finger came down, and the timer of its long touch
   const restless = () => {
     if (resting) clearTimeout(resting.timer);
