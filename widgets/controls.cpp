@@ -385,7 +385,7 @@ bool SmallButton(const char* label, bool enabled, const char* why_disabled) {
     return clicked;
 }
 
-bool Section(const char* label, bool open_by_default, const char* note, const char* trouble) {
+bool Section(const char* label, bool open_by_default, const char* note, const char* trouble, Tone tone) {
     if (IsListing()) return true;
     const Context& context = CurrentContext();
     const Palette& palette = context.palette;
@@ -420,7 +420,7 @@ bool Section(const char* label, bool open_by_default, const char* note, const ch
                context.fonts.heading);
     if (*trouble) {
         const float sign = ImGui::GetFontSize();
-        inner::DrawWarning(draw, ImVec2(max.x - inner::Px(9) - sign, min.y + (size.y - sign) * 0.5F), sign);
+        DrawSign(draw, ImVec2(max.x - inner::Px(9) - sign, min.y + (size.y - sign) * 0.5F), sign, tone);
         inner::RecordRect((std::string(inner::RecordedPart(label)) + "/trouble").c_str(), min, max, trouble);
         Tooltip("", trouble);
     } else if (*note) {

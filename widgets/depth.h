@@ -108,8 +108,8 @@ bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows
 struct DividerStyle {
     const char* left = "";  ///< names of the two sides, shown beside the line at the top if they fit
     const char* right = "";
-    float default_share = 0.5F;  ///< a right-click resets to it
-    bool* held = nullptr;        ///< receives whether the line has the pointer, which the picture must then ignore
+    bool names_at_bottom = false;  ///< when something else covers the top
+    float default_share = 0.5F;    ///< a right-click resets to it
 };
 
 /// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the part of the

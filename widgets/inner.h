@@ -104,8 +104,6 @@ struct Labelled {
 
 /// Draws a field's rounded frame, with a stripe in its role's color at the left. Tints and outlines it when `lit`.
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
-/// Draws a warning sign, a triangle with an exclamation mark, so that color is not the only cue. 0.95 × `size` wide.
-void DrawWarning(ImDrawList* draw, ImVec2 min, float size);
 /// Draws a small solid triangle that points down or, unless `down`, to the right.
 void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU32 color);
 

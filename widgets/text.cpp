@@ -64,14 +64,35 @@ void Note(const char* text) {
     WrappedText("note", text, CurrentContext().palette.quiet);
 }
 
-void Trouble(const char* sentence) {
+ImU32 ColorOf(Tone tone) {
     const Palette& palette = CurrentContext().palette;
+    return tone == Tone::wrong ? palette.trouble : tone == Tone::note ? palette.text : palette.quiet;
+}
+
+void DrawSign(ImDrawList* draw, ImVec2 min, float size, Tone tone) {
+    const ImU32 color = inner::Shown(ColorOf(tone)), ink = inner::Shown(CurrentContext().palette.ground);
+    const float width = size * 0.95F, top = min.y + size * 0.08F, bottom = min.y + size * 0.92F;
+    const float middle = min.x + width * 0.5F, stroke = size * 0.10F;
+    if (tone == Tone::window)
+        return draw->AddRect({min.x + stroke, top + stroke}, {min.x + width - stroke, bottom - stroke}, color, stroke,
+                             0, stroke);
+    if (tone == Tone::note) {
+        draw->AddCircleFilled({middle, 0.5F * (top + bottom)}, 0.42F * size, color);
+        draw->AddCircleFilled({middle, top + size * 0.20F}, stroke * 0.7F, ink, 8);
+        draw->AddLine({middle, top + size * 0.36F}, {middle, bottom - size * 0.16F}, ink, stroke);
+        return;
+    }
+    draw->AddTriangleFilled({middle, top}, {min.x + width, bottom}, {min.x, bottom}, color);
+    draw->AddLine({middle, top + size * 0.28F}, {middle, bottom - size * 0.28F}, ink, stroke);
+    draw->AddCircleFilled({middle, bottom - size * 0.15F}, stroke * 0.6F, ink, 8);
+}
+
+void Trouble(const char* sentence) {
     const float size = ImGui::GetFontSize();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    inner::DrawWarning(ImGui::GetWindowDrawList(), at, size);
+    DrawSign(ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, Tone::wrong);
     ImGui::Dummy(ImVec2(size * 0.95F, size));
     ImGui::SameLine(0.0F, inner::Px(6));
-    WrappedText("trouble", sentence, palette.trouble);
+    WrappedText("trouble", sentence, ColorOf(Tone::wrong));
 }
 
 float TroubleHeight(const char* sentence, float width) {
@@ -135,17 +156,6 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
 }
 
 namespace inner {
-
-void DrawWarning(ImDrawList* draw, ImVec2 min, float size) {
-    const Palette& palette = CurrentContext().palette;
-    const float width = size * 0.95F, top = min.y + size * 0.08F, bottom = min.y + size * 0.92F;
-    const float middle = min.x + width * 0.5F, stroke = size * 0.10F;
-    draw->AddTriangleFilled(ImVec2(middle, top), ImVec2(min.x + width, bottom), ImVec2(min.x, bottom),
-                            Shown(palette.trouble));
-    const ImU32 ink = Shown(palette.ground);
-    draw->AddLine(ImVec2(middle, top + size * 0.28F), ImVec2(middle, bottom - size * 0.28F), ink, stroke);
-    draw->AddCircleFilled(ImVec2(middle, bottom - size * 0.15F), stroke * 0.6F, ink, 8);
-}
 
 Face FaceOf(ImFont* font) {
     if (!font) return {ImGui::GetFont(), ImGui::GetFontSize()};

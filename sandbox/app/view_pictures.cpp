@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <span>
 
+#include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
+#include "state/file/beside.h"
 #include "ui/parts/topics.h"
 
 namespace viewing {
@@ -49,12 +51,12 @@ Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, co
     const glm::ivec2 size = layout.camera.size_px();
     if (beside.shows == Beside::nothing || layout.camera.empty()) return std::monostate{};
     if (beside.shows == Beside::depth) return draw_depth(shown, scene, size, beside_);
-    Params other = shown.params;
-    other.depth.format = beside.format;
-    other.depth.mapping = beside.mapping;
-    const Viewport viewport = renderer_.viewport(size);
-    const FramePlan frame = plan(other, derive(other, scene, viewport), pictures_by_gl(shown));
-    return render(frame, scene, size, beside_);
+    const Params other = beside_params(shown.params);
+    const Derived derived = derive(other, scene, renderer_.viewport(size));
+    if (beside.shows == Beside::other_depth)
+        return render(plan(other, derived, pictures_by_gl(shown)), scene, size, beside_);
+    Result<FramePlan> frame = plan_at_once(renderer_, other, derived, scene, size);
+    return frame ? render(*frame, scene, size, beside_) : Status(Error{frame.error()});
 }
 
 Status ViewPictures::draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view) {

@@ -249,7 +249,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     // While the depth test rejects every fragment, no other effect on the picture can be seen.
     if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
         !params.reflection.after_objects)
-        std::erase_if(problems, [](const Problem& problem) { return problem.breaks_picture; });
+        std::erase_if(problems, [](const Problem& problem) { return problem.kind != ProblemKind::worth_knowing; });
     else
         find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene);

@@ -12,11 +12,15 @@ namespace viewing {
 
 /// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
 /// sentence is shown.
+/// What a problem's sentence is about; worst first. The picture is wrong; the picture is right, but the user should
+/// know something; or the window shows only a part of it.
+enum class ProblemKind { wrong, worth_knowing, about_window };
+
 struct Problem {
     std::string sentence;
     std::string_view group;
-    bool breaks_picture = false;  ///< caused by a switch, so it is also shown over the picture
-    std::string mended_by = "";   ///< the setting that fixes it, as on the command line; "" if none
+    ProblemKind kind = ProblemKind::worth_knowing;
+    std::string mended_by = "";  ///< the setting that fixes it, as on the command line; "" if none
 };
 
 /// Returns all problems. `frame` is the camera's frame: plan() of the same parameters and numbers.

@@ -4,11 +4,11 @@
 
 namespace viewing {
 
-void Sayer::broken(bool is_so, std::string sentence, std::string_view mended_by) {
+void Sayer::add(bool is_so, std::string sentence, ProblemKind kind, std::string_view mended_by) {
     if (!is_so) return;
     const bool is_field = !mended_by.empty() && mended_by.find('=') == std::string_view::npos;
     problems_.push_back(
-        {std::move(sentence), group_, true, is_field ? default_setting(mended_by) : std::string(mended_by)});
+        {std::move(sentence), group_, kind, is_field ? default_setting(mended_by) : std::string(mended_by)});
 }
 
 std::string light_name(std::size_t light, std::size_t count) {

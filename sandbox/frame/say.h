@@ -18,13 +18,22 @@ public:
 
     /// Adds a fact that the user should know, and the setting that changes it; "" if there is none.
     void operator()(bool is_so, std::string sentence, std::string changed_by = "") {
-        if (is_so) problems_.push_back({std::move(sentence), group_, false, std::move(changed_by)});
+        if (is_so)
+            problems_.push_back({std::move(sentence), group_, ProblemKind::worth_knowing, std::move(changed_by)});
     }
     /// Adds the reason why a switch breaks the picture. `mended_by` is the fix: a field whose default value fixes it,
     /// or else a complete setting; "" if there is none.
-    void broken(bool is_so, std::string sentence, std::string_view mended_by = "");
+    void broken(bool is_so, std::string sentence, std::string_view mended_by = "") {
+        add(is_so, std::move(sentence), ProblemKind::wrong, mended_by);
+    }
+    /// Adds the reason why the window does not show the whole picture.
+    void window(bool is_so, std::string sentence, std::string_view mended_by = "") {
+        add(is_so, std::move(sentence), ProblemKind::about_window, mended_by);
+    }
 
 private:
+    void add(bool is_so, std::string sentence, ProblemKind kind, std::string_view mended_by);
+
     std::vector<Problem>& problems_;
     std::string_view group_;
 };

@@ -58,7 +58,7 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     unlimited.projection.far = 1e12;
     std::vector<SeenThing> seen = seen_things(unlimited, derived, scene);
     std::erase_if(seen, [](const SeenThing& thing) { return thing.is_plane; });
-    if (seen.empty()) return Sayer(problems, group).broken(true, beside_the_view(params, derived, scene));
+    if (seen.empty()) return Sayer(problems, group).window(true, beside_the_view(params, derived, scene));
 
     const double near = params.projection.near, far = params.projection.far;
     const auto is_before = [near](const SeenThing& thing) { return thing.farthest < near; };

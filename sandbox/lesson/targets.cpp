@@ -19,7 +19,7 @@ struct Kind {
 };
 
 constexpr const char* sections[] = {"camera", "slips", "projection", "visibility", "depth",
-                                    "light",  "plane", "shadow",     "observer"};
+                                    "light",  "plane", "shadow",     "beside",     "observer"};
 constexpr const char* matrices[] = {"S", "R", "V", "C", "P"};
 constexpr const char* code_views[] = {"display",
                                       "display.projection",
@@ -85,6 +85,7 @@ constexpr const char* without_control[] = {"version",
                                            "view.plane",
                                            "view.light",
                                            "view.beside.share",
+                                           "view.beside.set",
                                            "view.pixel",
                                            "view.pin",
                                            "view.cells",

@@ -29,7 +29,7 @@ template <> std::span<const char* const> names_of<Shows>() { static constexpr co
 template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
 template <> std::span<const char* const> names_of<DecalMethod>() { static constexpr const char* names[] = {"offset", "equal", "stencil"}; return names; }
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
-template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth"}; return names; }
+template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth", "settings"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
 template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why"}; return names; }
 template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
@@ -761,8 +761,9 @@ const Field all_fields[] = {
     {.path = "view.beside.shows",
      .place = IN(view.beside.shows),
      .label = "2nd picture",
-     .help = "A second picture in the camera view: the depth buffer, or the same picture with a different depth format "
-             "and mapping."},
+     .help =
+         "A second picture in the camera view: the depth buffer, the same picture with a different depth format and "
+         "mapping, or the same picture with other settings."},
     {.path = "view.beside.layout",
      .place = IN(view.beside.layout),
      .label = "layout",
@@ -783,6 +784,10 @@ const Field all_fields[] = {
      .place = IN(view.beside.mapping),
      .label = "other mapping",
      .help = "The depth mapping of the second picture."},
+    {.path = "view.beside.set",
+     .place = IN(view.beside.set),
+     .label = "differences",
+     .help = "The fields that are different in the second picture, with their values there."},
     {.path = "view.pixel",
      .place = IN(view.pixel),
      .label = "pinned pixel",

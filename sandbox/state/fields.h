@@ -46,7 +46,7 @@ struct FurtherOverrides {
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*,
-                              std::optional<Pin>*, std::vector<std::string>*>;
+                              std::optional<Pin>*, std::vector<std::string>*, Settings*>;
 
 struct Field {
     std::string_view path;  ///< "projection.near"
@@ -100,7 +100,7 @@ Range component_range(const Field& field, int component);
 std::string range_text(const Range& range);
 
 /// Returns "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "matrices",
-/// "follow", "range", "pixel", "pin" or "names".
+/// "follow", "range", "pixel", "pin", "names" or "settings".
 std::string_view type_name(const Field& field);
 
 /// Returns "projection" for "projection.near", "" for "scene".

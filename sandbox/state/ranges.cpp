@@ -163,7 +163,7 @@ Range component_range(const Field& field, int component) {
 std::string_view type_name(const Field& field) {
     static constexpr std::string_view names[] = {"bool",   "int",   "number", "vec3",   "vec4",   "color",
                                                  "enum",   "scene", "lights", "planes", "matrix", "matrices",
-                                                 "follow", "range", "pixel",  "pin",    "names"};
+                                                 "follow", "range", "pixel",  "pin",    "names",  "settings"};
     static_assert(std::size(names) == std::variant_size_v<FieldRef>);
     return names[default_ref(field).index()];
 }
@@ -223,6 +223,7 @@ std::string allowed_text(const Field& field) {
             [&](std::vector<std::string>*) -> std::string {
                 return "an array of different names, each " + allowed_name_text(field);
             },
+            [](Settings*) -> std::string { return "an object of paths and values, such as {\"depth.test\": false}"; },
         },
         default_ref(field));
 }

@@ -13,7 +13,7 @@ namespace viewing {
 enum class Shows { color, depth, stencil, facing, overdraw, difference, fighting, shadow_w };
 enum class DepthScale { window, linear };
 enum class DepthColors { grey, bands };
-enum class Beside { nothing, depth, other_depth };
+enum class Beside { nothing, depth, other_depth, settings };
 enum class BesideLayout { halves, divider };
 
 /// The content of one of the two views below the camera view; `automatic` depends on the hidden-surface method.
@@ -41,6 +41,12 @@ enum class Topic {
     why
 };
 
+/// Fields to change, each as PATH=VALUE with a JSON value: "projection.near=0.001".
+struct Settings {
+    std::vector<std::string> all;
+    bool operator==(const Settings&) const = default;
+};
+
 /// A second picture in the camera view.
 struct BesideParams {
     Beside shows = Beside::nothing;
@@ -48,6 +54,7 @@ struct BesideParams {
     double share = 0.5;                             ///< the fraction of the view to the left of the divider
     DepthFormat format = DepthFormat::d32f;         ///< for other_depth
     DepthMapping mapping = DepthMapping::reversed;  ///< for other_depth
+    Settings set;                                   ///< for settings: what is different in the second picture
     bool operator==(const BesideParams&) const = default;
 };
 

@@ -201,7 +201,8 @@ public:
                                   "shadow/Shadow: style and offset", "shadow/Shadow: clip at light, sign, stencil",
                                   "reflection/Mirror: drawing method"})
             if (!is_folded_out(label)) click(label);
-        if (ui.text_of("Observer") == "folded") click("Observer");
+        for (const char* label : {"Second picture", "Observer"})
+            if (ui.text_of(label) == "folded") click(label);
     }
 
     // ---- the views -----------------------------------------------------------------------------------

@@ -26,12 +26,13 @@ void DrawName(ImDrawList* draw, ImVec2 min, ImVec2 size, const char* name, const
 /// Draws each name on its side of the line, if it fits.
 void DrawNames(ImDrawList* draw, ImVec2 min, ImVec2 max, float x, const DividerStyle& style) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
-    const float away = Px(10), top = min.y + Px(8);
+    const float away = Px(10);
     const auto size_of = [&](const char* name) {
         const ImVec2 text = face.Measure(name);
         return ImVec2(text.x + Px(12), text.y + Px(6));
     };
     const ImVec2 left = size_of(style.left), right = size_of(style.right);
+    const float top = style.names_at_bottom ? max.y - Px(8) - left.y : min.y + Px(8);
     if (*style.left && x - away - left.x >= min.x) {
         DrawName(draw, ImVec2(std::floor(x - away - left.x), top), left, style.left, "left");
     }
@@ -60,7 +61,6 @@ void DrawBar(ImDrawList* draw, ImVec2 min, ImVec2 max, float x, const inner::Dra
 
 bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const DividerStyle& style) {
     const float width = max.x - min.x;
-    if (style.held) *style.held = false;
     if (!(width > 0.0F) || !(max.y > min.y)) return false;
     const Group group(id);
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
@@ -78,7 +78,6 @@ bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const Divider
              "Drag to see more of one picture; hold Alt for finer steps, right-click to reset the divider.")},
         min.y, max.y);
     ImGui::SetCursorScreenPos(cursor);
-    if (style.held) *style.held = use.held || use.hovered;
     if (use.x) edited = limited((*use.x - min.x) / width, edited);
     if (use.reset) edited = default_share;
 

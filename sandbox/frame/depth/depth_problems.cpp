@@ -242,16 +242,16 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
 
 /// Reports what is missing from a picture that is otherwise correct.
 void say_omissions(Sayer& tell, const Params& params) {
-    tell.broken(
+    tell.window(
         params.view.call >= 0,
         tr("the frame is drawn only up to the step chosen in the cell view: go to the last step there, or undo"),
         "view.call");
-    tell.broken(params.view.pass >= 0,
+    tell.window(params.view.pass >= 0,
                 tr("the frame is drawn only up to one of its passes: click that pass in the list of passes to draw the "
                    "whole frame, or undo"),
                 "view.pass");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
-    tell.broken(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
+    tell.window(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
                 tr("16-bit depth comes without a stencil: the shadow and mirror masks hold one value per pixel, so "
                    "there is no multisampling"));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "state/file/beside.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -102,6 +103,22 @@ std::vector<std::string> read_names(const Json& value, const Field& field, const
         names.push_back(name);
     }
     return names;
+}
+
+/// Reads the differences of the second picture. Each must be possible in some state; beside_params() makes them fit
+/// the state at hand.
+Settings read_differences(const Json& value, const Field& field, const Where& where) {
+    require_object(value, where, allowed_text(field));
+    Settings differences{read_settings(value, where)};
+    for (const std::string& setting : differences.all) {
+        const std::string path = setting.substr(0, setting.find('='));
+        if (!may_differ_beside(path)) {
+            if (!find_field(path)) refuse_unknown({where.prefix + where.path + ": ", path});
+            where.key(path).refuse("is the same in both pictures");
+        }
+        applied({}, {&setting, 1}, where.prefix + where.path + ": ");
+    }
+    return differences;
 }
 
 /// Reads one of the lights or planes of a list; fields that the object omits keep their defaults.
@@ -251,6 +268,7 @@ struct FieldReader {
         }
     }
     void operator()(std::vector<std::string>* target) const { *target = read_names(value, field, where); }
+    void operator()(Settings* target) const { *target = read_differences(value, field, where); }
 };
 
 }  // namespace

@@ -85,6 +85,8 @@ Titles take_titles(Json& document, const Where& where);
 
 /// Converts {"projection.near": 0.1, …} to PATH=VALUE settings, and back.
 std::vector<std::string> read_settings(const Json& object, const Where& where);
+/// Applies settings like apply_settings(), but does not check the rules that involve several fields.
+Params applied(Params params, std::span<const std::string> settings, const std::string& source);
 Json settings_as_json(const std::vector<std::string>& settings);
 
 // ---- flights (flight.cpp) -----------------------------------------------------------------------------------------

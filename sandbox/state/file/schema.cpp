@@ -124,6 +124,9 @@ Json of_type(const Field& field) {
                 names["uniqueItems"] = true;
                 return names;
             },
+            [](Settings*) -> Json {
+                return {{"type", "object"}};
+            },
         },
         field.in(defaults));
 }

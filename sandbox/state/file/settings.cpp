@@ -176,13 +176,17 @@ std::string default_setting(std::string_view path) {
     return setting_of(path, {});
 }
 
+Params applied(Params params, std::span<const std::string> settings, const std::string& source) {
+    Applier applier(std::move(params), source);
+    for (const std::string& setting : settings) {
+        applier.apply(setting);
+    }
+    return applier.result();
+}
+
 Result<Params> apply_settings(Params params, std::span<const std::string> settings, const std::string& source) {
     return guarded([&] {
-        Applier applier(std::move(params), source);
-        for (const std::string& setting : settings) {
-            applier.apply(setting);
-        }
-        params = applier.result();
+        params = applied(std::move(params), settings, source);
         if (!settings.empty()) {
             check_together(params, source);
         }

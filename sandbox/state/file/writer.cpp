@@ -76,6 +76,7 @@ struct FieldWriter {
         return object;
     }
     Json operator()(const std::vector<std::string>* names) const { return *names; }
+    Json operator()(const Settings* settings) const { return settings_as_json(settings->all); }
 };
 
 }  // namespace

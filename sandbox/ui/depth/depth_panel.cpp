@@ -11,12 +11,6 @@
 namespace viewing {
 namespace {
 
-constexpr const char* format_names[] = {marked("4 bit"),  marked("5 bit"),  marked("6 bit"),  marked("7 bit"),
-                                        marked("8 bit"),  marked("9 bit"),  marked("10 bit"), marked("11 bit"),
-                                        marked("12 bit"), marked("16 bit"), marked("24 bit"), marked("32 bit float")};
-
-constexpr const char* mapping_names[] = {marked("standard"), marked("reversed"), marked("logarithmic")};
-
 void mapping_switches(Params& params) {
     control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
     beside(second_column, widgets::ToggleWidth("Clear to 0"));
@@ -58,15 +52,6 @@ void coplanar_controls(Params& params, const Scene& scene) {
     control(params, "coplanar.distance", {.decimals = 1, .slider = true, .min = 1.0, .max = 40.0, .scene = &scene});
 }
 
-void beside_controls(Params& params) {
-    static constexpr const char* pictures[] = {marked("nothing"), marked("the depth buffer"), marked("another depth")};
-    static constexpr const char* layouts[] = {marked("Two halves"), marked("Divider")};
-    control(params, "view.beside.shows", {.width = 150.0F, .names = pictures, .label = marked("2nd picture")});
-    control(params, "view.beside.layout", {.segments = true, .names = layouts, .label = "##layout"});
-    control(params, "view.beside.format", {.width = 130.0F, .names = format_names, .label = marked("other format")});
-    control(params, "view.beside.mapping", {.width = 130.0F, .names = mapping_names, .label = marked("other mapping")});
-}
-
 }  // namespace
 
 void draw_depth_section(Session& session, const Derived& derived) {
@@ -74,8 +59,8 @@ void draw_depth_section(Session& session, const Derived& derived) {
     const widgets::Group group("buffer");
     Params& params = session.params;
     control(params, "depth.buffer", {.label = marked("Window has a buffer")});
-    control(params, "depth.format", {.width = 130.0F, .names = format_names});
-    control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
+    control(params, "depth.format", {.width = 130.0F, .names = depth_format_names});
+    control(params, "depth.mapping", {.width = 130.0F, .names = depth_mapping_names});
     mapping_switches(params);
     control(params, "depth.write_while_clearing", {.label = marked("Mask on while clearing")});
     decal_controls(params, session.scene(), derived.stored_depth);
@@ -84,7 +69,6 @@ void draw_depth_section(Session& session, const Derived& derived) {
     static constexpr const char* colors[] = {marked("Gray"), marked("Bands")};
     control(params, "view.depth_scale", {.segments = true, .names = scales, .label = "##scale"});
     control(params, "view.depth_colors", {.segments = true, .names = colors, .label = "##colors"});
-    beside_controls(params);
     control(params, "animation.jiggle", {.label = marked("Jitter the camera")});
 }
 

@@ -32,20 +32,9 @@ void tell_missing_depth(const Params& params, const Rect& rect) {
                        sentence.c_str());
 }
 
-/// The titles of the two pictures, for the second picture's header and for the two sides of the divider.
-struct BesideTitles {
-    std::string camera, beside;
-};
-BesideTitles titles(const Params& params) {
-    if (params.view.beside.shows == Beside::depth) return {tr("color"), tr("depth")};
-    return {depth_title(params.depth.format, params.depth.mapping),
-            depth_title(params.view.beside.format, params.view.beside.mapping)};
-}
-
 }  // namespace
 
-void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect) {
-    if (session.params.view.beside.shows != Beside::depth) return;
+void depth_picture_legend(const Session& session, const Derived& derived, const Rect& rect) {
     depth_legend(session.params, contrast_range(session.params, derived, session.scene()), rect);
     tell_missing_depth(session.params, rect);
 }
@@ -89,8 +78,7 @@ void depth_choices(Params& params, float right) {
 void draw_depth_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
     depth_choices(session.params, rect.max.x);
     picture_item("lower view", rect, picture);
-    depth_legend(session.params, contrast_range(session.params, derived, session.scene()), rect);
-    tell_missing_depth(session.params, rect);
+    depth_picture_legend(session, derived, rect);
 }
 
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect) {
@@ -118,30 +106,6 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     if (turns) std::swap(edited.x, edited.y);
     edited = glm::clamp(edited, whole.x, whole.y);
     if (edited.x < edited.y) params.view.depth_range = edited;
-}
-
-void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture) {
-    const Params& params = session.params;
-    view_header(rect, params.view.beside.shows == Beside::depth ? tr("Depth buffer") : titles(params).beside.c_str());
-    if (params.view.beside.shows == Beside::depth)
-        depth_choices(session.params, rect.max.x);
-    else
-        header_note(tr("the same picture with another depth buffer"), rect.max.x);
-    picture_item("beside view", rect, picture);
-}
-
-bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
-    auto share = static_cast<float>(session.params.view.beside.share);
-    const float middle = rect.min.x + share * rect.width();
-    if (picture)
-        ImGui::GetWindowDrawList()->AddImage(picture, {middle, rect.min.y}, rect.max, {share, 1.0F}, {1.0F, 0.0F});
-    draw_beside_legend(session, derived, {{std::min(middle, rect.max.x - px(260.0F)), rect.min.y}, rect.max});
-    const BesideTitles both = titles(session.params);
-    bool is_held = false;
-    if (widgets::Divider("divider", rect.min, rect.max, share,
-                         {.left = both.camera.c_str(), .right = both.beside.c_str(), .held = &is_held}))
-        session.params.view.beside.share = share;
-    return is_held;
 }
 
 }  // namespace viewing

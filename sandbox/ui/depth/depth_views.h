@@ -1,5 +1,4 @@
-// Draws depth buffers as pictures: below the camera view, beside it, or over the part of it to the right of a divider.
-// Also draws a histogram of depths.
+// Draws the depth buffer as a picture below the camera view, and a histogram of depths.
 #pragma once
 
 #include "frame/derive.h"
@@ -17,13 +16,8 @@ void draw_depth_picture(Session& session, const Derived& derived, const Rect& re
 /// show.
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
-/// Draws the second picture in its own half of the view.
-void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture);
-void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect);
-
-/// Draws the second picture to the right of a draggable line, over the first picture, which is already drawn. Returns
-/// whether the pointer is on the line or drags it.
-bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
+/// Draws the legend of a depth buffer's colors over its picture, or says why there is none.
+void depth_picture_legend(const Session& session, const Derived& derived, const Rect& rect);
 
 /// Draws the choices of depth scale and depth colors on the current line, up to `right`.
 void depth_choices(Params& params, float right);

@@ -22,7 +22,7 @@ std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
                        "drawn"_a = polygon_name(surface, wrong.drawn), "seen"_a = polygon_name(surface, wrong.seen),
                        "x"_a = static_cast<int>(wrong.x * size_px.x), "y"_a = static_cast<int>(wrong.y * size_px.y),
                        "share"_a = percent(share)),
-                   "visibility", true, "visibility.method=newell"};
+                   "visibility", ProblemKind::wrong, "visibility.method=newell"};
 }
 
 std::string progress_text(float fraction) {

@@ -8,6 +8,7 @@
 #include "text/catalogue.h"
 #include "ui/depth/depth_panel.h"
 #include "ui/hidden/method_words.h"
+#include "ui/panel/beside_panel.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
@@ -110,7 +111,7 @@ void slips(Params& params) {
 }
 
 void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems, CameraTab& tab) {
-    if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
+    if (!section("Camera", problems, {"camera", "follow"})) return;
     const widgets::Group group("camera");
     Params& params = session.params;
     static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
@@ -128,7 +129,7 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
 }
 
 void projection_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Projection", true, "", troubles(problems, {"projection"}).c_str())) return;
+    if (!section("Projection", problems, {"projection"})) return;
     const widgets::Group group("projection");
     Params& params = session.params;
     static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
@@ -175,10 +176,8 @@ void projection_section(Session& session, const Derived& derived, const std::vec
 
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
                              const HiddenStatus& hidden) {
-    std::string trouble = troubles(problems, {"depth", "visibility"});
-    if (hidden.answer && !hidden.answer->problem().empty())
-        trouble += (trouble.empty() ? "" : "\n") + hidden.answer->problem();
-    if (!widgets::Section("Hidden surfaces", true, "", trouble.c_str())) return;
+    const std::string of_method = hidden.answer ? hidden.answer->problem() : "";
+    if (!section("Hidden surfaces", problems, {"depth", "visibility"}, of_method)) return;
     const widgets::Group group("depth");
     Params& params = session.params;
     static constexpr const char* funcs[] = {"GL_NEVER",   "GL_LESS",     "GL_EQUAL",  "GL_LEQUAL",
@@ -243,13 +242,14 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                   [&] { hidden_surfaces_section(session, problems, hidden_state, hidden); });
     named_section("depth",
                   {"control:depth", "control:coplanar", "control:view.depth_scale", "control:view.depth_colors",
-                   "control:view.beside", "control:animation.jiggle", "note:offset_unit"},
+                   "control:animation.jiggle", "note:offset_unit"},
                   [&] { draw_depth_section(session, derived); });
     named_section("light", {"control:light", "control:animation"}, [&] { draw_light_section(session, problems); });
     named_section("plane", {"control:plane", "text:unit normal", "button:normalize"},
                   [&] { draw_plane_section(session, derived, problems); });
     named_section("shadow", {"control:shadow", "control:reflection"},
                   [&] { draw_shadow_and_reflection_section(session, problems); });
+    named_section("beside", {"control:view.beside"}, [&] { beside_section(session, problems); });
     named_section("observer", {"control:observer"}, [&] { observer_section(session); });
     ImGui::PopItemWidth();
 }

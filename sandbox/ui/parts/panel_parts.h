@@ -12,14 +12,25 @@
 
 namespace viewing {
 
-/// Returns the problems in the given groups of fields, one per line, for the warning sign on their section's header.
-inline std::string troubles(const std::vector<Problem>& problems, std::initializer_list<std::string_view> groups) {
+/// The tone of a problem's sentence.
+inline widgets::Tone tone_of(ProblemKind kind) {
+    return static_cast<widgets::Tone>(kind);
+}
+
+/// Draws a section's header with the sign of the problems in the given groups of fields, of the worst one's kind, and
+/// `more` as a further wrong thing. Returns whether the section is open.
+inline bool section(const char* label, const std::vector<Problem>& problems,
+                    std::initializer_list<std::string_view> groups, const std::string& more = "") {
     std::string sentences;
-    if (widgets::IsCovered("sentences")) return sentences;
-    for (const Problem& problem : problems)
-        if (std::find(groups.begin(), groups.end(), problem.group) != groups.end())
-            sentences += (sentences.empty() ? "" : "\n") + problem.sentence;
-    return sentences;
+    ProblemKind worst = more.empty() ? ProblemKind::about_window : ProblemKind::wrong;
+    for (const Problem& problem : problems) {
+        const bool is_told = std::find(groups.begin(), groups.end(), problem.group) != groups.end();
+        if (!is_told || widgets::IsCovered("sentences")) continue;
+        sentences += (sentences.empty() ? "" : "\n") + problem.sentence;
+        worst = std::min(worst, problem.kind);
+    }
+    if (!more.empty()) sentences += (sentences.empty() ? "" : "\n") + more;
+    return widgets::Section(label, true, "", sentences.c_str(), tone_of(worst));
 }
 
 constexpr float second_column = 142.0F;  ///< design pixels

@@ -195,7 +195,7 @@ void mirror_switches(Params& params) {
 
 void draw_light_section(Session& session, const std::vector<Problem>& problems) {
     const std::string headline = std::string(marked("Light  ℓ")) + "###Light  l";
-    if (!widgets::Section(headline.c_str(), true, "", troubles(problems, {"light"}).c_str())) return;
+    if (!section(headline.c_str(), problems, {"light"})) return;
     const widgets::Group group("light");
     Params& params = session.params;
     light_controls(params, 0, label_of(marked("position"), marked("light position###position")));
@@ -209,7 +209,7 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
 }
 
 void draw_plane_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Plane  n·p + d = 0", true, "", troubles(problems, {"plane"}).c_str())) return;
+    if (!section("Plane  n·p + d = 0", problems, {"plane"})) return;
     const widgets::Group group("plane");
     plane_controls(session.params, 0, session.scene().bounds_world);
     const glm::dvec4& unit = derived.planes.front().unit_plane;
@@ -221,8 +221,7 @@ void draw_plane_section(Session& session, const Derived& derived, const std::vec
 }
 
 void draw_shadow_and_reflection_section(Session& session, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Shadow and reflection", true, "", troubles(problems, {"shadow", "reflection"}).c_str()))
-        return;
+    if (!section("Shadow and reflection", problems, {"shadow", "reflection"})) return;
     Params& params = session.params;
     struct Row {
         const char *shadow, *shadow_label, *reflection, *reflection_label;

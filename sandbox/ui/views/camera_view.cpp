@@ -4,14 +4,17 @@
 
 #include "frame/depth/depth_colors.h"
 #include "state/fields.h"
+#include "state/file/beside.h"
 #include "state/file/json.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "ui/depth/depth_views.h"
 #include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
+#include "ui/parts/panel_parts.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
+#include "ui/views/beside_view.h"
 #include "ui/views/views.h"
 
 namespace viewing {
@@ -126,54 +129,72 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     }
 }
 
-/// Draws a problem's sentence over the picture, with a button that fixes the problem. Call before the picture takes the
-/// mouse. Returns the top edge of the next sentence.
+/// Draws a problem's sentence over the picture, with its sign, a button that fixes the problem, and one that shows the
+/// fixed picture beside this one. Call before the picture takes the mouse. Returns the top edge of the next sentence.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
-    const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
+    const float margin = px(10.0F), sign = font->FontSize + px(7.0F);
+    const float width = std::min(px(560.0F), rect.width() - 4.0F * margin) - sign;
     const bool has_button = !problem.mended_by.empty() && widgets::OffersButton("Fix");
-    const float button = has_button ? ImGui::CalcTextSize(tr("Fix")).x + px(24.0F) : 0.0F;
+    const auto width_of_button = [](const char* label) { return ImGui::CalcTextSize(tr(label)).x + px(24.0F); };
+    const float fix = has_button ? width_of_button("Fix") : 0.0F, compare = width_of_button("Compare");
+    const bool compares =
+        has_button && session.params.view.beside.shows == Beside::nothing && width - fix - compare > px(200.0F);
+    const float button = fix + (compares ? compare : 0.0F);
     const char* sentence = problem.sentence.c_str();
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
-    const ImVec2 size(text.x + button, text.y);
-    const ImVec2 at(rect.min.x + 2.0F * margin, top);
+    const ImVec2 at(rect.min.x + 2.0F * margin, top), size(sign + text.x + button, text.y);
     const float next = at.y + size.y + px(12.0F);
     if (width < px(160.0F) || next > rect.max.y) return top;
     ImDrawList* draw = ImGui::GetWindowDrawList();
+    const widgets::Tone tone = tone_of(problem.kind);
     draw_plate(draw, {at, {at.x + size.x, at.y + size.y}}, {margin, px(5.0F)});
-    draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
+    widgets::DrawSign(draw, at, font->FontSize, tone);
+    draw->AddText(font, font->FontSize, {at.x + sign, at.y}, widgets::ColorOf(tone), sentence, nullptr, width - button);
     if (!has_button) return next;
-    ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
+    const ImVec2 buttons(at.x + sign + text.x + px(10.0F), at.y - px(3.0F));
+    ImGui::SetCursorScreenPos(buttons);
     const std::string& setting = problem.mended_by;
     ImGui::PushID(setting.c_str());
-    if (widgets::SmallButton("Fix"))
-        if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
-            session.params = *mended;
-    ImGui::PopID();
+    const bool fixes = widgets::SmallButton("Fix");
     widgets::Tooltip("Fix it", say("Sets {setting}. Ctrl+Z undoes the fix.", "setting"_a = setting).c_str());
+    bool shows_both = false;
+    if (compares) {
+        ImGui::SetCursorScreenPos({buttons.x + fix, buttons.y});
+        shows_both = widgets::SmallButton("Compare");
+        widgets::Tooltip("Compare", tr("Shows the fixed picture beside this one."));
+    }
+    ImGui::PopID();
+    if (fixes || shows_both)
+        if (Result<Params> fixed = apply_settings(session.params, {&setting, 1})) {
+            if (fixes)
+                session.params = *std::move(fixed);
+            else
+                show_beside(session.params, *std::move(fixed));
+        }
     return next;
 }
 
-/// Draws the problems' sentences, the most serious ones first, until they reach the picture's middle. Returns the
-/// covered area.
+/// Draws the problems' sentences, the worst kind first, until they reach the picture's middle. Returns the covered
+/// area. On stage, the others would compete with the lesson's own sentences: only a wrong picture is explained.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     const float first = rect.min.y + px(15.0F);
     if (widgets::IsCovered("sentences")) return {};
     float top = first;
     const float middle = (rect.min.y + rect.max.y) * 0.5F;
-    // On stage, a sentence on what this window shows would compete with the lesson's own.
-    const auto is_of_window = [](const Problem& problem) { return problem.mended_by.starts_with("view."); };
-    for (const bool breaks : {true, false})
+    for (const ProblemKind kind : {ProblemKind::wrong, ProblemKind::worth_knowing, ProblemKind::about_window})
         for (const Problem& problem : problems)
-            if (!(widgets::HasPlainTitles() && is_of_window(problem)) && problem.breaks_picture == breaks &&
-                top < middle)
+            if (problem.kind == kind && top < middle && (kind == ProblemKind::wrong || !widgets::HasPlainTitles()))
                 top = tell_why(session, problem, rect, top);
-    if (top > first) widgets::MarkTarget("sentences", rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top});
-    return top > first ? Rect{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}} : Rect{};
+    const Rect told{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}};
+    if (top == first) return {};
+    widgets::MarkTarget("sentences", told.min, told.max);
+    return told;
 }
 
-/// Draws a ring around the pinned pixel, large enough to be visible.
+}  // namespace
+
 void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
     const Rect& rect = overlay.rect();
     const ImVec2 at(rect.min.x + static_cast<float>(pixel.x) + 0.5F, rect.min.y + static_cast<float>(pixel.y) + 0.5F);
@@ -181,8 +202,6 @@ void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
     overlay.draw()->AddCircle(at, px(7.0F), palette().ground, 0, px(4.0F));
     overlay.draw()->AddCircle(at, px(7.0F), palette().point, 0, px(2.0F));
 }
-
-}  // namespace
 
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel) {
     params.view.pin.reset();
@@ -202,28 +221,6 @@ std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm:
     return is_inside ? std::optional(pixel) : std::nullopt;
 }
 
-void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
-                      const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
-    if (layout.beside.empty()) return;
-    const widgets::Group group("beside");
-    const Rect& rect = layout.beside;
-    widgets::MarkTarget("view:camera", rect.min, rect.max);
-    if (widgets::IsCovered("view:camera")) {
-        ImGui::SetCursorScreenPos(rect.min);
-        return widgets::Plate("beside view", {rect.width(), rect.height()});
-    }
-    draw_beside_picture(session, rect, pictures.beside);
-    Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
-    if (ImGui::IsItemHovered()) {
-        state.hovered = ViewName::camera;
-        state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
-        if (state.hovered_pixel) state.told_pixel = state.hovered_pixel;
-    }
-    camera_mouse(state, session, derived, overlay, Handle::none, pictures.hidden, input, motion);
-    if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
-    draw_beside_legend(session, derived, rect);
-}
-
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
@@ -231,6 +228,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     Params& params = session.params;
     if (widgets::HasPlainTitles() && params.view.shows != Shows::color)
         view_header(rect, tr(shows[static_cast<std::size_t>(params.view.shows)]));
+    else if (params.view.beside.shows == Beside::settings && params.view.beside.layout == BesideLayout::halves)
+        draw_beside_title(rect, rect.width() - px(150.0F), params, &BesideTitles::camera);
     else
         view_header(rect, rect.width() < px(300.0F) ? "" : marked("Camera view"));
     view_choices(params, rect);
@@ -243,7 +242,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const BesideParams& beside = params.view.beside;
     const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
     draw_picture(rect, pictures.camera);
-    if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside);
+    const bool has_sentences = !problems.empty() && !widgets::IsCovered("sentences");
+    if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside, has_sentences);
     const Rect told = tell_problems(session, problems, rect);
     picture_item("camera view", rect, nullptr);
     const bool over = ImGui::IsItemHovered();

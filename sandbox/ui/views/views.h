@@ -95,6 +95,9 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
+/// Draws a ring around the pinned pixel, large enough to be visible.
+void draw_pin(const Overlay& overlay, glm::ivec2 pixel);
+
 /// Pins a pixel of the camera's picture and replaces any other pin. If this pixel is already pinned, removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 

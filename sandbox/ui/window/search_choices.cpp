@@ -2,7 +2,9 @@
 #include <utility>
 
 #include "lesson/exercise.h"
+#include "state/file/beside.h"
 #include "state/file/json.h"
+#include "ui/panel/beside_panel.h"
 #include "ui/window/areas.h"
 #include "ui/window/workbench.h"
 
@@ -38,8 +40,23 @@ void Workbench::show_topic(Topic topic, Session& session, const Layout& layout) 
     views.lower = LowerChoice{slot, params.view.lower_left, params.view.lower_right};
 }
 
-void Workbench::carry_out(MenuCommand command, Session& session) {
+void Workbench::carry_out(MenuCommand command, Session& session, const std::vector<Problem>& problems) {
+    const auto compare_with = [&](OtherState which) {
+        if (const std::optional<Params> other = other_state(which, session, problems))
+            show_beside(session.params, *other);
+        else
+            session.report(Error{why_no_other(which)});
+    };
     switch (command) {
+        case MenuCommand::compare_before_edit:
+            return compare_with(OtherState::before_edit);
+        case MenuCommand::compare_preset:
+            return compare_with(OtherState::preset);
+        case MenuCommand::compare_fixed:
+            return compare_with(OtherState::fixed);
+        case MenuCommand::one_picture:
+            session.params.view.beside.shows = Beside::nothing;
+            return;
         case MenuCommand::save_as_step:
             return file_dialog_.show(FileDialog::Purpose::save_step);
         case MenuCommand::copy_link:
@@ -55,7 +72,8 @@ void Workbench::carry_out(MenuCommand command, Session& session) {
     }
 }
 
-void Workbench::draw_search(Session& session, const Layout& layout, Requests& requests) {
+void Workbench::draw_search(Session& session, const std::vector<Problem>& problems, const Layout& layout,
+                            Requests& requests) {
     const std::optional<SearchChoice> choice = search_.draw([&] { return offered_to_search(session); });
     if (!choice) return;
     start_page.close();
@@ -71,10 +89,14 @@ void Workbench::draw_search(Session& session, const Layout& layout, Requests& re
         go_to_exercise(exercise->id, false);
     } else if (const auto* field = std::get_if<FieldChoice>(&*choice)) {
         const UiParams looks = session.params.ui;
-        const std::string settings[] = {field->setting};
-        Result<Params> changed = apply_settings(session.params, settings, "");
+        const bool adds = field->is_beside && session.params.view.beside.shows == Beside::settings;
+        Result<Params> changed =
+            apply_settings(adds ? beside_params(session.params) : session.params, {&field->setting, 1}, "");
         if (!changed) return session.report(Error{changed.error()});
-        session.params = *std::move(changed);
+        if (field->is_beside)
+            show_beside(session.params, *std::move(changed));
+        else
+            session.params = *std::move(changed);
         const UiParams& now = session.params.ui;
         if (now.theme != looks.theme) requests.chosen_theme = now.theme;
         if (now.scale != looks.scale) requests.chosen_scale = now.scale;
@@ -85,7 +107,7 @@ void Workbench::draw_search(Session& session, const Layout& layout, Requests& re
         if (const auto* key = std::get_if<KeyPress>(&(*command)->does))
             waiting_.pressed.push_back(*key);  // pressed in the next frame, when nobody types
         else
-            carry_out(std::get<MenuCommand>((*command)->does), session);
+            carry_out(std::get<MenuCommand>((*command)->does), session, problems);
     }
 }
 

@@ -21,7 +21,18 @@ enum class EntryKind { command, field, trouble, preset, view, lesson, step, exer
 const char* name_of_kind(EntryKind kind);
 
 /// A command without a key of its own.
-enum class MenuCommand { save_as_step, copy_link, reset_all, lessons, exercises, leave_lesson };
+enum class MenuCommand {
+    save_as_step,
+    copy_link,
+    reset_all,
+    lessons,
+    exercises,
+    leave_lesson,
+    compare_before_edit,
+    compare_preset,
+    compare_fixed,
+    one_picture
+};
 
 /// Where the user is. Keys differ between these places.
 enum class Place { window, lesson, stage, lesson_on_stage };
@@ -51,6 +62,7 @@ struct ExerciseChoice {
 struct FieldChoice {
     std::string_view path;
     std::string setting;
+    bool is_beside = false;  ///< for the second picture alone
 };
 using SearchChoice = std::variant<PresetChoice, LessonPlace, ExerciseChoice, FieldChoice, Topic, const WindowCommand*>;
 
@@ -88,8 +100,9 @@ std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLi
 
 /// Returns the entries that contain every word of `query`, best first: words in names before words in descriptions,
 /// starts of words before other places, short titles before long ones. A field also fits if its name is followed by a
-/// value ("near 0.0001"); its choice is then that setting. If no entry has every word, returns those with the most. A
-/// slide's number ("s12", "slide 12") finds what is for that slide: presets, then lessons and their steps.
+/// value ("near 0.0001"); its choice is then that setting, for the second picture after "beside" ("beside near
+/// 0.0001"). If no entry has every word, returns those with the most. A slide's number ("s12", "slide 12") finds what
+/// is for that slide: presets, then lessons and their steps.
 std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most = 12);
 
 /// Whether a text in lower case contains every word of `query`.

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "state/file/beside.h"
 #include "state/slides.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -146,17 +147,21 @@ std::optional<std::string> value_of(const Field& field, Words words) {
     return as_number(words.front());
 }
 
-/// The entry of a field with the value that the last words give; none if they give none.
+/// The entry of a field with the value that the last words give; none if they give none. After "beside", the value is
+/// for the second picture.
 std::optional<std::pair<SearchEntry, int>> with_value(const SearchEntry& entry, Words words) {
     const auto* const choice = std::get_if<FieldChoice>(&entry.choice);
+    const bool is_beside = !words.empty() && (words.front() == "beside" || words.front() == "비교");
+    if (is_beside) words = words.subspan(1);
+    if (is_beside && choice && !may_differ_beside(choice->path)) return std::nullopt;
     for (std::size_t named = words.size(); choice && named > 1;) {
         const Misfit misfit = misfit_of(entry, words.first(--named));
         if (misfit.lacks > 0) continue;
         const std::optional<std::string> value = value_of(field(choice->path), words.subspan(named));
         if (!value) continue;
         SearchEntry set = entry;
-        set.choice = FieldChoice{choice->path, std::string(choice->path) + "=" + *value};
-        set.note = entry.note + " → " + *value;
+        set.choice = FieldChoice{choice->path, std::string(choice->path) + "=" + *value, is_beside};
+        set.note = entry.note + (is_beside ? " | " : " → ") + *value;
         return std::pair{std::move(set), misfit.cost};
     }
     return std::nullopt;

@@ -389,7 +389,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     session.message.is_drawn = true;
     file_dialog_.draw(session);
     help_.draw();
-    draw_search(session, now, requests);
+    draw_search(session, problems, now, requests);
     draw_permission(session);
     want_korean(session);
 

@@ -138,8 +138,8 @@ private:
     std::vector<std::string> matrices_about(const Session& session) const;
     std::vector<SearchEntry> offered_to_search(const Session& session);
     /// Draws the search and carries out what the user chooses in it.
-    void draw_search(Session& session, const Layout& layout, Requests& requests);
-    void carry_out(MenuCommand command, Session& session);
+    void draw_search(Session& session, const std::vector<Problem>& problems, const Layout& layout, Requests& requests);
+    void carry_out(MenuCommand command, Session& session, const std::vector<Problem>& problems);
     /// Shows a topic in a lower view and makes that view visible.
     void show_topic(Topic topic, Session& session, const Layout& layout);
     void draw_file_menu(Session& session, Requests& requests);

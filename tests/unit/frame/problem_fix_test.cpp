@@ -24,7 +24,7 @@ TEST(ProblemFix, RemovesTheProblemOfEachPreset) {
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
             if (problem.mended_by.empty()) continue;
             SCOPED_TRACE(preset.name + ": " + problem.sentence);
-            EXPECT_TRUE(problem.breaks_picture);
+            EXPECT_NE(problem.kind, ProblemKind::worth_knowing);
             const Result<Params> right =
                 apply_settings(state->params, std::vector<std::string>{std::string(problem.mended_by)});
             ASSERT_TRUE(right) << right.error();
@@ -52,7 +52,7 @@ TEST(ProblemFix, MatchesTheFixOfThePreset) {
         int gone = 0;
         std::vector<std::string> offered;
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
-            if (!problem.breaks_picture || says(left, problem.group, problem.sentence)) continue;
+            if (problem.kind != ProblemKind::wrong || says(left, problem.group, problem.sentence)) continue;
             ++gone;
             if (!problem.mended_by.empty()) offered.push_back(problem.mended_by);
         }

@@ -394,7 +394,7 @@ TEST(Problems, InvisibleEffectsAreNotExplained) {
 TEST(Problems, BrokenPictureIsReportedOnThePicture) {
     const auto breaks = [](const Settings& settings) {
         const std::vector<Problem> problems = problems_with(settings, high_scene());
-        return std::ranges::count(problems, true, &Problem::breaks_picture);
+        return std::ranges::count(problems, ProblemKind::wrong, &Problem::kind);
     };
     EXPECT_EQ(breaks({}), 0);  // the tower above the light is not the effect of a switch
     EXPECT_EQ(breaks({"light.position=[3,-4,2,1]"}), 0);

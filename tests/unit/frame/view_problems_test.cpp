@@ -35,7 +35,7 @@ TEST(ViewProblems, ReportWhereTheObjectsAre) {
         const std::vector<Problem> problems = problems_with({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
         EXPECT_NE(problems[0].sentence.find(expected), std::string::npos) << setting << ": " << problems[0].sentence;
-        EXPECT_TRUE(problems[0].breaks_picture);
+        EXPECT_EQ(problems[0].kind, ProblemKind::about_window);
     }
 }
 

@@ -110,6 +110,7 @@ constexpr std::string_view contract_paths[] = {
     "view.beside.share",
     "view.beside.format",
     "view.beside.mapping",
+    "view.beside.set",
     "view.pixel",
     "view.pin",
     "view.cells",
@@ -186,7 +187,7 @@ TEST(Fields, EnumsHaveTheNamesOfTheContract) {
               (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting", "shadow_w"}));
     EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
     EXPECT_EQ(names("view.depth_colors"), (Names{"grey", "bands"}));
-    EXPECT_EQ(names("view.beside.shows"), (Names{"nothing", "depth", "other_depth"}));
+    EXPECT_EQ(names("view.beside.shows"), (Names{"nothing", "depth", "other_depth", "settings"}));
     EXPECT_EQ(names("view.beside.layout"), (Names{"halves", "divider"}));
     EXPECT_EQ(names("view.beside.format"), names("depth.format"));
     EXPECT_EQ(names("depth.decals"), (Names{"offset", "equal", "stencil"}));

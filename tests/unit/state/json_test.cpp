@@ -201,7 +201,8 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
       "layout": "halves",
       "share": 0.5,
       "format": "d32f",
-      "mapping": "reversed"
+      "mapping": "reversed",
+      "set": {}
     },
     "pixel": null,
     "pin": null,

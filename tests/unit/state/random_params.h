@@ -137,6 +137,10 @@ private:
             **names = allowed_names(field);
             std::shuffle((*names)->begin(), (*names)->end(), random_);
             (*names)->resize(static_cast<std::size_t>(whole(0, static_cast<int>((*names)->size()))));
+        } else if (const auto* settings = std::get_if<Settings*>(&ref)) {
+            (*settings)->all = {"projection.near=" + std::to_string(whole(1, 9)), "depth.func=\"always\"",
+                                "camera.look_at={\"eye\":[1,2,3],\"center\":[0,0,0]}"};
+            (*settings)->all.resize(static_cast<std::size_t>(whole(0, 3)));
         }
     }
 

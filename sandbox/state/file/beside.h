@@ -1,0 +1,22 @@
+// The second picture of the camera view (view.beside): the state of the first, with some fields changed.
+#pragma once
+
+#include <string_view>
+
+#include "state/params.h"
+
+namespace viewing {
+
+/// Returns whether view.beside.set may change a path: a whole field or camera.look_at. The scene, the looks, the layout
+/// and the second picture itself are common to both pictures.
+bool may_differ_beside(std::string_view path);
+
+/// Returns the parameters of the second picture: those of the first with its settings applied, moved into their ranges
+/// (a far that was lowered below a changed near, for instance). Without a second picture, returns `params`.
+Params beside_params(const Params& params);
+
+/// Makes the second picture show `other`: the fields in which it differs become view.beside.set. Differences that the
+/// second picture cannot have are ignored. Returns whether any difference is left; if none is, changes nothing.
+bool show_beside(Params& params, Params other);
+
+}  // namespace viewing
