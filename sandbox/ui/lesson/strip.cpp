@@ -350,6 +350,36 @@ float strip_height(const LessonRun& run, float width, const widgets::Context& co
     return std::ceil((columns.are_two ? std::max(left, right) : left + right + line_gap * context.scale) + frame);
 }
 
+float tallest_strip(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look) {
+    struct Key {
+        const Lesson* lesson = nullptr;
+        std::size_t first = 0;
+        float width = 0.0F, scale = 0.0F;
+        Language language{};
+        bool has_clock = false;
+        bool operator==(const Key&) const = default;
+    };
+    static Key known;
+    static float height = 0.0F;
+    const Lesson& lesson = run.lesson();
+    std::size_t first = 0, count = lesson.steps.size();
+    if (lesson.lecture) {
+        const Lecture::Part& part = lesson.lecture->parts[lesson.lecture->part_of(run.index())];
+        first = part.first;
+        count = part.count;
+    }
+    const Key now{&lesson, first, width, context.scale, spoken_language(), !look.clock.empty()};
+    if (now == known) return height;
+    known = now;
+    height = strip_height(run, width, context, look);
+    LessonRun other(lesson);
+    for (std::size_t step = first; step < first + count; ++step) {
+        other.go_to(step);
+        height = std::max(height, strip_height(other, width, context, look));
+    }
+    return height;
+}
+
 StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) {
     const widgets::Group group("lesson strip");
     const widgets::Context& context = widgets::CurrentContext();

@@ -48,8 +48,8 @@ struct StagePart {
 };
 
 /// Places the parts from top to bottom, the last one at the lower edge. Each gets its least height, and the rest is
-/// shared by those that can use it. If there is too little, all shrink alike.
-void place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
+/// shared by those that can use it. If there is too little, all shrink alike. Returns whether there is enough.
+bool place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
     const float gap = 10.0F * scale;
     float fixed = gap * static_cast<float>(parts.size() - 1), least = 0.0F;
     for (const StagePart& part : parts) {
@@ -90,6 +90,7 @@ void place_column(const std::vector<StagePart>& parts, const Rect& column, float
         *parts[i].rect = rounded(column.min.x, top, column.max.x, top + heights[i]);
         top += heights[i] + gap;
     }
+    return least <= available;
 }
 
 /// Lays out a lesson's step or a state for an audience: the main view as large as possible, at its right a column with
@@ -127,7 +128,8 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
         // The hero keeps half of a wide area, and 45 % of one that is nearly square.
         width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.55F) * area.width());
         hero_right = area.max.x - width - gap;
-        place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
+        layout.column_fits =
+            place_column(parts, {{hero_right + gap, area.min.y}, area.max}, layout.header_height, scale);
     }
     const Rect hero = rounded(area.min.x, area.min.y + layout.header_height, hero_right, area.max.y);
     switch (arrangement.maximized) {

@@ -77,6 +77,7 @@ struct Layout {
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
     bool is_short = false;                 ///< a phone held sideways: views side by side, columns on request
     bool lower_in_column = false;          ///< on stage: the lower views are at the right of the camera view
+    bool column_fits = true;               ///< on stage: nothing in the column is lower than it should be
 };
 
 /// Returns the factor by which to enlarge everything when presenting or while one view fills the window. `scale`: see

@@ -45,13 +45,14 @@ ImVec2 least_size_on_stage(Topic topic) {
     switch (topic) {
         case Topic::passes:
         case Topic::shadow_derivation:
-        case Topic::mirror_derivation:
         case Topic::lecture_code:
         case Topic::display_code:
         case Topic::cells:
         case Topic::pixel:
         case Topic::why:
             return {440.0F, 150.0F};
+        case Topic::mirror_derivation:
+            return {440.0F, 320.0F};
         case Topic::fighting:
             return {440.0F, 185.0F};
         case Topic::codes:

@@ -64,9 +64,15 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
 
 Layout Workbench::layout_of_areas(ImVec2 window_px, const Session& session) const {
     Arrangement now = arranged(session);
-    if (guide.is_shown() && arrangement.has_strip)
-        now.strip_px =
-            strip_height(*guide.run(), window_px.x, widgets, {arrangement.presents, false, presenter.clock(), false});
+    const StripLook look{arrangement.presents, false, presenter.clock(), false};
+    const bool has_strip = guide.is_shown() && arrangement.has_strip;
+    if (has_strip) now.strip_px = strip_height(*guide.run(), window_px.x, widgets, look);
+    if (has_strip && arrangement.presents) {
+        // The strip keeps its place throughout a lesson, unless that takes space from what the step names.
+        const float own = now.strip_px;
+        now.strip_px = std::max(own, tallest_strip(*guide.run(), window_px.x, widgets, look));
+        if (!lay_out(window_px, widgets.scale, now).column_fits) now.strip_px = own;
+    }
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
