@@ -36,6 +36,11 @@ void lead(Studio& studio, const LessonPicture& wanted) {
     }
     studio.workbench.arrangement.has_strip = wanted.has_strip;
     studio.session.finish_loading();
+    GrowthViewState& growth = studio.workbench.views.hidden.growth;
+    if (wanted.revealed && is_shown(studio.session.params, Topic::growth)) {
+        measure_for_stage(growth, studio.session);
+        growth.measuring.wait(-1.0);
+    }
 }
 
 /// Returns the window's sentence for an empty view. If that sentence asks for a click, returns one that names the

@@ -58,6 +58,25 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     EXPECT_TRUE(rows().empty());
 }
 
+/// A stage has no buttons: there the counting starts with the step, once, and shows what is the same everywhere.
+TEST_F(GrowthView, OnStageItMeasuresByItself) {
+    HiddenStatus status;
+    status.shows_time = true;
+    begin_hidden_frame(hidden(), desk.session, status);
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "not in the window";
+    desk.press(Key::f5);
+    ui.frames(3);
+    ASSERT_TRUE(desk.workbench.widgets.is_on_stage);
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "not for a picture that must be reproducible";
+    begin_hidden_frame(hidden(), desk.session, status);
+    EXPECT_TRUE(hidden().growth.measuring.is_running());
+    EXPECT_TRUE(hidden().growth.shows_operations);
+    hidden().growth.measuring.cancel();
+    wait_until_measured();
+    begin_hidden_frame(hidden(), desk.session, status);
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "it was canceled";
+}
+
 TEST_F(GrowthView, MeasuringShowsProgressAndCanBeCanceled) {
     ui.click("lower/Measure");
     EXPECT_TRUE(hidden().growth.measuring.is_running());

@@ -51,6 +51,7 @@ const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
 /// Starts the measurement. The worker thread builds everything that it measures, from a copy of the scene that shares
 /// its meshes with the original.
 void start(GrowthViewState& state, const Scene& scene) {
+    state.was_started = true;
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
     state.measuring.start([log = state.log, which = static_cast<GrowthScene>(state.scene),
                            scene](WorkProgress& progress) -> Result<std::vector<GrowthRow>> {
@@ -176,7 +177,9 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
-    if (std::string times = growth_times(shown_rows(state)); !times.empty()) told.push_back(std::move(times));
+    // On stage, only what is the same on every machine.
+    std::string times = widgets::CurrentContext().is_on_stage ? "" : growth_times(shown_rows(state));
+    if (!times.empty()) told.push_back(std::move(times));
     for (const GrowthRow& row : shown_rows(state))
         if (!row.problem.empty()) told.push_back(row.problem);
     return told;
@@ -199,6 +202,12 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
 }
 
 }  // namespace
+
+void measure_for_stage(GrowthViewState& state, const Session& session) {
+    if (state.was_started) return;
+    state.shows_operations = true;
+    start(state, session.scene());
+}
 
 void take_growth_rows(GrowthViewState& state, Session& session) {
     if (!state.log) return;

@@ -27,11 +27,16 @@ struct GrowthViewState {
     int scene = 0;                                  ///< the GrowthScene shown and measured
     int of_version = -1;                            ///< the session's scene version to which these rows belong
     bool shows_operations = false;
+    bool was_started = false;
     bool wants_picture = false;                 ///< save a picture of the chart in the next frame
     std::optional<ViewPicture> wanted_picture;  ///< requested in this frame
 };
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect);
+
+/// Measures before an audience asks for it: on stage the view has no buttons, and its counts take a while. Shows the
+/// operations, which are the same on every machine. Does nothing if a measurement was started before.
+void measure_for_stage(GrowthViewState& state, const Session& session);
 
 /// Call once a frame, whichever view is shown. Copies the rows measured so far into `rows`, and reports an error as the
 /// session's message.

@@ -7,6 +7,7 @@
 #include "ui/hidden/order_view.h"
 #include "ui/hidden/polygon_links.h"
 #include "ui/hidden/tree_view.h"
+#include "ui/parts/topics.h"
 
 namespace viewing {
 
@@ -26,6 +27,8 @@ struct HiddenState {
 /// Call once a frame before drawing. Applies the results of background work.
 inline void begin_hidden_frame(HiddenState& state, Session& session, const HiddenStatus& hidden) {
     take_failure(state.panel.failure, session);
+    const bool is_live_stage = widgets::CurrentContext().is_on_stage && hidden.shows_time;
+    if (is_live_stage && is_shown(session.params, Topic::growth)) measure_for_stage(state.growth, session);
     take_growth_rows(state.growth, session);
     stop_at_other_step(state.panel, session);
     keep_selection(state.links, hidden);
