@@ -16,13 +16,9 @@ Json new_lesson(const std::string& source) {
             {"steps", Json::array()}};
 }
 
-Json step_of(const Params& params, const LoadedState& preset, const std::string& name, std::size_t number) {
-    Json settings = Json::object();
-    Params now = params;
-    now.ui = preset.params.ui;  // belongs to the user, not to the step
-    for (const std::string& path : changed_fields(preset.params, now)) settings[path] = field_as_json(field(path), now);
+Json step_of(Json state, std::size_t number) {
     return {{"id", "step-" + std::to_string(number)},
-            {"state", {{"preset", name}, {"set", std::move(settings)}}},
+            {"state", std::move(state)},
             {"say", template_texts.say},
             {"ask",
              {{"kind", "choice"},
@@ -35,18 +31,28 @@ Json step_of(const Params& params, const LoadedState& preset, const std::string&
 
 }  // namespace
 
+Json state_of_step(const Params& params, const std::string& preset, const std::string& source) {
+    const std::string name = preset.empty() ? "opening" : preset;
+    const Result<LoadedState> known = load_state(name);
+    if (!known) throw Refusal(source + ": " + known.error());
+    Json settings = Json::object();
+    Params now = params;
+    now.ui = known->params.ui;  // belongs to the user, not to the step
+    for (const std::string& path : changed_fields(known->params, now)) settings[path] = field_as_json(field(path), now);
+    return {{"preset", name}, {"set", std::move(settings)}};
+}
+
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
-                              const std::string& preset) {
+                              const std::string& preset, const std::vector<std::string>& highlight) {
     return guarded([&] {
         const Where root{source + ": ", ""};
         Json lesson = existing.empty() ? new_lesson(source) : parse_document(existing, root.prefix);
         if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") ||
             !lesson["steps"].is_array())
             root.refuse("is not a lesson: it must have \"lesson\" and a list of \"steps\"");
-        const std::string name = preset.empty() ? "opening" : preset;
-        const Result<LoadedState> known = load_state(name);
-        if (!known) root.refuse(known.error());
-        lesson["steps"].push_back(step_of(params, *known, name, lesson["steps"].size() + 1));
+        Json step = step_of(state_of_step(params, preset, source), lesson["steps"].size() + 1);
+        if (!highlight.empty()) step["highlight"] = highlight;
+        lesson["steps"].push_back(std::move(step));
         return print_document(lesson) + "\n";
     });
 }

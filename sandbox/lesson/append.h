@@ -3,7 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "state/file/document.h"
 #include "state/params.h"
 #include "text/result.h"
 
@@ -22,9 +24,12 @@ inline constexpr TemplateTexts template_texts{"What the picture shows.",
 
 /// Returns the file's content with one more step. The step stores how the state differs from the preset, and has a text
 /// and a question for the author to fill in. `existing` is the file's current content, "" for a new file. `preset` is
-/// the preset that the state is based on, "" for the opening state. The error is one sentence that begins with
-/// `source`.
+/// the preset that the state is based on, "" for the opening state; `highlight` are the parts that are framed on the
+/// screen. The error is one sentence that begins with `source`.
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
-                              const std::string& preset);
+                              const std::string& preset, const std::vector<std::string>& highlight = {});
+
+/// Returns a step's "state": its preset, and how the state differs from it. Throws a Refusal that begins with `source`.
+Json state_of_step(const Params& params, const std::string& preset, const std::string& source);
 
 }  // namespace viewing

@@ -1,0 +1,68 @@
+// Edits a person's own lesson as a text: what its author types in the window, and the steps that are moved, doubled,
+// removed or given another state. Every function returns the whole new text of the file, which has been read as a
+// lesson, or one sentence that begins with `source`; the folder is that of the files that its scenes name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/lesson.h"
+
+namespace viewing {
+
+/// The file of a lesson before an edit.
+struct LessonSource {
+    std::string text;
+    std::string name;              ///< begins every message: "mine.json"
+    std::filesystem::path folder;  ///< of the file
+};
+
+/// A part of a step that its author can type.
+struct StepPart {
+    enum class Kind {
+        say,
+        question,
+        choice,
+        why,
+        right,
+        answer,
+        item,
+        hint,
+        wrong_when,
+        wrong_say,
+        reveal,
+        note,
+        other
+    };
+    Kind kind = Kind::other;
+    std::size_t number = 0;  ///< of the choice, item, hint or wrong answer, from 0
+    std::string place;       ///< within the step: "/ask/choices/0/say"
+    std::string text;        ///< in the language asked for; true or false for `right`; an answer as in the file
+};
+
+/// Returns the parts of a step in the order of the screen: its text, question, choices, answer, hints, wrong answers,
+/// the sentence of the reveal, and the lecturer's note, empty if it has none. Empty if the text is not a lesson.
+std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language);
+
+/// Replaces a part. Marking a choice as right unmarks the others. A sentence that exists in one language only gets a
+/// second one beside it.
+Result<std::string> with_part(const LessonSource& source, std::size_t step, const StepPart& part, Language language);
+
+/// Moves a step; `to` is clamped to the list.
+Result<std::string> with_moved_step(const LessonSource& source, std::size_t from, std::ptrdiff_t to);
+/// Inserts a copy of a step behind it, with an id of its own.
+Result<std::string> with_doubled_step(const LessonSource& source, std::size_t step);
+Result<std::string> with_removed_step(const LessonSource& source, std::size_t step);
+/// Adds a choice to a question with choices, with texts for the author to replace.
+Result<std::string> with_choice(const LessonSource& source, std::size_t step);
+/// Makes a state the step's start, with its layout; `preset` is the preset that it is based on, "" for the opening
+/// state.
+Result<std::string> with_start(const LessonSource& source, std::size_t step, const Params& params,
+                               const std::string& preset);
+/// Makes a state the one that the answer shows: the reveal changes what differs from `start`.
+Result<std::string> with_revealed(const LessonSource& source, std::size_t step, const Params& start,
+                                  const Params& revealed);
+
+}  // namespace viewing
