@@ -66,6 +66,12 @@ public:
         const Pointer at(place);
         parts_.push_back({kind, number, place, step_.contains(at) ? sentence_in(step_[at], language_) : ""});
     }
+    /// Adds whether a choice is right; returns it.
+    bool mark(const std::string& choice, std::size_t number) {
+        const bool is_right = step_[Pointer(choice)].is_object() && step_[Pointer(choice)].contains("right");
+        parts_.push_back({StepPart::Kind::right, number, choice + "/right", is_right ? "true" : "false"});
+        return is_right;
+    }
     /// Adds a value as it is in the file, if it is there.
     void value(StepPart::Kind kind, const std::string& place, std::size_t number = 0) {
         const Pointer at(place);
@@ -96,9 +102,9 @@ std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, L
     parts.sentence(Kind::question, "/ask/question");
     for (std::size_t i = 0; i < parts.count("/ask/choices"); ++i) {
         const std::string choice = "/ask/choices/" + std::to_string(i);
-        parts.value(Kind::right, choice + "/right", i);
+        const bool is_right = parts.mark(choice, i);
         parts.sentence(Kind::choice, choice + "/say", i);
-        parts.sentence(Kind::why, choice + "/why", i);
+        if (!is_right) parts.sentence(Kind::why, choice + "/why", i);
     }
     for (std::size_t i = 0; i < parts.count("/ask/items"); ++i)
         parts.sentence(Kind::item, "/ask/items/" + std::to_string(i), i);
@@ -119,10 +125,15 @@ Result<std::string> with_part(const LessonSource& source, std::size_t step, cons
     return edited_step(source, step, [&](Json& whole) {
         const Pointer at(part.place);
         switch (part.kind) {
-            case StepPart::Kind::right:
-                for (Json& choice : whole["ask"]["choices"]) choice.erase("right");
+            case StepPart::Kind::right: {
+                Json& chosen = whole[at.parent_pointer()];
+                const Json why = chosen.value("why", Json(template_texts.why));
+                chosen.erase("why");
+                for (Json& choice : whole["ask"]["choices"])
+                    if (choice.erase("right") > 0 && &choice != &chosen) choice["why"] = why;
                 whole[at] = true;
                 break;
+            }
             case StepPart::Kind::answer:
             case StepPart::Kind::wrong_when: {
                 const Json value = Json::parse(part.text, nullptr, false);

@@ -37,6 +37,8 @@ public:
     bool is_shown() const { return run_ && is_shown_; }
     /// Whether a lesson from somebody's own file is shown, which may change: update() needs a call each second.
     bool watches_file() const;
+    /// Lets the next update() see whether that file has changed.
+    void look_at_file() { unwatched_s_ = 1e9; }
     bool is_reading() const { return reading_.is_running(); }
 
     /// Hides the lesson for free exploration, with the state unchanged.

@@ -52,16 +52,17 @@ float feedback_height(const LessonRun& run, float width, const widgets::Context&
     return height;
 }
 
-/// Returns a step's button labels, in order. `departs`: whether to include Restore.
-std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
+/// Returns a step's button labels, in order.
+std::vector<const char*> button_labels(const LessonRun& run, const StripLook& look) {
     std::vector<const char*> labels{"◂###back"};
     const bool is_sheet = run.lesson().sheet.has_value();
     labels.push_back(run.is_revealed() || is_sheet ? marked("Next ▸") : marked("Show the answer"));
     const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
     if (!run.is_revealed() && has_more_hints) labels.push_back(marked("Hint"));
-    if (departs) labels.push_back(marked("Restore"));
+    if (look.departs) labels.push_back(marked("Restore"));
     labels.push_back(is_sheet ? marked("All exercises") : marked("All steps"));
     labels.push_back(marked("Explore freely"));
+    if (look.can_edit) labels.push_back(marked("Edit"));
     return labels;
 }
 
@@ -89,8 +90,9 @@ std::vector<bool> line_breaks(const std::vector<const char*>& labels, float widt
 }
 
 /// Height of the buttons, with space for Restore, which may appear later.
-float buttons_height(const LessonRun& run, float width, const widgets::Context& context) {
-    const std::vector<bool> breaks = line_breaks(button_labels(run, true), width, context);
+float buttons_height(const LessonRun& run, float width, const widgets::Context& context, StripLook look) {
+    look.departs = true;
+    const std::vector<bool> breaks = line_breaks(button_labels(run, look), width, context);
     const auto rows = static_cast<float>(1 + std::count(breaks.begin(), breaks.end(), true));
     return rows * (button_height(context) + line_gap * context.scale);
 }
@@ -157,7 +159,7 @@ float left_height(const LessonRun& run, float width, const widgets::Context& con
     if (look.presents) return height;
     for (const LessonText& hint : step.ask.hints)
         height += paragraph(hint.shown(), context.fonts.text, width).height + gap;
-    return height + buttons_height(run, width, context);
+    return height + buttons_height(run, width, context, look);
 }
 
 float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
@@ -178,7 +180,7 @@ void draw_paragraph(const LessonText& text, ImFont* font, float width, const cha
 
 void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
     const bool is_revealed = run.is_revealed(), is_sheet = run.lesson().sheet.has_value();
-    const std::vector<const char*> labels = button_labels(run, look.departs);
+    const std::vector<const char*> labels = button_labels(run, look);
     const std::vector<bool> breaks = line_breaks(labels, width, widgets::CurrentContext());
     std::size_t place = 0;
     const auto button = [&](bool enabled, const char* why, const char* tip) {
@@ -203,7 +205,7 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         // The second click of a double-click was not meant for the button that has just taken this place.
         wishes.next = is_next && ImGui::GetIO().MouseClickedLastCount[0] < 2;
     }
-    if (place + 2 + (look.departs ? 1U : 0U) < labels.size() &&
+    if (place + 2 + (look.departs ? 1U : 0U) + (look.can_edit ? 1U : 0U) < labels.size() &&
         button(true, "", marked("Shows a hint toward the answer.")))
         run.show_hint();
     if (look.departs) wishes.again = button(true, "", marked("Restores the step's state. Ctrl+Z undoes this."));
@@ -212,6 +214,7 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
                                       : marked("Shows the steps of this lesson as pictures."));
     wishes.leave = button(
         true, "", marked("Leaves the lesson and keeps the current state; the Lesson button returns to this step."));
+    if (look.can_edit) wishes.edit = button(true, "", marked("Edits the texts, answers and states of this step."));
 }
 
 void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {

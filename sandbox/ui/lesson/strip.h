@@ -15,12 +15,13 @@ struct StripLook {
     bool departs = false;      ///< the state differs from the step's, which a dot indicates
     std::string clock;         ///< the timer's text; empty if there is no timer
     bool is_checking = false;  ///< a measurement is still running
+    bool can_edit = false;     ///< the lesson is the user's own: adds a button that edits the step
 };
 
 /// The buttons pressed in this frame.
 struct StripWishes {
     bool next = false, previous = false, again = false, check = false, leave = false, overview = false;
-    bool paste = false, show_matrix = false;
+    bool paste = false, show_matrix = false, edit = false;
 };
 
 /// Returns the height in pixels that the step needs at this width, both before and after its answer, so that nothing

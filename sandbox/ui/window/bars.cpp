@@ -164,7 +164,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
     if (save) file_dialog_.show(FileDialog::Purpose::save);
-    if (save_step) file_dialog_.show(FileDialog::Purpose::save_step);
+    if (save_step) save_as_step();
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {

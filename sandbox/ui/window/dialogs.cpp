@@ -63,6 +63,14 @@ void FileDialog::show(Purpose purpose, const std::string& name, Use use) {
     use_ = std::move(use);
 }
 
+void FileDialog::show_save_step(const std::filesystem::path& own, std::vector<std::string> highlight) {
+    const std::filesystem::path& known = own.empty() ? step_file_ : own;
+    if (!known.empty()) folder_ = known.parent_path();
+    show(Purpose::save_step);
+    if (!known.empty()) name_ = known.filename().string();
+    highlight_ = std::move(highlight);
+}
+
 void FileDialog::want(Syllables& korean) const {
     for (const Entry& entry : entries_) korean.want(entry.name);
     for (const std::string& text : {folder_.string(), name_, error_, to_replace_.string()}) korean.want(text);
@@ -106,9 +114,9 @@ void FileDialog::take_listing() {
 namespace {
 
 /// Adds the session's state to a lesson file as its last step, or creates the file. Runs in the background.
-void append_step(Session& session, const std::filesystem::path& file) {
+void append_step(Session& session, const std::filesystem::path& file, const std::vector<std::string>& highlight) {
     const std::string preset = session.preset() ? session.preset()->name : "";
-    const auto work = [file, params = session.params, preset]() -> Status {
+    const auto work = [file, params = session.params, preset, highlight]() -> Status {
         std::error_code unknown;
         std::string existing;
         if (std::filesystem::exists(file, unknown)) {
@@ -116,7 +124,7 @@ void append_step(Session& session, const std::filesystem::path& file) {
             if (!read) return Error{read.error()};
             existing = *std::move(read);
         }
-        const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset);
+        const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset, highlight);
         if (!lesson) return Error{lesson.error()};
         return write_file(file, *lesson);
     };
@@ -162,7 +170,7 @@ bool FileDialog::confirm(Session& session) {
     else if (purpose_ == Purpose::save)
         session.save(file);
     else
-        append_step(session, file);
+        append_step(session, step_file_ = file, highlight_);
     waits_ = purpose_ != Purpose::open || !is_obj_file(file);
     return !waits_;
 }

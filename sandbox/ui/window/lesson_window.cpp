@@ -150,7 +150,8 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
         begin_area("lesson", layout.strip);
         ImGui::PopStyleVar();
-        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), is_checking};
+        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), is_checking,
+                             guide.watches_file()};
         const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);
         ImGui::End();
         requests.check_answer = wishes.check;
@@ -161,6 +162,9 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         if (wishes.paste) paste_answer();
         if (wishes.show_matrix) typed_matrix_.open(*guide.run());
         if (wishes.leave) leave_lesson(session);
+        if (wishes.edit) open_step_editor(session);
+        const Rect editor{{0.0F, layout.top_bar.max.y}, {width_of_editor(layout.strip.width()), layout.strip.min.y}};
+        if (!editor.empty() && !presenter.shows_overview()) step_editor_.draw(guide, session, editor);
     }
     draw_end(session, pictures);
     draw_overview(presenter, guide, session, pictures);
@@ -173,6 +177,19 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     const Rect above{{0.0F, 0.0F}, {window_px.x, bottom}};
     if (presenter.shows_code()) draw_code_plate(link_for_code(guide, session, link_address), link_address, above);
     presenter.draw(guide, above);
+}
+
+void Workbench::open_step_editor(Session& session) {
+    if (guide.is_shown() && guide.watches_file())
+        step_editor_.open();
+    else
+        session.message = {tr("only the steps of your own lessons can be edited: save a state as a step first"), false};
+}
+
+void Workbench::save_as_step() {
+    const bool is_own = guide.run() && guide.watches_file();
+    file_dialog_.show_save_step(is_own ? guide.run()->lesson().file : "",
+                                guide.is_shown() ? stage.highlight : std::vector<std::string>{});
 }
 
 void Workbench::draw_end(Session& session, const Pictures& pictures) {

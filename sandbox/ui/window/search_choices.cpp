@@ -58,7 +58,9 @@ void Workbench::carry_out(MenuCommand command, Session& session, const std::vect
             session.params.view.beside.shows = Beside::nothing;
             return;
         case MenuCommand::save_as_step:
-            return file_dialog_.show(FileDialog::Purpose::save_step);
+            return save_as_step();
+        case MenuCommand::edit_step:
+            return open_step_editor(session);
         case MenuCommand::copy_link:
             return copy_link(guide, session, link_address);
         case MenuCommand::reset_all:

@@ -23,6 +23,7 @@ const char* name_of_kind(EntryKind kind);
 /// A command without a key of its own.
 enum class MenuCommand {
     save_as_step,
+    edit_step,
     copy_link,
     reset_all,
     lessons,

@@ -40,6 +40,8 @@ void Workbench::want_korean(const Session& session) {
         korean.want(entry.note);
     }
     if (file_dialog_.is_open()) file_dialog_.want(korean);
+    if (step_editor_.is_open())
+        for (const std::string& text : step_editor_.texts()) korean.want(text);
     if (const auto* scene = std::get_if<std::string>(&session.params.scene)) korean.want(*scene);
     if (start_page.is_open()) {
         for (const LessonFile& file : start_page.lessons()) korean.want(file.title.shown());

@@ -30,6 +30,7 @@ std::span<const WindowCommand> window_commands() {
         {marked("Open…"), "Ctrl+O", with_ctrl(Key::o), in_any_window},
         {marked("Save…"), "Ctrl+S", with_ctrl(Key::s), in_any_window},
         {marked("Save as step…"), "", MenuCommand::save_as_step, in_any_window},
+        {marked("Edit this step"), "", MenuCommand::edit_step, in_lesson},
         {marked("Copy state"), "Ctrl+C", with_ctrl(Key::c), in_any_window},
         {marked("Copy link"), "", MenuCommand::copy_link, in_any_window},
         {marked("Paste state"), "Ctrl+V", with_ctrl(Key::v), in_any_window},

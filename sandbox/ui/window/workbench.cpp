@@ -54,23 +54,35 @@ Arrangement Workbench::arranged(const Session& session) const {
     return now;
 }
 
+float Workbench::width_of_editor(float window_px) const {
+    const bool is_drawn = step_editor_.is_open() && guide.watches_file() && !presenter.is_on();
+    return is_drawn ? std::floor(std::min(470.0F * widgets.scale, 0.5F * window_px)) : 0.0F;
+}
+
 Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
-    Layout made = layout_of_areas(window_px, session);
+    const float editor = width_of_editor(window_px.x);
+    Layout made = layout_of_areas({window_px.x - editor, window_px.y}, window_px.x, session);
+    if (editor > 0.0F) {  // beside the editor, between bars as wide as the window
+        for (Rect* rect : {&made.top_bar, &made.status_bar, &made.strip}) rect->max.x += editor;
+        for (Rect* rect : {&made.panel, &made.matrices, &made.camera, &made.lower_left, &made.lower_right, &made.beside,
+                           &made.caption})
+            if (!rect->empty()) *rect = {{rect->min.x + editor, rect->min.y}, {rect->max.x + editor, rect->max.y}};
+    }
     if (made.panel.empty() || !session.params.view.layout.controls.empty()) return made;
     made.sections = made.panel;
     made.sections.min.y = made.panel.max.y -= section_links_.height_px(made.panel);
     return made;
 }
 
-Layout Workbench::layout_of_areas(ImVec2 window_px, const Session& session) const {
+Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Session& session) const {
     Arrangement now = arranged(session);
-    const StripLook look{arrangement.presents, false, presenter.clock(), false};
+    const StripLook look{arrangement.presents, false, presenter.clock(), false, guide.watches_file()};
     const bool has_strip = guide.is_shown() && arrangement.has_strip;
-    if (has_strip) now.strip_px = strip_height(*guide.run(), window_px.x, widgets, look);
+    if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && arrangement.presents) {
         // The strip keeps its place throughout a lesson, unless that takes space from what the step names.
         const float own = now.strip_px;
-        now.strip_px = std::max(own, tallest_strip(*guide.run(), window_px.x, widgets, look));
+        now.strip_px = std::max(own, tallest_strip(*guide.run(), strip_width, widgets, look));
         if (!lay_out(window_px, widgets.scale, now).column_fits) now.strip_px = own;
     }
     const Layout bare = lay_out(window_px, widgets.scale, now);

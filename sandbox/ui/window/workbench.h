@@ -15,6 +15,7 @@
 #include "ui/lesson/exercise_page.h"
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
+#include "ui/lesson/step_editor.h"
 #include "ui/matrices/matrices.h"
 #include "ui/panel/camera_tab.h"
 #include "ui/panel/section_links.h"
@@ -132,13 +133,17 @@ private:
     Place place() const;
     /// Returns the matrices to show; empty for all. The free stage has room for two.
     /// The layout without the links below the panel.
-    Layout layout_of_areas(ImVec2 window_px, const Session& session) const;
+    Layout layout_of_areas(ImVec2 window_px, float strip_width, const Session& session) const;
+    /// The width in pixels that the step editor takes from the views; 0 while it is closed.
+    float width_of_editor(float window_px) const;
     std::vector<std::string> listed_matrices(const Session& session) const;
     /// Returns the matrices that the state is about, which a low column shows first.
     std::vector<std::string> matrices_about(const Session& session) const;
     std::vector<SearchEntry> offered_to_search(const Session& session);
     /// Draws the search and carries out what the user chooses in it.
     void draw_search(Session& session, const std::vector<Problem>& problems, const Layout& layout, Requests& requests);
+    void save_as_step();
+    void open_step_editor(Session& session);
     void carry_out(MenuCommand command, Session& session, const std::vector<Problem>& problems);
     /// Shows a topic in a lower view and makes that view visible.
     void show_topic(Topic topic, Session& session, const Layout& layout);
@@ -168,6 +173,7 @@ private:
 
     FrameInput waiting_;  ///< keys and files held back until typed text is committed
     FileDialog file_dialog_;
+    StepEditor step_editor_;
     TypedMatrix typed_matrix_;
     EndCard end_card_;
     std::string wanted_exercise_;  ///< the exercise to open once it is generated

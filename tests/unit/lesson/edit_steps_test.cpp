@@ -96,7 +96,10 @@ TEST(EditSteps, ExactlyOneChoiceIsRight) {
     LessonSource source = own_file();
     source.text = *with_choice(source, 0);
     EXPECT_EQ(read(source).steps[0].ask.choices.size(), 3U);
-    source.text = *with_part(source, 0, {Kind::right, 2, "/ask/choices/2/right", "true"}, Language::en);
+    const Result<std::string> marked =
+        with_part(source, 0, {Kind::right, 2, "/ask/choices/2/right", "true"}, Language::en);
+    ASSERT_TRUE(marked) << marked.error();
+    source.text = *marked;
     const std::vector<LessonChoice> choices = read(source).steps[0].ask.choices;
     EXPECT_FALSE(choices[0].right || choices[1].right);
     EXPECT_TRUE(choices[2].right);

@@ -1,0 +1,44 @@
+// Editing a step of a person's own lesson beside the step itself: its texts and answers, its place among the steps, and
+// the states of its question and its answer. Each edit is written to the file, which the guide then reads again.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lesson/edit_steps.h"
+#include "session/guide.h"
+#include "ui/parts/layout.h"
+
+namespace viewing {
+
+class StepEditor {
+public:
+    void open() { is_open_ = true; }
+    void close() { is_open_ = false; }
+    bool is_open() const { return is_open_; }
+    /// Draws the editor over `area`, unless no lesson of the user's own is shown.
+    void draw(Guide& guide, Session& session, const Rect& area);
+    /// Returns the texts that the editor shows, for the fonts.
+    std::vector<std::string> texts() const;
+
+private:
+    /// Reads the file again if the guide has done so, and the parts of the step that is shown.
+    void follow(const LessonRun& run);
+    /// Writes an edited file; an edit that is no lesson stays undone, and its sentence is shown.
+    void write(const Result<std::string>& text, Guide& guide);
+    void draw_steps(Guide& guide, Session& session);
+    void draw_states(Guide& guide, Session& session);
+    void draw_parts(Guide& guide);
+
+    bool is_open_ = false;
+    std::shared_ptr<const Lesson> lesson_;  ///< whose file `source_` is
+    std::size_t step_ = 0;
+    Language language_ = Language::en;
+    LessonSource source_;
+    std::vector<StepPart> parts_;
+    std::vector<std::string> earlier_;  ///< the file's texts before each edit
+    std::string error_;
+};
+
+}  // namespace viewing
