@@ -193,11 +193,22 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
     }
 }
 
+/// Says how a window that is not shaped like the view is stretched, and offers left and right that fit.
+void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
+    const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
+    tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,
+         say("the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
+             "everything is stretched to {stretch} times its width",
+             "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
+             "stretch"_a = figures(view_aspect / window.aspect(), 3)),
+         "projection={\"left\": " + plain_number(middle - half) + ", \"right\": " + plain_number(middle + half) + "}");
+}
+
 /// Reports the effects of mistakes on P and its picture.
 void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     Sayer tell(problems, "projection");
     const Lens lens = params.lens();
-    if (params.slips.degrees_as_radians && !lens.orthographic) {
+    if (params.slips.degrees_as_radians && !lens.orthographic && !lens.window) {
         const std::string fovy = figures(params.projection.fovy, 4);
         const double c = derived.clip_from_view[1][1];
         tell.broken(c > 0.0,
@@ -212,6 +223,7 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
                     "slips.degrees_as_radians");
     }
     const double stretch = derived.view_aspect / derived.aspect;
+    if (lens.window) return tell_stretched_window(tell, *lens.window, derived.view_aspect);
     tell.broken(std::abs(stretch - 1.0) > 1e-3,
                 say("P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
                     "everything is stretched to {stretch} times its width",

@@ -31,18 +31,34 @@ double float_gap(double depth) {
 
 }  // namespace
 
+Edges Lens::edges_at(double distance, double aspect) const {
+    if (window) return orthographic ? *window : window->scaled(distance / near);
+    const double y = orthographic ? height / 2.0 : std::tan(glm::radians(0.5 * fovy_deg)) * distance, x = y * aspect;
+    return {-x, x, -y, y};
+}
+
 glm::dmat4 clip_from_view(const Lens& lens, double aspect) {
+    const double n = lens.near, f = lens.far;
     if (lens.orthographic) {
-        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
-        return glm::orthoRH_NO(-half_width, half_width, -half_height, half_height, lens.near, lens.far);
+        const Edges edges = lens.edges_at(n, aspect);
+        return glm::orthoRH_NO(edges.left, edges.right, edges.bottom, edges.top, n, f);
     }
+    if (const auto& own = lens.window) return glm::frustumRH_NO(own->left, own->right, own->bottom, own->top, n, f);
     return glm::perspectiveRH_NO(glm::radians(lens.fovy_deg), aspect, lens.near, lens.far);
 }
 
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect) {
+    const double n = lens.near, f = lens.far;
     if (lens.orthographic) {
-        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
-        return glm::orthoRH_ZO(-half_width, half_width, -half_height, half_height, lens.far, lens.near);
+        const Edges edges = lens.edges_at(n, aspect);
+        return glm::orthoRH_ZO(edges.left, edges.right, edges.bottom, edges.top, f, n);
+    }
+    if (const auto& own = lens.window) {
+        // glFrustum takes the window at its first depth, which is far once near and far are swapped.
+        glm::dmat4 reversed = glm::frustumRH_ZO(own->left, own->right, own->bottom, own->top, n, f);
+        reversed[2][2] = n / (f - n);
+        reversed[3][2] = f * n / (f - n);
+        return reversed;
     }
     return glm::perspectiveRH_ZO(glm::radians(lens.fovy_deg), aspect, lens.far, lens.near);
 }

@@ -120,6 +120,9 @@ std::string allowed_name_text(const Field& field);
 double least_near(const Params& params);
 inline constexpr double least_positive_near = 1e-6;
 
+/// Returns how far apart two opposite edges of the picture's window must be at least.
+double least_window(double low, double high);
+
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;
 

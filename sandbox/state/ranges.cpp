@@ -88,6 +88,15 @@ void mend_pin(std::optional<Pin>& pin, const Field& field) {
     if (*pin == Pin{}) pin.reset();
 }
 
+/// Keeps `low` below `high`, and the two far enough apart for P to have an inverse.
+void mend_edges(double& low, double& high) {
+    const double least = least_window(low, high), limit = field("projection.left").max - least;
+    if (high - low >= least) return;
+    const double middle = std::clamp(0.5 * (low + high), -limit, limit);
+    low = middle - least;
+    high = middle + least;
+}
+
 /// Removes overrides for planes and lights that do not exist.
 void mend_overrides(Params& params) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
@@ -136,9 +145,13 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
 }  // namespace
 
 double least_near(const Params& params) {
-    const bool divides = params.projection.type == ProjectionType::perspective;
+    const bool divides = !params.projection.is_orthographic();
     return divides || params.depth.mapping == DepthMapping::logarithmic ? least_positive_near
                                                                         : field("projection.near").min;
+}
+
+double least_window(double low, double high) {
+    return 1e-9 * std::max({1.0, std::abs(low), std::abs(high)});
 }
 
 std::string element_form(std::string_view group) {
@@ -239,6 +252,8 @@ void clamp_to_ranges(Params& params) {
     if (params.projection.near >= params.projection.far) {
         params.projection.far = params.projection.near * 1.01;
     }
+    mend_edges(params.projection.left, params.projection.right);
+    mend_edges(params.projection.bottom, params.projection.top);
     for (LightParams& light : params.lights) {
         mend_light(light.position);
     }

@@ -197,7 +197,7 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label : {"camera/Common mistakes", "projection/Aspect and radians", "Depth buffer",
+        for (const char* label : {"camera/Common mistakes", "projection/Window, aspect and radians", "Depth buffer",
                                   "shadow/Shadow: style and offset", "shadow/Shadow: clip at light, sign, stencil",
                                   "reflection/Mirror: drawing method"})
             if (!is_folded_out(label)) click(label);
@@ -238,8 +238,8 @@ private:
             std::string_view details, item;
         };
         static constexpr Inside all[] = {{"camera/Common mistakes", "camera/C sent as V"},
-                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
-                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
+                                         {"projection/Window, aspect and radians", "projection/aspect (0: from view)"},
+                                         {"projection/Window, aspect and radians", "projection/aspect (0: from view)"},
                                          {"Depth buffer", "buffer/depth format"},
                                          {"shadow/Shadow: style and offset", "shadow/style/Blend"},
                                          {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},

@@ -183,6 +183,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     std::set<std::string> known;
     for (const Control& control : controls) known.insert(control.label);
     known.insert("camera/speed");                                 // part of the session, not of the state
+    known.insert("projection/window of its own");                 // chooses the type; projection_test.cpp
     known.insert({"camera/pose/Angles", "camera/pose/Look at"});  // show the same fields in another way
     for (const RecordedItem& item : desk.recorded()) {
         if (holds_value(item) && item.enabled) {
@@ -197,6 +198,10 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
     // These have controls in other states or places; each is tested elsewhere in this folder.
     reached.insert({"scene",
                     "projection.height",
+                    "projection.left",
+                    "projection.right",
+                    "projection.bottom",
+                    "projection.top",
                     "depth.offset.factor",
                     "depth.offset.units",
                     "depth.decals",

@@ -213,9 +213,12 @@ void add_positive_near(Json& root) {
     };
     const Json positive = {
         {"properties", {{"projection", {{"properties", {{"near", {{"minimum", least_positive_near}}}}}}}}}};
-    root["allOf"] =
-        Json::array({{{"if", is("projection", "type", name_of(ProjectionType::orthographic))}, {"else", positive}},
-                     {{"if", is("depth", "mapping", name_of(DepthMapping::logarithmic))}, {"then", positive}}});
+    root["allOf"] = Json::array(
+        {{{"if",
+           {{"anyOf", Json::array({is("projection", "type", name_of(ProjectionType::orthographic)),
+                                   is("projection", "type", name_of(ProjectionType::orthographic_window))})}}},
+          {"else", positive}},
+         {{"if", is("depth", "mapping", name_of(DepthMapping::logarithmic))}, {"then", positive}}});
 }
 
 }  // namespace

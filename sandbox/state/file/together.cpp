@@ -43,6 +43,14 @@ void check_overrides(const Params& params, const Where& where) {
     }
 }
 
+/// Refuses a window without width or height, or one whose edges are exchanged.
+void check_edges(const Params& params, const char* low_path, double low, const char* high_path, double high,
+                 const Where& root) {
+    if (!params.projection.has_window() || high - low >= least_window(low, high)) return;
+    root.key(low_path).refuse("must be less than " + std::string(high_path) + " (" + format_number(high) + "), got " +
+                              format_number(low));
+}
+
 void check_plane(const glm::dvec4& equation, const Where& where) {
     if (glm::length(glm::dvec3(equation)) < min_length) {
         where.refuse("the normal (a, b, c) must not be zero");
@@ -64,6 +72,9 @@ void check_together(const Params& params, const std::string& prefix) {
         root.key("projection.near")
             .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));
     }
+    const Edges window = params.projection.window();
+    check_edges(params, "projection.left", window.left, "projection.right", window.right, root);
+    check_edges(params, "projection.bottom", window.bottom, "projection.top", window.top, root);
     for (std::size_t i = 0; i < params.lights.size(); ++i) {
         check_light(params.lights[i].position, element(root, "light", i).key("position"));
     }

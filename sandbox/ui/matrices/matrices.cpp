@@ -177,7 +177,6 @@ void show_view_or_camera(const Column& column, bool& shows_camera) {
 void show_projection(const Column& column) {
     const Params& params = column.session.params;
     const Derived& derived = column.derived;
-    const bool perspective = params.projection.type == ProjectionType::perspective;
     const auto divided_z = [&](double distance) {
         const glm::dvec4 clip = derived.clip_from_view * glm::dvec4(0.0, 0.0, -distance, 1.0);
         return figures(clip.z / clip.w);
@@ -186,15 +185,17 @@ void show_projection(const Column& column) {
         say("P maps view space to clip space; after ÷ w, the near plane is at {near} and the far plane at {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect = number_text(derived.aspect, 3);
-    show_matrix({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
-                 column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)),
-                 camera_roles()},
-                !perspective ? say("aspect {aspect}", "aspect"_a = aspect)
-                : params.slips.degrees_as_radians
-                    ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
-                          "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
-                    : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
-                {});
+    show_matrix(
+        {marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
+         column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)),
+         camera_roles()},
+        params.projection.has_window() ? tr(params.projection.is_orthographic() ? marked("glOrtho(l, r, b, t, n, f)")
+                                                                                : marked("glFrustum(l, r, b, t, n, f)"))
+        : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
+        : params.slips.degrees_as_radians     ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
+                                                    "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
+                                              : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
+        {});
 }
 
 /// Draws the slide's display().

@@ -177,7 +177,7 @@ std::optional<double> pulled_distance(const Params& params, const Overlay& overl
     const glm::dvec3 eye = params.camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
     const double distance = glm::dot(forward, grip.grabbed_world - eye);
-    const bool is_pyramid = params.projection.type == ProjectionType::perspective;
+    const bool is_pyramid = !params.projection.is_orthographic();
     if (is_pyramid && !(distance > 0.0)) return std::nullopt;
     const glm::dvec3 along = is_pyramid ? (grip.grabbed_world - eye) / distance : forward;
     const Ray now = overlay.ray_at(place);

@@ -72,7 +72,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
     overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
     overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
     const glm::dvec3 eye(world_from_view[3]);
-    if (params.projection.type == ProjectionType::perspective)
+    if (!params.projection.is_orthographic())
         for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
     overlay.dot(eye, palette().camera, 5.0F);
     overlay.label(eye, tr("camera"), palette().camera);
@@ -84,8 +84,8 @@ void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& d
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;
     const glm::dvec3 eye(effective[3]);
-    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye,
-                 params.projection.type == ProjectionType::perspective, with_alpha(palette().trouble, 200));
+    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye, !params.projection.is_orthographic(),
+                 with_alpha(palette().trouble, 200));
     overlay.ring(eye, palette().trouble, 7.0F);
     overlay.dot(eye, palette().trouble, 4.0F);
     overlay.label(eye, tr("V puts the eye here"), palette().trouble);
@@ -101,8 +101,7 @@ void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& de
     std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, effective);
     std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
     const glm::dvec3 eye = mirrored(glm::dvec3(effective[3]));
-    draw_pyramid(overlay, corners, eye, params.projection.type == ProjectionType::perspective,
-                 with_alpha(palette().mirror, 170));
+    draw_pyramid(overlay, corners, eye, !params.projection.is_orthographic(), with_alpha(palette().mirror, 170));
     overlay.dot(eye, palette().mirror, 5.0F);
     overlay.label(eye, tr("mirrored eye"), palette().mirror);
 }

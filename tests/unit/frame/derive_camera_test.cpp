@@ -102,7 +102,7 @@ TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
         double near_ndc, far_ndc;
         bool zero_to_one;
     };
-    for (const char* const type : {"perspective", "orthographic"}) {
+    for (const char* const type : {"perspective", "orthographic", "frustum", "orthographic_window"}) {
         for (const Case& each : {Case{"standard", true, -1, 1, false},
                                  {"standard", false, -1, 1, false},
                                  {"logarithmic", true, -1, 1, false},
@@ -111,7 +111,8 @@ TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
             SCOPED_TRACE(std::string(type) + " " + each.mapping + (each.clip_control ? " with" : " without") +
                          " clip control");
             const Params params =
-                params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping});
+                params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping,
+                             "projection.left=-0.7", "projection.top=0.5"});
             const Derived derived = derived_camera(params, each.clip_control);
             EXPECT_EQ(derived.clip_zero_to_one, each.zero_to_one);
             EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -0.5, 1.0)).z, each.near_ndc, 1e-12);
@@ -135,11 +136,13 @@ TEST(DeriveProjection, MappingKeepsScreenPositions) {
 
 TEST(DeriveFrustum, CornersProjectToTheCube) {
     Random random(seed);
-    for (const char* const type : {"perspective", "orthographic"}) {
+    for (const char* const type : {"perspective", "orthographic", "frustum", "orthographic_window"}) {
         for (int trial = 0; trial < 20; ++trial) {
             SCOPED_TRACE(std::string(type) + " seed " + std::to_string(seed) + " trial " + std::to_string(trial));
             Params params = random_pose(random);
-            params.projection = params_with({std::string("projection.type=") + type}).projection;
+            params.projection =
+                params_with({std::string("projection.type=") + type, "projection.left=-0.7", "projection.top=0.5"})
+                    .projection;
             const Derived derived = derived_camera(params);
             const auto corners = frustum_corners(params, derived);
             // Near, then far, each counterclockwise from bottom left as seen by the camera.

@@ -44,6 +44,43 @@ TEST(Projection, FieldOfViewAndHeightAreFullVertical) {
     }
 }
 
+// The corners of the cube −1 … 1 are the images of the frustum's corners, written down by hand from the window.
+TEST(Projection, AWindowsEdgesAreThePicturesEdges) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+        const bool orthographic = i % 2 == 0;
+        const double l = random.number(-3, 2), b = random.number(-3, 2);
+        const double r = l + random.number(0.1, 4), t = b + random.number(0.1, 4);
+        const double n = orthographic && i % 4 == 0 ? random.number(-5, 0) : random.number(0.1, 2), f = 2.0 + 9.0 * i;
+        const Lens lens{.orthographic = orthographic, .near = n, .far = f, .window = Edges{l, r, b, t}};
+        for (int corner = 0; corner < 8; ++corner) {
+            const bool is_far = (corner & 4) != 0;
+            const double z = is_far ? f : n, scale = orthographic ? 1.0 : z / n;
+            const glm::dvec4 point(scale * (corner & 1 ? r : l), scale * (corner & 2 ? t : b), -z, 1.0);
+            const glm::dvec4 clip = clip_from_view(lens, 7.0) * point,
+                             swapped = clip_from_view_reversed(lens, 7.0) * point;
+            const double x = corner & 1 ? 1.0 : -1.0, y = corner & 2 ? 1.0 : -1.0;
+            EXPECT_LT(glm::distance(glm::dvec3(clip) / clip.w, glm::dvec3(x, y, is_far ? 1.0 : -1.0)), 1e-9) << i;
+            EXPECT_LT(glm::distance(glm::dvec3(swapped) / swapped.w, glm::dvec3(x, y, is_far ? 0.0 : 1.0)), 1e-9) << i;
+            EXPECT_LT(glm::distance(lens.edges_at(z, 7.0).at({x, y}), glm::dvec2(point)), 1e-9 * f) << i;
+        }
+    }
+}
+
+// A centered window shows what an angle or a height shows.
+TEST(Projection, ACenteredWindowIsAnAngleOrAHeight) {
+    for (const bool orthographic : {false, true}) {
+        Lens lens{.orthographic = orthographic, .fovy_deg = 90.0, .height = 6.0, .near = 0.5, .far = 40.0};
+        const glm::dmat4 without = clip_from_view(lens, 2.0), reversed = clip_from_view_reversed(lens, 2.0);
+        lens.window = orthographic ? Edges{-6.0, 6.0, -3.0, 3.0} : Edges{-1.0, 1.0, -0.5, 0.5};  // tan 45° = 1
+        for (int column = 0; column < 4; ++column) {
+            EXPECT_LT(glm::distance(clip_from_view(lens, 1.0)[column], without[column]), 1e-12);
+            EXPECT_LT(glm::distance(clip_from_view_reversed(lens, 1.0)[column], reversed[column]), 1e-12);
+        }
+    }
+}
+
 TEST(WindowDepth, AgreesWithTheMatrices) {
     SCOPED_TRACE(seed);
     Random random(seed);

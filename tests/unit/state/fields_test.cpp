@@ -25,6 +25,10 @@ constexpr std::string_view contract_paths[] = {
     "projection.near",
     "projection.far",
     "projection.aspect",
+    "projection.left",
+    "projection.right",
+    "projection.bottom",
+    "projection.top",
     "depth.buffer",
     "depth.test",
     "depth.func",
@@ -163,7 +167,7 @@ TEST(Fields, MatchTheContractInOrder) {
 
 TEST(Fields, EnumsHaveTheNamesOfTheContract) {
     EXPECT_EQ(names("camera.navigation"), (Names{"fly", "walk", "orbit"}));
-    EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic"}));
+    EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic", "frustum", "orthographic_window"}));
     EXPECT_EQ(names("depth.func"),
               (Names{"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"}));
     EXPECT_EQ(names("depth.format"),

@@ -27,6 +27,10 @@ public:
         if (params.projection.near >= params.projection.far || params.projection.near < least_near(params)) {
             params.projection.near = std::min(params.projection.far / 3.0, 1e6);
         }
+        ProjectionParams& projection = params.projection;
+        for (auto [low, high] : {std::pair(&projection.left, &projection.right), {&projection.bottom, &projection.top}})
+            if (*low > *high) std::swap(*low, *high);
+        if (projection.left == projection.right || projection.bottom == projection.top) projection.set_window({});
         return params;
     }
 
