@@ -133,7 +133,7 @@ std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& d
     const Lens lens = params.lens();
     std::array<glm::dvec3, 8> corners{};
     for (int corner = 0; corner < 8; ++corner) {
-        const double distance = corner < 4 ? lens.near : lens.far;
+        const double distance = corner < 4 ? lens.near : lens.shown_far();
         const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
         const double y = corner % 4 >= 2 ? 1.0 : -1.0;
         const glm::dvec4 corner_view(lens.edges_at(distance, derived.aspect).at({x, y}), -distance, 1.0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <tuple>
@@ -83,7 +84,11 @@ MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one) {
         depth_scale = "2/(n-f)";
         depth_shift = "(f+n)/(n-f)";
     }
-    if (reversed) {
+    const bool infinite = std::isinf(params.projection.far);
+    if (infinite) std::tie(depth_scale, depth_shift) = std::pair("-1", "-2n");
+    if (reversed && infinite)
+        std::tie(depth_scale, depth_shift) = clip_zero_to_one ? std::pair("0", "n") : std::pair("1", "2n");
+    if (reversed && !infinite) {
         depth_scale = orthographic ? "2/(f-n)" : "(f+n)/(f-n)";
         depth_shift = orthographic ? "(f+n)/(f-n)" : "2fn/(f-n)";
         if (clip_zero_to_one) {

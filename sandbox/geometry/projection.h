@@ -29,12 +29,21 @@ struct Lens {
     double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is rotated by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;       ///< orthographic: may be 0 or negative, as in glOrtho
-    double far = 40.0;
+    double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
     std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
     /// Returns the picture's edges at an eye distance. A window of its own decides them whatever `aspect` (width /
     /// height) is. With a negative fovy, left > right and bottom > top.
     Edges edges_at(double distance, double aspect) const;
+    double reach = 100.0;  ///< to where pictures and charts show an infinite far
+
+    bool is_infinite() const { return std::isinf(far); }
+    /// Returns far or, if that is infinite, the distance to which pictures and charts show it.
+    double shown_far() const { return is_infinite() ? reach : far; }
+    /// Returns f n / (f − n), which is n for an infinite f: window depth changes by this ÷ z² per unit of distance.
+    double depth_per_inverse_distance() const { return is_infinite() ? near : far * near / (far - near); }
+    /// Returns the distance at which a logarithm ends; for an infinite far, at the largest finite one.
+    double logarithmic_far() const { return is_infinite() ? 1e9 : far; }
     /// Returns the least eye distance that a logarithm can start from: near or, if near ≤ 0, a millionth of far.
     double logarithmic_near() const { return near > 0.0 ? near : 1e-6 * far; }
     bool operator==(const Lens&) const = default;

@@ -191,8 +191,10 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 0.1,
      .logarithmic = true,
+     .may_be_infinite = true,
      .help = "Distance of the far plane: everything beyond is clipped. In perspective, it hardly affects depth "
-             "precision; the near plane does.",
+             "precision; the near plane does. It may be infinite in perspective and in a frustum, unless depth is "
+             "logarithmic: nothing is too far, and with standard depth P's third row is 0, 0, −1, −2n.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
 

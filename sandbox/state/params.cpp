@@ -62,6 +62,7 @@ Lens Params::lens() const {
     }
     Lens lens{projection.is_orthographic(), fovy_deg, projection.height, projection.near, projection.far};
     if (projection.has_window()) lens.window = projection.window();
+    if (lens.is_infinite()) lens.reach = 4.0 * std::max(projection.near, glm::distance(camera.position, camera.target));
     return lens;
 }
 

@@ -44,7 +44,7 @@ struct CameraParams {
 
 struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
-    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
+    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: may_be_infinite()
     double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
     double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window, at the near plane in a frustum
 

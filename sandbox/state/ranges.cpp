@@ -33,6 +33,7 @@ double mended(double value, double fallback, const Field& field, int component) 
     if (std::isnan(value)) {
         return fallback;
     }
+    if (field.may_be_infinite && value > 0.0 && std::isinf(value)) return value;
     const Range range = component_range(field, component);
     const bool turns_on = field.unit == "°" && range.max >= 180.0;
     if (turns_on && std::isfinite(value) && (value < range.min || value > range.max)) {
@@ -150,6 +151,10 @@ double least_near(const Params& params) {
                                                                         : field("projection.near").min;
 }
 
+bool may_have_infinite_far(const Params& params) {
+    return !params.projection.is_orthographic() && params.depth.mapping != DepthMapping::logarithmic;
+}
+
 double least_window(double low, double high) {
     return 1e-9 * std::max({1.0, std::abs(low), std::abs(high)});
 }
@@ -200,7 +205,8 @@ std::string allowed_text(const Field& field) {
                                                 : "a whole number " + range;
             },
             [&](double*) -> std::string {
-                return is_aspect(field) ? "0 or a number " + range_text({min_aspect, field.max}) : "a number " + range;
+                if (is_aspect(field)) return "0 or a number " + range_text({min_aspect, field.max});
+                return "a number " + range + (field.may_be_infinite ? ", or \"infinite\"" : "");
             },
             [&](glm::dvec3*) -> std::string { return "three numbers [x, y, z], each " + range; },
             [&](glm::dvec4*) -> std::string {
@@ -248,10 +254,11 @@ void clamp_to_ranges(Params& params) {
             mend_field(field, params, element);
         }
     }
+    double& far = params.projection.far;
+    if (std::isinf(far) && !may_have_infinite_far(params))
+        far = *std::get<double*>(default_ref(field("projection.far")));
     params.projection.near = std::max(params.projection.near, least_near(params));
-    if (params.projection.near >= params.projection.far) {
-        params.projection.far = params.projection.near * 1.01;
-    }
+    if (params.projection.near >= far) far = params.projection.near * 1.01;
     mend_edges(params.projection.left, params.projection.right);
     mend_edges(params.projection.bottom, params.projection.top);
     for (LightParams& light : params.lights) {

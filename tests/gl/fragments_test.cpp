@@ -213,6 +213,21 @@ TEST_F(Fragments, EndWithTheOneReadBackThroughAWindowBesideTheAxis) {
     EXPECT_GT(seen.compared, 60);
 }
 
+TEST_F(Fragments, EndWithTheOneReadBackIfFarIsInfinite) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 2);
+    Seen seen;
+    for (const char* const format : {"d16", "d24", "d32f"})
+        for (const char* const mapping : {"standard", "reversed"}) {
+            SCOPED_TRACE("seed " + std::to_string(seed + 2) + " " + format + " " + mapping);
+            compare(params_with({setting("depth.format", format), setting("depth.mapping", mapping),
+                                 "projection.far=infinite"}),
+                    scene, random, 40, seen);
+        }
+    tell(seen);
+    EXPECT_GT(seen.compared, 60);
+}
+
 TEST_F(Fragments, StayWithinTheBoundsOfEveryFormatMappingAndLens) {
     // Triangles of all sizes and slopes, including slivers and nearly edge-on ones, in all 18 combinations of format,
     // mapping and lens.

@@ -158,6 +158,7 @@ private:
             params.projection.set_type(camera.orthographic, true);
             params.projection.set_window({window->x, window->y, window->z, window->w});
         }
+        if (!camera.orthographic && number_ % 3 == 1) params.projection.far = std::numeric_limits<double>::infinity();
         params.planes.resize(room_.oracle.planes.size());
         for (std::size_t i = 0; i < params.planes.size(); ++i) {
             const OraclePlane& plane = room_.oracle.planes[i];

@@ -8,7 +8,7 @@ constexpr const char* window_switch = "projection/window of its own";
 
 /// Opens the panel's rarely used controls and switches the window on.
 void give_window(Desk& desk) {
-    desk.click("projection/Window, aspect and radians");
+    desk.click("projection/Window, far, aspect, radians");
     desk.settle();
     desk.click(window_switch);
     desk.settle();
@@ -65,6 +65,49 @@ TEST(ProjectionWindow, AStretchedPictureIsMendedByLeftAndRight) {
     desk.settle();
     EXPECT_TRUE(desk.problems.empty());
     EXPECT_NEAR(desk.params().projection.window().center().x, 0.2, 1e-9) << "about the same middle";
+}
+
+TEST(InfiniteFar, IsASwitchWherePerspectiveAllowsIt) {
+    constexpr const char* infinite_switch = "projection/infinite z-far";
+    Desk desk;
+    desk.click("projection/Window, far, aspect, radians");
+    desk.settle();
+    desk.click(infinite_switch);
+    desk.settle();
+    EXPECT_TRUE(std::isinf(desk.params().projection.far));
+    EXPECT_EQ(desk.ui.find("projection/z-far").text, "∞");
+    EXPECT_EQ(desk.derived.clip_from_view[2][2], -1.0);
+    EXPECT_TRUE(desk.problems.empty());
+    desk.click(infinite_switch);
+    desk.settle();
+    EXPECT_EQ(desk.params().projection.far, 40.0);
+    desk.click(infinite_switch);
+    desk.settle();
+    desk.drag("projection/z-far", -60.0F);
+    desk.settle();
+    EXPECT_TRUE(std::isfinite(desk.params().projection.far)) << "a drag brings far back";
+    desk.params().projection.far = INFINITY;
+    desk.click("projection/type/Orthographic");
+    desk.settle();
+    EXPECT_EQ(desk.params().projection.far, 40.0) << "parallel view rays need an end";
+    EXPECT_FALSE(desk.ui.find(infinite_switch).enabled);
+}
+
+// What a user reads must name the infinity, never print "inf" or "nan".
+TEST(InfiniteFar, IsReadAsASign) {
+    for (const char* view :
+         {"observer", "depth", "histogram", "precision", "codes", "pixel", "fighting", "display_code"})
+        for (const char* mapping : {"standard", "reversed"}) {
+            Desk desk;
+            const std::vector<std::string> settings{"projection.far=infinite", "depth.format=d32f",
+                                                    "view.pixel=[300,200]", std::string("view.lower_left=") + view,
+                                                    std::string("depth.mapping=") + mapping};
+            desk.params() = *apply_settings(desk.params(), settings);
+            desk.settle();
+            for (const RecordedItem& item : desk.recorded())
+                for (const char* const bad : {"inf,", "inf ", "-inf", "nan", "—"})
+                    EXPECT_EQ(item.text.find(bad), std::string::npos) << view << " " << item.label << ": " << item.text;
+        }
 }
 
 TEST(ProjectionWindow, TurningTheWheelEnlargesAnOrthographicWindow) {

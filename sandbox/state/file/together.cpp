@@ -1,4 +1,6 @@
 // Checks values of a state that depend on each other. Read reader.cpp first.
+#include <cmath>
+
 #include "state/file/reader.h"
 #include "text/numbers.h"
 
@@ -68,6 +70,10 @@ void check_together(const Params& params, const std::string& prefix) {
                     ", got the number " + format_number(near) +
                     "; it may be 0 or negative only in an orthographic projection without logarithmic depth");
     }
+    if (std::isinf(far) && !may_have_infinite_far(params))
+        root.key("projection.far")
+            .refuse("must be a number " + range_text({field("projection.far").min, field("projection.far").max}) +
+                    "; it may be infinite only in a perspective or a frustum without logarithmic depth");
     if (near >= far) {
         root.key("projection.near")
             .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));

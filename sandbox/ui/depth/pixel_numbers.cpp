@@ -36,6 +36,8 @@ std::string eye_z_formula(const ProjectionParams& projection, DepthMapping mappi
     const bool reversed = mapping == DepthMapping::reversed;
     if (projection.is_orthographic())
         return reversed ? "z_{eye} = -(f - d (f - n)); d = z_{window}" : "z_{eye} = -(n + d (f - n)); d = z_{window}";
+    if (std::isinf(projection.far))
+        return reversed ? "z_{eye} = -n / d; d = z_{window}" : "z_{eye} = -n / (1 - d); d = z_{window}";
     return reversed ? "z_{eye} = -n f / (n + d (f - n)); d = z_{window}"
                     : "z_{eye} = -n f / (f - d (f - n)); d = z_{window}";
 }
@@ -45,6 +47,7 @@ std::string step_formula(const ProjectionParams& projection, DepthMapping mappin
     const std::string codes = code_count(precision);
     if (mapping == DepthMapping::logarithmic) return "Δz = z ln(f/n) / " + codes;
     if (projection.is_orthographic()) return "Δz = (f - n) / " + codes;
+    if (std::isinf(projection.far)) return "Δz = z^2 / (n " + codes + ")";
     return "Δz = z^2 (f - n) / (f n " + codes + ")";
 }
 

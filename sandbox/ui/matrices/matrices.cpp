@@ -178,7 +178,8 @@ void show_projection(const Column& column) {
     const Params& params = column.session.params;
     const Derived& derived = column.derived;
     const auto divided_z = [&](double distance) {
-        const glm::dvec4 clip = derived.clip_from_view * glm::dvec4(0.0, 0.0, -distance, 1.0);
+        const glm::dvec4 axis(0.0, 0.0, -1.0, std::isinf(distance) ? 0.0 : 1.0 / distance);
+        const glm::dvec4 clip = derived.clip_from_view * (distance == 0.0 ? glm::dvec4(0.0, 0.0, 0.0, 1.0) : axis);
         return figures(clip.z / clip.w);
     };
     const std::string becomes =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "text/catalogue.h"
@@ -20,6 +21,7 @@ const char* depth_step_formula(const Params& params) {
     if (params.depth.mapping == DepthMapping::logarithmic)
         return is_float ? "Δz = ε(d) z ln(f/n)" : "Δz = z ln(f/n)/(2^b - 1)";
     if (params.projection.is_orthographic()) return is_float ? "Δz = ε(d) (f - n)" : "Δz = (f - n)/(2^b - 1)";
+    if (std::isinf(params.projection.far)) return is_float ? "Δz = ε(d) z^2/n" : "Δz = z^2/(n (2^b - 1))";
     return is_float ? "Δz = ε(d) z^2 (f - n)/(f n)" : "Δz = z^2 (f - n)/(f n (2^b - 1))";
 }
 
@@ -32,6 +34,7 @@ void type_control(Params& params) {
     const bool changed = control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
     projection.set_type(projection.is_orthographic(), has_window);
     if (changed && projection.near < least_near(params)) projection.near = default_params().projection.near;
+    if (changed) clamp_to_ranges(params);  // an infinite far needs perspective
 }
 
 /// Draws the switch for a window of its own, which begins with the picture as it is.
@@ -47,9 +50,26 @@ void window_control(Params& params, const Derived& derived) {
         clamp_to_ranges(params);
     }
     widgets::Tooltip("Window of its own",
-                     "The picture's four edges as glFrustum and glOrtho take them, in place of an angle or a height. "
+                     "The picture's four edges as glFrustum and glOrtho take them, instead of an angle or a height. "
                      "They begin with the picture as it is, and need not be centered on the view axis.",
                      "", "glFrustum | glOrtho");
+}
+
+/// Draws the switch for an infinite far, which ends at the default far or twice near.
+void infinite_control(Params& params) {
+    if (widgets::IsListing()) return;
+    double& far = params.projection.far;
+    bool is_infinite = std::isinf(far);
+    ImGui::BeginDisabled(!may_have_infinite_far(params));
+    if (widgets::Toggle("infinite z-far", is_infinite, false)) {
+        const double usual = std::max(default_params().projection.far, 2.0 * params.projection.near);
+        far = is_infinite ? std::numeric_limits<double>::infinity() : usual;
+    }
+    ImGui::EndDisabled();
+    widgets::Tooltip("Infinite far",
+                     "Nothing is too far: f/(f − n) becomes 1, and P keeps an inverse. Depth precision is almost the "
+                     "same, for near decides it. Only for perspective and a frustum, not for logarithmic depth.",
+                     "d = 1 - n/z; reversed: d = n/z", "glm::infinitePerspective");
 }
 
 /// Draws the window's edges; each stops short of the opposite one.
@@ -87,13 +107,15 @@ void draw_projection_section(Session& session, const Derived& derived, const std
     const double least = least_near(params);  // a slider over negative numbers is linear
     if (control(params, "projection.near",
                 {.decimals = 3, .slider = true, .links = near, .min = least > 0.0 ? 0.001 : -100.0, .max = 100.0}))
-        projection.near = std::clamp(projection.near, least, projection.far * 0.999);
+        projection.near =
+            std::clamp(projection.near, least, std::min(projection.far * 0.999, field("projection.near").max));
     if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
         projection.far = std::max(projection.far, projection.near * 1.001);
 
     static constexpr const char* lens[] = {"control:projection.aspect", "control:slips.degrees_as_radians"};
-    if (details("Window, aspect and radians", lens)) {
+    if (details("Window, far, aspect, radians", lens)) {
         window_control(params, derived);
+        infinite_control(params);
         control(params, "projection.aspect",
                 {.slider = true, .label = marked("aspect (0: from view)"), .min = 0.0, .max = 4.0});
         control(params, "slips.degrees_as_radians", {.label = marked("degrees given as radians")});

@@ -118,7 +118,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
         const Color unwritten = ground_of(params.ui.theme).unwritten;
         const DepthColors colors = params.view.depth_colors;
         const glm::dvec2 range =
-            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.projection.far));
+            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.lens().shown_far()));
         const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
         const LegendEntry entries[] = {
             {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, marked("never written")}};

@@ -121,6 +121,20 @@ TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
     }
 }
 
+TEST(DeriveProjection, AnInfiniteFarIsWhereDirectionsGo) {
+    for (const char* const mapping : {"standard", "reversed"})
+        for (const bool clip_control : {true, false}) {
+            const Params params = params_with({"projection.far=infinite", std::string("depth.mapping=") + mapping});
+            const Derived derived = derived_camera(params, clip_control);
+            const glm::dvec4 end = derived.clip_from_view * glm::dvec4(0.2, 0.1, -1.0, 0.0);
+            const bool reversed = params.depth.mapping == DepthMapping::reversed;
+            EXPECT_EQ(end.z / end.w, !reversed ? 1.0 : clip_control ? 0.0 : -1.0);
+            EXPECT_TRUE(std::isfinite(derived.facts.depth_step_at_target));
+            for (const glm::dvec3& corner : frustum_corners(params, derived))
+                EXPECT_LT(glm::length(corner), 1e3) << "drawn to a finite length";
+        }
+}
+
 TEST(DeriveProjection, MappingKeepsScreenPositions) {
     const glm::dvec4 point(0.3, -0.7, -5.0, 1.0);
     const glm::dvec3 standard = divided(derived_camera(Params{}).clip_from_view * point);

@@ -32,6 +32,10 @@ std::vector<double> arguments(const std::string& code, const std::string& functi
 }
 
 glm::dmat4 projection_in(const std::string& code) {
+    if (code.find("infinitePerspective(") != std::string::npos) {
+        const std::vector<double> n = arguments(code, "infinitePerspective");
+        return glm::infinitePerspective(n.at(0), n.at(1), n.at(2));
+    }
     if (code.find("perspective(") != std::string::npos) {
         const std::vector<double> n = arguments(code, "perspective");
         return glm::perspectiveRH_NO(n.at(0), n.at(1), n.at(2), n.at(3));
@@ -78,6 +82,7 @@ TEST(DisplayCode, MakesTheMatricesOfTheStateWithEveryMistake) {
         {"slips.swapped_order=true", "slips.camera_as_view=true"},
         {"slips.degrees_as_radians=true", "projection.fovy=45"},
         {"projection.type=orthographic", "projection.height=4", "slips.degrees_as_radians=true"},
+        {"projection.far=infinite"},
         {"projection.type=frustum", "projection.left=-0.125", "slips.degrees_as_radians=true"},
         {"projection.type=orthographic_window", "projection.left=-1.5", "projection.top=2.25"}};
     for (const std::vector<std::string>& settings : cases) {

@@ -399,6 +399,22 @@ TEST(Clamp, KeepsANegativeNearOnlyWhereItIsLegal) {
     }
 }
 
+TEST(Clamp, KeepsAnInfiniteFarOnlyWhereItIsLegal) {
+    for (int type = 0; type < 4; ++type) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            Params params;
+            params.projection.type = static_cast<ProjectionType>(type);
+            params.depth.mapping = mapping;
+            params.projection.far = INFINITY;
+            params.projection.near = 100.0;
+            clamp_to_ranges(params);
+            const bool is_parallel = type % 2 == 1;
+            EXPECT_EQ(std::isinf(params.projection.far), !is_parallel && mapping != DepthMapping::logarithmic);
+            EXPECT_LT(params.projection.near, params.projection.far);
+        }
+    }
+}
+
 // Pushes near and far to their extremes. The repair must work at both ends of their ranges.
 TEST(Clamp, KeepsNearBelowFarAtTheEnds) {
     for (const double near : {1e-9, 1e-6, 1e-5, 1.0, 1e6, 1e12}) {

@@ -28,6 +28,7 @@ public:
             params.projection.near = std::min(params.projection.far / 3.0, 1e6);
         }
         ProjectionParams& projection = params.projection;
+        if (may_have_infinite_far(params) && coin()) projection.far = std::numeric_limits<double>::infinity();
         for (auto [low, high] : {std::pair(&projection.left, &projection.right), {&projection.bottom, &projection.top}})
             if (*low > *high) std::swap(*low, *high);
         if (projection.left == projection.right || projection.bottom == projection.top) projection.set_window({});
