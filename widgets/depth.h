@@ -47,6 +47,7 @@ struct CodeTicksStyle {
     const char* z_title = "eye distance z";
     const char* first_depth = "0";              ///< at the left end of the upper row
     const char* last_depth = "1";               ///< at its right end
+    bool ends_at_far = true;                    ///< off: the axis ends at `far`, but the codes do not
     std::span<const std::uint32_t> codes = {};  ///< the stored integer of each tick, for the readout; may be empty
     ImVec2 size{0.0F, 0.0F};                    ///< in pixels; 0: the available size. At least 180×120 design pixels
 };

@@ -39,13 +39,15 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     derived.view_from_world = swapped ? derived.world_from_view : inverse_camera;
     const glm::dmat4& seen_from = swapped ? inverse_camera : derived.world_from_view;
     // With parallel view rays, their direction alone decides which side of a plane is visible.
-    derived.eye_world = seen_from[params.projection.type == ProjectionType::orthographic ? 2 : 3];
+    derived.eye_world = seen_from[params.projection.is_orthographic() ? 2 : 3];
     derived.facts.view_residual = largest_entry(derived.view_from_world * derived.world_from_view - glm::dmat4(1.0));
 
     const Lens lens = params.lens();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
     derived.view_aspect = viewport.aspect();
-    derived.aspect = params.projection.aspect > 0.0 ? params.projection.aspect : derived.view_aspect;
+    derived.aspect = lens.window                      ? lens.window->aspect()
+                     : params.projection.aspect > 0.0 ? params.projection.aspect
+                                                      : derived.view_aspect;
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
     derived.stored_depth = stored_depth_of(params.depth, viewport);
     derived.clip_from_view = clip_from_view(lens, derived.aspect);

@@ -132,13 +132,11 @@ std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& d
                                           const glm::dmat4& world_from_view) {
     const Lens lens = params.lens();
     std::array<glm::dvec3, 8> corners{};
-    const double slope = std::tan(glm::radians(lens.fovy_deg) * 0.5);
     for (int corner = 0; corner < 8; ++corner) {
-        const double distance = corner < 4 ? lens.near : lens.far;
-        const double half_height = lens.orthographic ? lens.height * 0.5 : slope * distance;
+        const double distance = corner < 4 ? lens.near : lens.shown_far();
         const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
         const double y = corner % 4 >= 2 ? 1.0 : -1.0;
-        const glm::dvec4 corner_view(x * half_height * derived.aspect, y * half_height, -distance, 1.0);
+        const glm::dvec4 corner_view(lens.edges_at(distance, derived.aspect).at({x, y}), -distance, 1.0);
         corners[static_cast<std::size_t>(corner)] = glm::dvec3(world_from_view * corner_view);
     }
     return corners;

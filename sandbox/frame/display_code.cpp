@@ -1,6 +1,7 @@
 #include "frame/display_code.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "text/numbers.h"
 
@@ -40,21 +41,29 @@ std::vector<Factor> factors_of(const Params& params) {
 
 std::vector<DisplayLine> display_lines(const Params& params, const Derived& derived) {
     const ProjectionParams& projection = params.projection;
-    const std::string range = plain_decimals(projection.near, 3) + ", " + plain_decimals(projection.far, 1) + ");";
-    const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
+    const bool is_infinite = std::isinf(projection.far);
+    const std::string near = plain_decimals(projection.near, 3);
+    // GLM has no frustum with an infinite far: its limit stands in a comment.
+    const std::string range = is_infinite && projection.has_window() ? near + ", f);  // f → ∞"
+                              : is_infinite                          ? near + ");"
+                                            : near + ", " + plain_decimals(projection.far, 1) + ");";
 
     std::vector<DisplayLine> lines = {{"void display() {"}};
     if (projection.type == ProjectionType::perspective) {
         const std::string degrees = plain_decimals(projection.fovy, 1);
         const std::string angle = params.slips.degrees_as_radians ? degrees : "radians(" + degrees + ")";
-        lines.push_back({"  P = perspective(" + angle + ",", false, "projection"});
+        lines.push_back(
+            {(is_infinite ? "  P = infinitePerspective(" : "  P = perspective(") + angle + ",", false, "projection"});
         lines.push_back({"      " + plain_decimals(derived.aspect, 3) + ", " + range, false, "projection"});
     } else {
-        lines.push_back({"  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) + ",",
-                         false, "projection"});
+        const Edges edges = params.lens().edges_at(projection.near, derived.aspect);
+        const bool orthographic = projection.is_orthographic();
+        const auto pair = [decimals = orthographic ? 2 : 3](double low, double high) {
+            return plain_decimals(low, decimals) + ", " + plain_decimals(high, decimals) + ",";
+        };
         lines.push_back(
-            {"      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) + ", " + range, false,
-             "projection"});
+            {(orthographic ? "  P = ortho(" : "  P = frustum(") + pair(edges.left, edges.right), false, "projection"});
+        lines.push_back({"      " + pair(edges.bottom, edges.top) + " " + range, false, "projection"});
     }
     lines.push_back({"  V = mat4(1);  // move the world instead:"});
     const std::vector<Factor> factors = factors_of(params);

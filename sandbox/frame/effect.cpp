@@ -64,12 +64,18 @@ bool is_named(const Reason& reason, std::string_view path) {
 /// Returns all reasons, from the broadest to the narrowest.
 std::span<const Reason> reasons() {
     static const Reason all[] = {
-        {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },
+        {[](const State& s) { return s.params.projection.is_orthographic(); },
          marked("An orthographic view is defined by a height, not an angle."),
          {"projection.fovy", "slips.degrees_as_radians"}},
-        {[](const State& s) { return s.params.projection.type == ProjectionType::perspective; },
+        {[](const State& s) { return !s.params.projection.is_orthographic(); },
          marked("A perspective view is defined by an angle, not a height."),
          {"projection.height"}},
+        {[](const State& s) { return s.params.projection.has_window(); },
+         marked("The window's four edges decide the size and the shape of the picture."),
+         {"projection.fovy", "projection.height", "projection.aspect", "slips.degrees_as_radians"}},
+        {[](const State& s) { return !s.params.projection.has_window(); },
+         marked("Only a projection with a window of its own has edges: glFrustum or glOrtho."),
+         {"projection.left", "projection.right", "projection.bottom", "projection.top"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
          marked("This method draws with GL's depth test off."),

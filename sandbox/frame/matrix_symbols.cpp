@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <tuple>
@@ -75,7 +76,7 @@ MatrixSymbols camera_symbols(bool swapped_order) {
 }
 
 MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one) {
-    const bool orthographic = params.projection.type == ProjectionType::orthographic;
+    const bool orthographic = params.projection.is_orthographic();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
     const char *scale = "c", *depth_scale = "(f+n)/(n-f)", *depth_shift = "2fn/(n-f)";
     if (orthographic) {
@@ -83,7 +84,11 @@ MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one) {
         depth_scale = "2/(n-f)";
         depth_shift = "(f+n)/(n-f)";
     }
-    if (reversed) {
+    const bool infinite = std::isinf(params.projection.far);
+    if (infinite) std::tie(depth_scale, depth_shift) = std::pair("-1", "-2n");
+    if (reversed && infinite)
+        std::tie(depth_scale, depth_shift) = clip_zero_to_one ? std::pair("0", "n") : std::pair("1", "2n");
+    if (reversed && !infinite) {
         depth_scale = orthographic ? "2/(f-n)" : "(f+n)/(f-n)";
         depth_shift = orthographic ? "(f+n)/(f-n)" : "2fn/(f-n)";
         if (clip_zero_to_one) {
@@ -91,14 +96,22 @@ MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one) {
             depth_shift = orthographic ? "f/(f-n)" : "fn/(f-n)";
         }
     }
-    return {orthographic ? "2/(h·aspect)" : "c/aspect",
+    const char *wide = orthographic ? "2/(h·aspect)" : "c/aspect", *x_by_z = "0", *x_by_w = "0", *y_by_z = "0",
+               *y_by_w = "0";
+    if (params.projection.has_window()) {
+        wide = orthographic ? "2/(r-l)" : "2n/(r-l)";
+        scale = orthographic ? "2/(t-b)" : "2n/(t-b)";
+        (orthographic ? x_by_w : x_by_z) = orthographic ? "(r+l)/(l-r)" : "(r+l)/(r-l)";
+        (orthographic ? y_by_w : y_by_z) = orthographic ? "(t+b)/(b-t)" : "(t+b)/(t-b)";
+    }
+    return {wide,
             "0",
-            "0",
-            "0",  //
+            x_by_z,
+            x_by_w,  //
             "0",
             scale,
-            "0",
-            "0",  //
+            y_by_z,
+            y_by_w,  //
             "0",
             "0",
             depth_scale,

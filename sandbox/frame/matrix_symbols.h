@@ -20,7 +20,7 @@ MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab);
 /// Return V and C. `swapped_order`: C = R T instead of T R.
 MatrixSymbols view_symbols(bool swapped_order);
 MatrixSymbols camera_symbols(bool swapped_order);
-/// Returns P with near n, far f, height h and c = cot(½ fovy).
+/// Returns P with near n, far f, height h and c = cot(½ fovy), or with the window's edges l, r, b and t.
 MatrixSymbols projection_symbols(const Params& params, bool clip_zero_to_one);
 
 /// Returns a symbol as LaTeX math: "\Pi \cdot L - l_x n_x".

@@ -152,7 +152,7 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
 }  // namespace
 
 double picture_height(const Lens& lens, double distance) {
-    return lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
+    return std::abs(lens.edges_at(distance, 1.0).height());
 }
 
 bool is_in_view(const SceneObject& object, const Params& params, const Derived& derived) {

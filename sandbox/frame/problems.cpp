@@ -6,7 +6,6 @@
 #include "frame/depth/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
-#include "frame/matrix_facts.h"
 #include "frame/say.h"
 
 namespace viewing {
@@ -110,94 +109,22 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
                 tr("this hidden-surface method draws only one plane: the others are left out of its picture"));
 }
 
-/// Returns the w that the uploaded matrix gives a point between the light and the plane.
-double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
-    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
-    const double height = is_parallel_light(cast.light_world)
-                              ? 1.0
-                              : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
-    const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
-    return cast.sign * (cast.shadowed_world_from_world * between).w;
-}
-
-/// A relative tolerance, since entries may be typed with only five digits.
-constexpr double by_hand_tolerance = 1e-4;
-
-double largest_component(const glm::dvec4& v) {
-    const glm::dvec4 size = glm::abs(v);
-    return std::max({size.x, size.y, size.z, size.w});
-}
-
-/// Returns whether R leaves three points of the plane where they are, and therefore all of its points.
-bool keeps_plane(const DerivedPlane& plane) {
-    const PlanePatch& patch = plane.patch;
-    const glm::dvec3 points[] = {patch.center, patch.center + patch.extent * patch.u,
-                                 patch.center + patch.extent * patch.v};
-    return std::all_of(std::begin(points), std::end(points), [&](const glm::dvec3& point) {
-        const glm::dvec4 image = plane.mirrored_world_from_world * glm::dvec4(point, 1.0);
-        return glm::length(glm::dvec3(image) / image.w - point) <= by_hand_tolerance * patch.extent;
-    });
-}
-
-/// Returns "S" for the first plane and light, otherwise "S of plane 2, light 1".
-std::string shadow_name(std::size_t plane, std::size_t light) {
-    return plane == 0 && light == 0
-               ? "S"
-               : say("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
-}
-
-/// Returns "R" for the first plane, otherwise "R of plane 2".
-std::string mirror_name(std::size_t plane) {
-    return plane == 0 ? "R" : say("R of plane {plane}", "plane"_a = plane + 1);
-}
-
-void find_overrides(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
-    Sayer tell_shadow(problems, "shadow"), tell_mirror(problems, "reflection");
-    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
-        const DerivedPlane& of = derived.planes[plane];
-        for (std::size_t light = 0; light < of.shadows.size(); ++light) {
-            const CastShadow& cast = of.shadows[light];
-            if (!cast.by_hand) continue;
-            const std::string matrix = shadow_name(plane, light);
-            tell_shadow(true, say("{matrix} is entered by hand: the plane and the light no longer change it",
-                                  "matrix"_a = matrix));
-            // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
-            const glm::dmat4& s = cast.shadowed_world_from_world;
-            const double size = largest_entry(s);
-            const bool lands = largest_component(of.unit_plane * s) <= by_hand_tolerance * size;
-            const bool transposed_lands =
-                largest_component(of.unit_plane * glm::transpose(s)) <= by_hand_tolerance * size;
-            tell_shadow.broken(params.shadow.enabled && !lands && transposed_lands,
-                               say("{matrix} entered by hand does not land in the plane (Π·S p ≠ 0), but its transpose "
-                                   "does: OpenGL reads columns",
-                                   "matrix"_a = matrix));
-            tell_shadow.broken(
-                params.shadow.enabled && !lands && !transposed_lands,
-                say("{matrix} entered by hand does not land in the plane: Π·S p ≠ 0", "matrix"_a = matrix));
-            tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
-                               say("{matrix} entered by hand gives a negative w to points between the light and the "
-                                   "plane: clipping removes the shadow; −S is the same projection with a positive w",
-                                   "matrix"_a = matrix));
-        }
-    }
-    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
-        const DerivedPlane& of = derived.planes[plane];
-        if (!of.mirror_by_hand) continue;
-        tell_mirror(
-            true, say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
-        tell_mirror.broken(
-            params.reflection.enabled && of.mirrors && !keeps_plane(of),
-            say("{matrix} entered by hand moves the points of the plane itself, so the image does not fit "
-                "its mirror",
-                "matrix"_a = mirror_name(plane)));
-    }
+/// Says how a window that is not shaped like the view is stretched, and offers left and right that fit.
+void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
+    const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
+    tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,
+         say("the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
+             "everything is stretched to {stretch} times its width",
+             "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
+             "stretch"_a = figures(view_aspect / window.aspect(), 3)),
+         "projection={\"left\": " + plain_number(middle - half) + ", \"right\": " + plain_number(middle + half) + "}");
 }
 
 /// Reports the effects of mistakes on P and its picture.
 void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
     Sayer tell(problems, "projection");
     const Lens lens = params.lens();
-    if (params.slips.degrees_as_radians && !lens.orthographic) {
+    if (params.slips.degrees_as_radians && !lens.orthographic && !lens.window) {
         const std::string fovy = figures(params.projection.fovy, 4);
         const double c = derived.clip_from_view[1][1];
         tell.broken(c > 0.0,
@@ -212,6 +139,7 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
                     "slips.degrees_as_radians");
     }
     const double stretch = derived.view_aspect / derived.aspect;
+    if (lens.window) return tell_stretched_window(tell, *lens.window, derived.view_aspect);
     tell.broken(std::abs(stretch - 1.0) > 1e-3,
                 say("P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
                     "everything is stretched to {stretch} times its width",
@@ -245,7 +173,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
-    find_overrides(problems, params, derived);
+    find_by_hand_problems(problems, params, derived);
     // While the depth test rejects every fragment, no other effect on the picture can be seen.
     if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
         !params.reflection.after_objects)

@@ -35,6 +35,9 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
+/// Adds what each S and R entered by hand is, if it is recognized: a transpose, or a right matrix of something else.
+void find_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
+
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);

@@ -29,12 +29,14 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
         return tr("every object is behind the camera: G frames them all, Home returns to the start");
-    const Lens lens = params.lens();
-    const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
-    const glm::dvec2 edge(y * derived.aspect, y);
+    Lens lens = params.lens();
+    lens.fovy_deg = std::abs(lens.fovy_deg);
+    const auto [left, right, bottom, top] = lens.edges_at(1.0, derived.aspect);
+    const glm::dvec2 low(left, bottom), high(right, top);
     const auto beyond = [&](int axis, double sign) {
         return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-            return sign * corner[axis] > edge[axis] * (lens.orthographic ? 1.0 : -corner.z);
+            const double scale = lens.orthographic ? 1.0 : -corner.z;
+            return sign > 0.0 ? corner[axis] > high[axis] * scale : corner[axis] < low[axis] * scale;
         });
     };
     const char* const sentence =

@@ -14,12 +14,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Returns |d(window depth) / d(eye distance)|.
 double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
     if (mapping == DepthMapping::logarithmic) {
-        return 1.0 / (distance * std::log(lens.far / lens.logarithmic_near()));
+        return 1.0 / (distance * std::log(lens.logarithmic_far() / lens.logarithmic_near()));
     }
     if (lens.orthographic) {
         return 1.0 / (lens.far - lens.near);
     }
-    return lens.far * lens.near / ((lens.far - lens.near) * distance * distance);
+    return lens.depth_per_inverse_distance() / (distance * distance);
+}
+
+/// Puts the limit for an infinite far into P's third row: clip z = a · eye z + b.
+glm::dmat4 with_depth_row(glm::dmat4 p, double a, double b) {
+    p[2][2] = a;
+    p[3][2] = b;
+    return p;
+}
+
+/// Returns the lens with any finite far, for the entries of P that do not depend on it.
+Lens with_finite_far(Lens lens) {
+    lens.far = 2.0 * lens.near;
+    return lens;
 }
 
 /// Returns the gap between a float32 in (0, 1] and the next one toward 0.
@@ -31,18 +44,36 @@ double float_gap(double depth) {
 
 }  // namespace
 
+Edges Lens::edges_at(double distance, double aspect) const {
+    if (window) return orthographic ? *window : window->scaled(distance / near);
+    const double y = orthographic ? height / 2.0 : std::tan(glm::radians(0.5 * fovy_deg)) * distance, x = y * aspect;
+    return {-x, x, -y, y};
+}
+
 glm::dmat4 clip_from_view(const Lens& lens, double aspect) {
+    if (lens.is_infinite())
+        return with_depth_row(clip_from_view(with_finite_far(lens), aspect), -1.0, -2.0 * lens.near);
+    const double n = lens.near, f = lens.far;
     if (lens.orthographic) {
-        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
-        return glm::orthoRH_NO(-half_width, half_width, -half_height, half_height, lens.near, lens.far);
+        const Edges edges = lens.edges_at(n, aspect);
+        return glm::orthoRH_NO(edges.left, edges.right, edges.bottom, edges.top, n, f);
     }
+    if (const auto& own = lens.window) return glm::frustumRH_NO(own->left, own->right, own->bottom, own->top, n, f);
     return glm::perspectiveRH_NO(glm::radians(lens.fovy_deg), aspect, lens.near, lens.far);
 }
 
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect) {
+    if (lens.is_infinite())
+        return with_depth_row(clip_from_view_reversed(with_finite_far(lens), aspect), 0.0, lens.near);
+    const double n = lens.near, f = lens.far;
     if (lens.orthographic) {
-        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
-        return glm::orthoRH_ZO(-half_width, half_width, -half_height, half_height, lens.far, lens.near);
+        const Edges edges = lens.edges_at(n, aspect);
+        return glm::orthoRH_ZO(edges.left, edges.right, edges.bottom, edges.top, f, n);
+    }
+    if (const auto& own = lens.window) {
+        // glFrustum takes the window at its first depth, which is far once near and far are swapped.
+        const glm::dmat4 standard = glm::frustumRH_ZO(own->left, own->right, own->bottom, own->top, n, f);
+        return with_depth_row(standard, n / (f - n), f * n / (f - n));
     }
     return glm::perspectiveRH_ZO(glm::radians(lens.fovy_deg), aspect, lens.far, lens.near);
 }
@@ -53,6 +84,8 @@ double window_depth(const Lens& lens, DepthMapping mapping, double distance) {
     if (z <= 0.0 && !linear) {
         return mapping == DepthMapping::reversed ? infinity : -infinity;
     }
+    if (lens.is_infinite() && mapping != DepthMapping::logarithmic)
+        return mapping == DepthMapping::reversed ? n / z : 1.0 - n / z;
     switch (mapping) {
         case DepthMapping::standard:
             return linear ? (z - n) / (f - n) : f * (z - n) / ((f - n) * z);
@@ -62,12 +95,14 @@ double window_depth(const Lens& lens, DepthMapping mapping, double distance) {
             break;
     }
     const double start = lens.logarithmic_near();
-    return std::log(z / start) / std::log(f / start);
+    return std::log(z / start) / std::log(lens.logarithmic_far() / start);
 }
 
 double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double depth) {
     const double n = lens.near, f = lens.far, d = depth;
     const bool linear = lens.orthographic;
+    if (lens.is_infinite() && mapping != DepthMapping::logarithmic)
+        return n / (mapping == DepthMapping::reversed ? d : 1.0 - d);
     switch (mapping) {
         case DepthMapping::standard:
             return linear ? n + d * (f - n) : f * n / (f - d * (f - n));
@@ -76,7 +111,7 @@ double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double d
         case DepthMapping::logarithmic:
             break;
     }
-    return lens.logarithmic_near() * std::pow(f / lens.logarithmic_near(), d);
+    return lens.logarithmic_near() * std::pow(lens.logarithmic_far() / lens.logarithmic_near(), d);
 }
 
 double code_width(const DepthPrecision& precision, double window_depth) {

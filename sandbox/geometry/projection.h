@@ -4,24 +4,53 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace viewing {
 
 enum class DepthMapping { standard, reversed, logarithmic };
+
+/// The edges of a picture, in world units to the right of and above the view axis.
+struct Edges {
+    double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
+
+    double width() const { return right - left; }
+    double height() const { return top - bottom; }
+    double aspect() const { return width() / height(); }
+    glm::dvec2 center() const { return {0.5 * (left + right), 0.5 * (bottom + top)}; }
+    /// Returns the point at `ndc`: (−1, −1) is left and bottom, (1, 1) right and top.
+    glm::dvec2 at(const glm::dvec2& ndc) const { return center() + 0.5 * ndc * glm::dvec2(width(), height()); }
+    Edges scaled(double factor) const { return {left * factor, right * factor, bottom * factor, top * factor}; }
+    bool operator==(const Edges&) const = default;
+};
 
 struct Lens {
     bool orthographic = false;
     double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is rotated by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;       ///< orthographic: may be 0 or negative, as in glOrtho
-    double far = 40.0;
+    double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
+    std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
+    /// Returns the picture's edges at an eye distance. A window of its own decides them whatever `aspect` (width /
+    /// height) is. With a negative fovy, left > right and bottom > top.
+    Edges edges_at(double distance, double aspect) const;
+    double reach = 100.0;  ///< to where pictures and charts show an infinite far
+
+    bool is_infinite() const { return std::isinf(far); }
+    /// Returns far or, if that is infinite, the distance to which pictures and charts show it.
+    double shown_far() const { return is_infinite() ? reach : far; }
+    /// Returns f n / (f − n), which is n for an infinite f: window depth changes by this ÷ z² per unit of distance.
+    double depth_per_inverse_distance() const { return is_infinite() ? near : far * near / (far - near); }
+    /// Returns the distance at which a logarithm ends; for an infinite far, at the largest finite one.
+    double logarithmic_far() const { return is_infinite() ? 1e9 : far; }
     /// Returns the least eye distance that a logarithm can start from: near or, if near ≤ 0, a millionth of far.
     double logarithmic_near() const { return near > 0.0 ? near : 1e-6 * far; }
     bool operator==(const Lens&) const = default;
 };
 
-/// Returns P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height.
+/// Returns P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height; a lens with a window of its
+/// own ignores it.
 glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 
 /// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/object_reach.h"
 #include "geometry/shapes.h"
 #include "measure/fighting_measure.h"
 #include "text/catalogue.h"
@@ -23,7 +24,7 @@ constexpr int halvings = 4;                  ///< bisections; the first one halv
 /// from being cleared.
 Params plain(const Params& state) {
     Params params;
-    params.projection = state.projection;
+    params.projection = state.projection.centered();
     params.depth = state.depth;
     params.depth.clear = params.depth.write_while_clearing = params.depth.reversed_clear = true;
     params.camera.position = glm::dvec3(0.0);
@@ -46,9 +47,7 @@ double far_end_of_a_code(const DepthCoding& coding, double distance) {
 
 /// Returns half the side of a quad that covers the same part of the view at any distance.
 double half_side(const Lens& lens, double distance) {
-    const double half_height =
-        lens.orthographic ? lens.height / 2.0 : distance * std::tan(glm::radians(std::abs(lens.fovy_deg)) / 2.0);
-    return half_height * share_of_view;
+    return 0.5 * picture_height(lens, distance) * share_of_view;
 }
 
 }  // namespace

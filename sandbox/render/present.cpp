@@ -43,7 +43,11 @@ Status Presenter::depth(const FramePlan& plan, const gl::Target& from, const gl:
     program.linear_scale.set(plan.depth_scale == DepthScale::linear);
     program.orthographic.set(plan.lens.orthographic);
     const bool is_logarithmic = plan.depth_mapping == DepthMapping::logarithmic;
-    program.near_far.set(glm::dvec2(is_logarithmic ? plan.lens.logarithmic_near() : plan.lens.near, plan.lens.far));
+    constexpr double as_good_as_infinite = 1e30;  // f − n = f in float32, and n f is still finite
+    if (is_logarithmic)
+        program.near_far.set(glm::dvec2(plan.lens.logarithmic_near(), plan.lens.logarithmic_far()));
+    else
+        program.near_far.set(glm::dvec2(plan.lens.near, std::min(plan.lens.far, as_good_as_infinite)));
     const GrayScale scale = gray_scale(plan);
     program.shown_first.set(static_cast<float>(scale.first));
     program.shown_slope.set(static_cast<float>(scale.slope));

@@ -75,10 +75,8 @@ PixelReport PixelProbe::report(glm::ivec2 pixel, const ReadPixel& read, const Sc
     report.step = depth_step(lens, plan_.depth_mapping, report.precision, distance);
     report.resolvable_step = resolvable_depth_step(lens, plan_.depth_mapping, report.precision, distance);
     const glm::dvec2 ndc = (glm::dvec2(at) + 0.5) / glm::dvec2(size_px) * 2.0 - 1.0;
-    const double half_height =
-        lens.orthographic ? lens.height * 0.5 : std::tan(glm::radians(lens.fovy_deg) * 0.5) * distance;
-    const glm::dvec2 offset = ndc * half_height * glm::dvec2(aspect_, 1.0);
-    report.world = glm::dvec3(world_from_view_ * glm::dvec4(offset, -distance, 1.0));
+    const glm::dvec2 at_view = lens.edges_at(distance, aspect_).at(ndc);
+    report.world = glm::dvec3(world_from_view_ * glm::dvec4(at_view, -distance, 1.0));
     return report;
 }
 

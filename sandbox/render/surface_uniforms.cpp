@@ -49,7 +49,8 @@ void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
     const bool logarithmic = plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex();
     const double levels = precision_of(plan.depth_format).greatest_code();
     program.depth_levels.set(stores_fewer_bits(plan.depth_format) ? static_cast<int>(levels) : 0);
-    program.logarithmic_range.set(glm::dvec2(logarithmic ? plan.lens.logarithmic_near() : 0.0, plan.lens.far));
+    program.logarithmic_range.set(
+        glm::dvec2(logarithmic ? plan.lens.logarithmic_near() : 0.0, plan.lens.logarithmic_far()));
     program.reverses_depth.set(plan.depth_mapping == DepthMapping::reversed);
 }
 
@@ -87,7 +88,7 @@ void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const 
         program.caster_side.set(for_relative(plan.caster_side, pass));
         program.caster_tones.set_first(srgb(caster_colors));
     }
-    program.vertex_near_far.set(glm::dvec2(plan.lens.logarithmic_near(), plan.lens.far));
+    program.vertex_near_far.set(glm::dvec2(plan.lens.logarithmic_near(), plan.lens.logarithmic_far()));
     if (frame.shading_of(pass) == Shading::heat) set_heat(program, plan, pass);
     if (frame.writes_depth || pass.subject == Subject::pixels) set_depth(program, plan);
 }

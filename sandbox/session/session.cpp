@@ -80,14 +80,15 @@ void Session::set_speed(double speed) {
 
 void Session::begin_here() {
     home_ = params.camera;
-    home_height_ = params.projection.height;
+    home_projection_ = params.projection;
 }
 
 void Session::go_home() {
     const Navigation mode = params.camera.navigation;
     params.camera = home_;
     params.camera.navigation = mode;
-    params.projection.height = home_height_;
+    params.projection.height = home_projection_.height;
+    params.projection.set_window(home_projection_.window());
     motion_ = {};
 }
 
@@ -99,7 +100,8 @@ void Session::frame_all(double aspect) {
     const Framing found = framing(all, camera.angles(), params.lens(), aspect);
     camera.position = found.eye;
     camera.target = all.center();
-    if (params.projection.type == ProjectionType::orthographic) params.projection.height = found.height;
+    if (params.projection.is_orthographic())
+        params.projection.scale_picture(found.height / params.lens().edges_at(1.0, aspect).height());
     motion_ = {};
     clamp_to_ranges(params);
 }

@@ -208,7 +208,7 @@ private:
     int steps_back_ = 0;  ///< undo steps minus redo steps since a scene was last loaded
 
     CameraParams home_;
-    double home_height_ = 0.0;  ///< of the orthographic view at home_
+    ProjectionParams home_projection_;  ///< its height and window belong to home_
     Motion motion_;
     MovingFreedoms moving_, asked_;
     MotionTuning tuning_;

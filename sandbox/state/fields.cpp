@@ -10,7 +10,7 @@ namespace viewing {
 
 // clang-format off
 template <> std::span<const char* const> names_of<Navigation>() { static constexpr const char* names[] = {"fly", "walk", "orbit"}; return names; }
-template <> std::span<const char* const> names_of<ProjectionType>() { static constexpr const char* names[] = {"perspective", "orthographic"}; return names; }
+template <> std::span<const char* const> names_of<ProjectionType>() { static constexpr const char* names[] = {"perspective", "orthographic", "frustum", "orthographic_window"}; return names; }
 template <> std::span<const char* const> names_of<CompareFunc>() { static constexpr const char* names[] = {"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"}; return names; }
 template <> std::span<const char* const> names_of<DepthFormat>() { static constexpr const char* names[] = {"d4", "d5", "d6", "d7", "d8", "d9", "d10", "d11", "d12", "d16", "d24", "d32f"}; return names; }
 template <> std::span<const char* const> names_of<DepthMapping>() { static constexpr const char* names[] = {"standard", "reversed", "logarithmic"}; return names; }
@@ -58,11 +58,13 @@ FieldRef field_ref(T& value) {
 constexpr double position_limit = 1e6;
 constexpr double turns_limit_deg = 3600.0;
 constexpr double offset_limit = 1e6;
+constexpr double window_limit = 1e6;
 
 constexpr std::string_view length = "world units";
 constexpr std::string_view degrees = "°";
 constexpr std::string_view camera_formula = "C = T(position) · Ry(yaw) · Rx(pitch) · Rz(roll), V = C⁻¹";
 constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z) (perspective, standard depth)";
+constexpr std::string_view window_call = "glFrustum | glOrtho";
 constexpr std::string_view shadow_formula = "S = (Π·L) I − L Πᵀ";
 constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1";
 
@@ -142,8 +144,9 @@ const Field all_fields[] = {
      .place = IN(projection.type),
      .label = "projection",
      .help = "Perspective makes distant objects small; orthographic keeps parallel lines parallel and sizes the same "
-             "at every distance.",
-     .gl_call = "glm::perspective | glm::ortho"},
+             "at every distance. A frustum and an orthographic window take the picture's four edges as glFrustum and "
+             "glOrtho do: they need not be centered on the view axis, and they fill the view whatever its shape.",
+     .gl_call = "glm::perspective | glm::ortho | glm::frustum"},
     {.path = "projection.fovy",
      .place = IN(projection.fovy),
      .label = "fovy",
@@ -188,8 +191,10 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 0.1,
      .logarithmic = true,
+     .may_be_infinite = true,
      .help = "Distance of the far plane: everything beyond is clipped. In perspective, it hardly affects depth "
-             "precision; the near plane does.",
+             "precision; the near plane does. It may be infinite in perspective and in a frustum, unless depth is "
+             "logarithmic: nothing is too far, and with standard depth P's third row is 0, 0, −1, −2n.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
 
@@ -203,6 +208,48 @@ const Field all_fields[] = {
              "value, GL stretches the picture to the view: perspective(45, 1, …) is right only in a square window.",
      .formula = "P₁₁ = P₂₂ / aspect",
      .gl_call = "glm::perspective | glm::ortho"},
+    {.path = "projection.left",
+     .place = IN(projection.left),
+     .label = "left",
+     .unit = length,
+     .min = -window_limit,
+     .max = window_limit,
+     .step = 0.01,
+     .help = "The left edge of the picture to the right of the view axis: at the near plane in a frustum, at every "
+             "distance in an orthographic window. Must be less than right.",
+     .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
+     .gl_call = window_call},
+    {.path = "projection.right",
+     .place = IN(projection.right),
+     .label = "right",
+     .unit = length,
+     .min = -window_limit,
+     .max = window_limit,
+     .step = 0.01,
+     .help = "The right edge of the picture to the right of the view axis, as left. If left and right are not "
+             "opposite numbers, the view axis does not meet the middle of the picture.",
+     .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
+     .gl_call = window_call},
+    {.path = "projection.bottom",
+     .place = IN(projection.bottom),
+     .label = "bottom",
+     .unit = length,
+     .min = -window_limit,
+     .max = window_limit,
+     .step = 0.01,
+     .help = "The lower edge of the picture above the view axis, as left. Must be less than top.",
+     .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
+     .gl_call = window_call},
+    {.path = "projection.top",
+     .place = IN(projection.top),
+     .label = "top",
+     .unit = length,
+     .min = -window_limit,
+     .max = window_limit,
+     .step = 0.01,
+     .help = "The upper edge of the picture above the view axis, as left.",
+     .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
+     .gl_call = window_call},
 
     // depth
     {.path = "depth.buffer",

@@ -57,6 +57,7 @@ struct Field {
     double max = 1e12;
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
+    bool may_be_infinite = false;   ///< "infinite" is allowed above the range
     std::string_view help;          ///< its effect, in a few sentences
     std::string_view formula = "";  ///< the formula that uses the field; "" if none
     std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none
@@ -67,6 +68,9 @@ struct Field {
     /// Returns "near" for "projection.near".
     std::string_view name() const { return path.substr(path.rfind('.') + 1); }
 };
+
+/// What a file contains instead of a number where Field::may_be_infinite allows it.
+inline constexpr const char* infinite = "infinite";
 
 /// Returns all fields in the order of the state file.
 std::span<const Field> fields();
@@ -119,6 +123,13 @@ std::string allowed_name_text(const Field& field);
 /// logarithmic depth takes its logarithm; otherwise near may be negative, as in glOrtho.
 double least_near(const Params& params);
 inline constexpr double least_positive_near = 1e-6;
+
+/// Returns whether the state's projection and depth mapping allow an infinite far: parallel view rays and a logarithm
+/// need an end.
+bool may_have_infinite_far(const Params& params);
+
+/// Returns how far apart two opposite edges of the picture's window must be at least.
+double least_window(double low, double high);
 
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.
 inline constexpr double min_aspect = 0.1;

@@ -22,6 +22,36 @@ LookAtFault CameraParams::look(const LookAt& look_at) {
     return looking.fault;
 }
 
+void ProjectionParams::set_type(bool orthographic, bool window) {
+    if (window)
+        type = orthographic ? ProjectionType::orthographic_window : ProjectionType::frustum;
+    else
+        type = orthographic ? ProjectionType::orthographic : ProjectionType::perspective;
+}
+
+void ProjectionParams::set_window(const Edges& edges) {
+    left = edges.left;
+    right = edges.right;
+    bottom = edges.bottom;
+    top = edges.top;
+}
+
+void ProjectionParams::scale_picture(double factor) {
+    if (has_window())
+        set_window(window().scaled(factor));
+    else
+        height *= factor;
+}
+
+ProjectionParams ProjectionParams::centered() const {
+    ProjectionParams made = *this;
+    if (!has_window()) return made;
+    made.set_type(is_orthographic(), false);
+    made.height = top - bottom;
+    made.fovy = glm::degrees(2.0 * std::atan(0.5 * (top - bottom) / near));
+    return made;
+}
+
 constexpr double least_fovy_deg = 1e-3;
 
 Lens Params::lens() const {
@@ -30,8 +60,10 @@ Lens Params::lens() const {
         const double turned_deg = std::remainder(glm::degrees(fovy_deg), 360.0);
         fovy_deg = std::copysign(std::clamp(std::abs(turned_deg), least_fovy_deg, 180.0 - least_fovy_deg), turned_deg);
     }
-    return {projection.type == ProjectionType::orthographic, fovy_deg, projection.height, projection.near,
-            projection.far};
+    Lens lens{projection.is_orthographic(), fovy_deg, projection.height, projection.near, projection.far};
+    if (projection.has_window()) lens.window = projection.window();
+    if (lens.is_infinite()) lens.reach = 4.0 * std::max(projection.near, glm::distance(camera.position, camera.target));
+    return lens;
 }
 
 }  // namespace viewing

@@ -22,7 +22,8 @@
 
 namespace viewing {
 
-enum class ProjectionType { perspective, orthographic };
+/// The last two are the first two with a window of their own: glFrustum and glOrtho.
+enum class ProjectionType { perspective, orthographic, frustum, orthographic_window };
 enum class Theme { dark, light, projector };
 enum class Language { en, ko };
 
@@ -43,8 +44,22 @@ struct CameraParams {
 
 struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
-    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
+    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: may_be_infinite()
     double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
+    double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window, at the near plane in a frustum
+
+    bool is_orthographic() const {
+        return type == ProjectionType::orthographic || type == ProjectionType::orthographic_window;
+    }
+    bool has_window() const { return type == ProjectionType::frustum || type == ProjectionType::orthographic_window; }
+    /// Chooses the type; the window stays as it is.
+    void set_type(bool orthographic, bool window);
+    Edges window() const { return {left, right, bottom, top}; }
+    void set_window(const Edges& edges);
+    /// Enlarges an orthographic picture, window or height, about the view axis.
+    void scale_picture(double factor);
+    /// Returns the same projection with the view axis in the middle of the picture: no window, but as high.
+    ProjectionParams centered() const;
     bool operator==(const ProjectionParams&) const = default;
 };
 

@@ -33,6 +33,7 @@ double mended(double value, double fallback, const Field& field, int component) 
     if (std::isnan(value)) {
         return fallback;
     }
+    if (field.may_be_infinite && value > 0.0 && std::isinf(value)) return value;
     const Range range = component_range(field, component);
     const bool turns_on = field.unit == "°" && range.max >= 180.0;
     if (turns_on && std::isfinite(value) && (value < range.min || value > range.max)) {
@@ -88,6 +89,15 @@ void mend_pin(std::optional<Pin>& pin, const Field& field) {
     if (*pin == Pin{}) pin.reset();
 }
 
+/// Keeps `low` below `high`, and the two far enough apart for P to have an inverse.
+void mend_edges(double& low, double& high) {
+    const double least = least_window(low, high), limit = field("projection.left").max - least;
+    if (high - low >= least) return;
+    const double middle = std::clamp(0.5 * (low + high), -limit, limit);
+    low = middle - least;
+    high = middle + least;
+}
+
 /// Removes overrides for planes and lights that do not exist.
 void mend_overrides(Params& params) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
@@ -136,9 +146,17 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
 }  // namespace
 
 double least_near(const Params& params) {
-    const bool divides = params.projection.type == ProjectionType::perspective;
+    const bool divides = !params.projection.is_orthographic();
     return divides || params.depth.mapping == DepthMapping::logarithmic ? least_positive_near
                                                                         : field("projection.near").min;
+}
+
+bool may_have_infinite_far(const Params& params) {
+    return !params.projection.is_orthographic() && params.depth.mapping != DepthMapping::logarithmic;
+}
+
+double least_window(double low, double high) {
+    return 1e-9 * std::max({1.0, std::abs(low), std::abs(high)});
 }
 
 std::string element_form(std::string_view group) {
@@ -187,7 +205,8 @@ std::string allowed_text(const Field& field) {
                                                 : "a whole number " + range;
             },
             [&](double*) -> std::string {
-                return is_aspect(field) ? "0 or a number " + range_text({min_aspect, field.max}) : "a number " + range;
+                if (is_aspect(field)) return "0 or a number " + range_text({min_aspect, field.max});
+                return "a number " + range + (field.may_be_infinite ? ", or \"infinite\"" : "");
             },
             [&](glm::dvec3*) -> std::string { return "three numbers [x, y, z], each " + range; },
             [&](glm::dvec4*) -> std::string {
@@ -236,10 +255,13 @@ void clamp_to_ranges(Params& params) {
             mend_field(field, params, element);
         }
     }
+    double& far = params.projection.far;
+    if (std::isinf(far) && !may_have_infinite_far(params))
+        far = *std::get<double*>(default_ref(field("projection.far")));
     params.projection.near = std::max(params.projection.near, least_near(params));
-    if (params.projection.near >= params.projection.far) {
-        params.projection.far = params.projection.near * 1.01;
-    }
+    if (params.projection.near >= far) far = params.projection.near * 1.01;
+    mend_edges(params.projection.left, params.projection.right);
+    mend_edges(params.projection.bottom, params.projection.top);
     for (LightParams& light : params.lights) {
         mend_light(light.position);
     }

@@ -197,6 +197,37 @@ TEST_F(Fragments, EndWithTheOneReadBack) {
     EXPECT_LT(seen.at_edges, seen.compared / 4);
 }
 
+TEST_F(Fragments, EndWithTheOneReadBackThroughAWindowBesideTheAxis) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 1);
+    Seen seen;
+    for (const char* const mapping : {"standard", "reversed", "logarithmic"})
+        for (const char* const window :
+             {R"({"type": "frustum", "left": -0.3, "right": 0.1, "bottom": -0.2, "top": 0.3})",
+              R"({"type": "orthographic_window", "left": -1, "right": 4, "bottom": -3, "top": 1})"}) {
+            SCOPED_TRACE("seed " + std::to_string(seed + 1) + " " + mapping + " " + window);
+            compare(params_with({setting("depth.mapping", mapping), setting("projection", window)}), scene, random, 40,
+                    seen);
+        }
+    tell(seen);
+    EXPECT_GT(seen.compared, 60);
+}
+
+TEST_F(Fragments, EndWithTheOneReadBackIfFarIsInfinite) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 2);
+    Seen seen;
+    for (const char* const format : {"d16", "d24", "d32f"})
+        for (const char* const mapping : {"standard", "reversed"}) {
+            SCOPED_TRACE("seed " + std::to_string(seed + 2) + " " + format + " " + mapping);
+            compare(params_with({setting("depth.format", format), setting("depth.mapping", mapping),
+                                 "projection.far=infinite"}),
+                    scene, random, 40, seen);
+        }
+    tell(seen);
+    EXPECT_GT(seen.compared, 60);
+}
+
 TEST_F(Fragments, StayWithinTheBoundsOfEveryFormatMappingAndLens) {
     // Triangles of all sizes and slopes, including slivers and nearly edge-on ones, in all 18 combinations of format,
     // mapping and lens.

@@ -123,6 +123,11 @@ private:
         camera.roll_deg = random_.number(-180, 180);
         camera.fovy_deg = random_.number(35, 80);
         camera.height = random_.number(3, 7);
+        if (number_ % 7 != 2) return;
+        // A window beside the view axis: every seventh room is seen as glFrustum or glOrtho shows it.
+        const double half =
+            camera.orthographic ? 0.5 * camera.height : camera.near * std::tan(glm::radians(0.5 * camera.fovy_deg));
+        camera.window = half * glm::dvec4(-1.1, 2.2, -1.3, 0.6);
     }
 
     /// Adds point lights (w = 1), directions (w = 0) and lights with w = 0.5.
@@ -149,6 +154,11 @@ private:
         params.camera.roll = camera.roll_deg;
         params.projection = {camera.orthographic ? ProjectionType::orthographic : ProjectionType::perspective,
                              camera.fovy_deg, camera.height, camera.near, camera.far};
+        if (const auto& window = camera.window) {
+            params.projection.set_type(camera.orthographic, true);
+            params.projection.set_window({window->x, window->y, window->z, window->w});
+        }
+        if (!camera.orthographic && number_ % 3 == 1) params.projection.far = std::numeric_limits<double>::infinity();
         params.planes.resize(room_.oracle.planes.size());
         for (std::size_t i = 0; i < params.planes.size(); ++i) {
             const OraclePlane& plane = room_.oracle.planes[i];

@@ -75,6 +75,7 @@ struct OracleCamera {
     double yaw_deg = 0, pitch_deg = 0, roll_deg = 0;
     bool orthographic = false;
     double fovy_deg = 40, height = 6, near = 0.1, far = 100;
+    std::optional<glm::dvec4> window;  ///< left, right, bottom, top at the near plane
 };
 
 /// The first hit of a view ray: a solid, or a patch with some lights missing.
@@ -123,6 +124,13 @@ private:
     Ray line_of_sight(double x, double y, int width, int height) const {
         const double across = (x / width * 2.0 - 1.0) * width / height;
         const double up = 1.0 - y / height * 2.0;
+        if (const auto& window = camera_.window) {
+            const double u = x / width, v = 1.0 - y / height;
+            const glm::dvec3 edge =
+                axes_[0] * ((1.0 - u) * window->x + u * window->y) + axes_[1] * ((1.0 - v) * window->z + v * window->w);
+            if (camera_.orthographic) return {camera_.position + edge, -axes_[2]};
+            return {camera_.position, -axes_[2] + edge / camera_.near};
+        }
         const glm::dvec3 aside = axes_[0] * across + axes_[1] * up;
         if (camera_.orthographic) return {camera_.position + aside * camera_.height * 0.5, -axes_[2]};
         return {camera_.position, -axes_[2] + aside * std::tan(glm::radians(camera_.fovy_deg) * 0.5)};

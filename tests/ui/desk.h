@@ -197,7 +197,7 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label : {"camera/Common mistakes", "projection/Aspect and radians", "Depth buffer",
+        for (const char* label : {"camera/Common mistakes", "projection/Window, far, aspect, radians", "Depth buffer",
                                   "shadow/Shadow: style and offset", "shadow/Shadow: clip at light, sign, stencil",
                                   "reflection/Mirror: drawing method"})
             if (!is_folded_out(label)) click(label);
@@ -238,13 +238,14 @@ private:
         struct Inside {
             std::string_view details, item;
         };
-        static constexpr Inside all[] = {{"camera/Common mistakes", "camera/C sent as V"},
-                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
-                                         {"projection/Aspect and radians", "projection/aspect (0: from view)"},
-                                         {"Depth buffer", "buffer/depth format"},
-                                         {"shadow/Shadow: style and offset", "shadow/style/Blend"},
-                                         {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},
-                                         {"reflection/Mirror: drawing method", "reflection/Mirror last"}};
+        static constexpr Inside all[] = {
+            {"camera/Common mistakes", "camera/C sent as V"},
+            {"projection/Window, far, aspect, radians", "projection/aspect (0: from view)"},
+            {"projection/Window, far, aspect, radians", "projection/aspect (0: from view)"},
+            {"Depth buffer", "buffer/depth format"},
+            {"shadow/Shadow: style and offset", "shadow/style/Blend"},
+            {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},
+            {"reflection/Mirror: drawing method", "reflection/Mirror last"}};
         const std::string_view inside = std::ranges::find(all, details, &Inside::details)->item;
         return ui.has(inside);
     }

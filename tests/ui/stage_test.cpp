@@ -278,6 +278,7 @@ TEST_F(StageTest, EveryNameOfTheVocabularyExistsOnScreen) {
     look("", [] {});
     look("opening", [&] { params.follow = Follow{"box", 3}; });
     look("orthographic", [] {});
+    look("opening", [&] { params.projection.type = ProjectionType::frustum; });
     for (std::size_t topic = 1; topic < names_of<Topic>().size(); ++topic)
         look("", [&] { choose_topic(params, Slot::left, static_cast<Topic>(topic)); });
     look("opening", [&] {
@@ -363,6 +364,8 @@ TEST_F(StageTest, EveryListableControlExists) {
         if (is_new_field(name)) continue;
         params = Params{};
         if (path == "projection.height") params.projection.type = ProjectionType::orthographic;
+        for (const char* edge : {"left", "right", "bottom", "top"})
+            if (path == std::string("projection.") + edge) params.projection.type = ProjectionType::frustum;
         if (path == "visibility.sort_key") params.visibility.method = VisibilityMethod::painter;
         if (path == "visibility.exact_curves") params.visibility.method = VisibilityMethod::ray_cast;
         if (path == "visibility.step") params.visibility.method = VisibilityMethod::newell;

@@ -149,7 +149,9 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
         DrawTicks(draw, rows, ticks, pointed);
         DrawRowTexts(draw, rows, min.y + Px(6), style.first_depth, style.last_depth, style.depth_title);
         DrawRowTexts(draw, rows, max.y - text - Px(6), say("near {z}", "z"_a = viewing::steady_figures(near)),
-                     say("far {z}", "z"_a = viewing::steady_figures(far)), style.z_title);
+                     style.ends_at_far ? say("far {z}", "z"_a = viewing::steady_figures(far))
+                                       : say("z = {z}", "z"_a = viewing::steady_figures(far)),
+                     style.z_title);
         for (const CodeTick& tick : ticks) {
             inner::RecordRect(("tick/" + std::to_string(tick.index)).c_str(), ImVec2(tick.upper_x, rows.upper),
                               ImVec2(tick.is_joined ? tick.lower_x : tick.upper_x, rows.lower),

@@ -43,7 +43,12 @@ void read_codes(std::span<const std::uint32_t> stored, const DepthPrecision& rea
 
 /// Replaces the fraction of the window depth range with the fraction of the eye distance between near and far.
 void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) {
-    const auto near = static_cast<float>(lens.near), range = static_cast<float>(lens.far - lens.near);
+    const auto near = static_cast<float>(lens.near), range = static_cast<float>(lens.shown_far() - lens.near);
+    if (lens.is_infinite()) {
+        for (std::size_t i = 0; i < count; ++i)
+            shares.from_near[i] = std::min(near * shares.from_near[i] / (range * shares.to_far[i] + 1e-30F), 1.0F);
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i)
         shares.from_near[i] = near * shares.from_near[i] / (near + range * shares.to_far[i]);
 }
@@ -52,7 +57,7 @@ void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) 
 class ExponentialDistances {
 public:
     explicit ExponentialDistances(const Lens& lens) {
-        const double ratio = lens.far / lens.logarithmic_near();
+        const double ratio = lens.logarithmic_far() / lens.logarithmic_near();
         for (std::size_t i = 0; i < shares_.size(); ++i)
             shares_[i] = static_cast<float>(std::expm1(std::log(ratio) * static_cast<double>(i) / steps) / (ratio - 1));
     }
@@ -153,7 +158,7 @@ DepthCounts count_depths(std::span<const std::uint32_t> stored, const DepthPreci
     DepthCounts counts = histogram.sum();
     if (plan.depth_scale == DepthScale::linear) {
         counts.min = plan.lens.near;
-        counts.max = plan.lens.far;
+        counts.max = plan.lens.shown_far();
     }
     return counts;
 }

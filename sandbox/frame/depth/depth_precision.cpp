@@ -17,10 +17,12 @@ struct Steps {
 };
 
 Steps steps_of(const DepthCoding& coding) {
+    // The curves of an infinite far end where the chart's axis usually does.
+    const double end = coding.lens.is_infinite() ? std::max(coding.lens.reach, 1e4) : coding.lens.far;
     Steps steps;
     for (int i = 0; i <= curve_points; ++i) {
         const double share = static_cast<double>(i) / curve_points;
-        const double start = coding.lens.logarithmic_near(), z = start * std::pow(coding.lens.far / start, share);
+        const double start = coding.lens.logarithmic_near(), z = start * std::pow(end / start, share);
         const FightingOnset onset = fighting_onset(coding, z);
         if (!onset.is_reachable) continue;
         steps.whole.emplace_back(z, onset.gap());
@@ -99,10 +101,14 @@ std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPr
     if (!precision.is_float)
         return say("Half of all codes lie between near and z = {z}.",
                    "z"_a = figures(distance_of_window_depth(lens, mapping, 0.5), 3));
-    const double middle = 0.5 * (lens.near + lens.far);
+    const double middle = 0.5 * (lens.near + lens.shown_far());
     const std::uint32_t code =
         std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(window_depth(lens, mapping, middle), 0.0, 1.0)));
     const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
+    if (lens.is_infinite())
+        return say("Of the {all} floats from 0 to 1, {farther} lie beyond z = {z}.",
+                   "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
+                   "z"_a = figures(middle, 3));
     return say("Of the {all} floats from 0 to 1, {farther} lie in the farther half of the distance, beyond z = {z}.",
                "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
                "z"_a = figures(middle, 3));

@@ -6,10 +6,11 @@
 namespace viewing {
 
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene) {
-    const ProjectionParams& projection = params.projection;
-    if (const auto& asked = params.view.depth_range; asked && asked->x < projection.far && asked->y > projection.near)
-        return glm::clamp(*asked, projection.near, projection.far);
-    glm::dvec2 range(projection.far, projection.near);
+    const Lens lens = params.lens();
+    const double near = lens.near, far = lens.shown_far();
+    if (const auto& asked = params.view.depth_range; asked && asked->x < far && asked->y > near)
+        return glm::clamp(*asked, near, far);
+    glm::dvec2 range(far, near);
     const auto take = [&](const glm::dvec3& corner) {
         const double distance = -(derived.view_from_world * glm::dvec4(corner, 1.0)).z;
         range = {std::min(range.x, distance), std::max(range.y, distance)};
@@ -19,8 +20,8 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
     for (int corner = 0; corner < 8 && !bounds.empty(); ++corner)
         take({corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,
               corner & 4 ? bounds.max.z : bounds.min.z});
-    range = glm::clamp(range, projection.near, projection.far);
-    return range.x < range.y ? range : glm::dvec2(projection.near, projection.far);
+    range = glm::clamp(range, near, far);
+    return range.x < range.y ? range : glm::dvec2(near, far);
 }
 
 GrayScale gray_scale(const FramePlan& plan) {

@@ -172,11 +172,10 @@ double rounded_terms(const DepthCoding& coding, double z) {
     if (coding.mapping == DepthMapping::logarithmic) {
         // Relative errors of eye z, w and their quotient change the logarithm by the same amount; then the logarithm
         // and the depth are rounded.
-        const double start = lens.logarithmic_near(), range = std::log(lens.far / start);
+        const double start = lens.logarithmic_near(), range = std::log(lens.logarithmic_far() / start);
         return (3.0 + 2.0 * std::log(std::max(z, start) / start)) / range + depth;
     }
-    if (coding.clip_zero_to_one)
-        return lens.orthographic ? depth : 2.0 * lens.far * lens.near / ((lens.far - lens.near) * z) + depth;
+    if (coding.clip_zero_to_one) return lens.orthographic ? depth : 2.0 * lens.depth_per_inverse_distance() / z + depth;
     const double ndc_z = std::abs(2.0 * depth - 1.0);  // later halved and shifted to 0 … 1
     return (lens.orthographic ? 0.5 * ndc_z : ndc_z) + 2.0 * depth;
 }

@@ -31,7 +31,7 @@ HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scen
     HeatMap made;
     const DepthCoding coding = depth_coding(params, derived);
     made.near = coding.lens.logarithmic_near();
-    made.far = coding.lens.far;
+    made.far = coding.lens.shown_far();
     constexpr double narrowest = 1e-12;  // relative to the distance; keeps every entry positive
     for (std::size_t entry = HeatMap::entry_count; entry-- > 0;) {
         const double distance = made.distance_of(entry);

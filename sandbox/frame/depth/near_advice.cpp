@@ -35,12 +35,12 @@ struct Reach {
 std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
     // A negative near, which only an orthographic view has, also shows what is behind the eye.
     const glm::dvec4 front(0.0, 0.0, -1.0, -std::min(lens.near, 0.0)), far(0.0, 0.0, 1.0, lens.far);
-    if (lens.orthographic) {
-        const double y = 0.5 * lens.height, x = y * aspect;
-        return {{{1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}, front, far}};
-    }
-    const double y = std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg))), x = y * aspect;
-    return {{{1, 0, -x, 0}, {-1, 0, -x, 0}, {0, 1, -y, 0}, {0, -1, -y, 0}, front, far}};
+    Lens upright = lens;
+    upright.fovy_deg = std::abs(lens.fovy_deg);
+    const auto [left, right, bottom, top] = upright.edges_at(1.0, aspect);
+    if (lens.orthographic)
+        return {{{1, 0, 0, -left}, {-1, 0, 0, right}, {0, 1, 0, -bottom}, {0, -1, 0, top}, front, far}};
+    return {{{1, 0, left, 0}, {-1, 0, -right, 0}, {0, 1, bottom, 0}, {0, -1, -top, 0}, front, far}};
 }
 
 /// Finds the range of eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
@@ -236,7 +236,7 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived,
                                       const std::vector<SeenThing>& seen) {
-    if (params.projection.type == ProjectionType::orthographic || seen.empty()) return std::nullopt;
+    if (params.projection.is_orthographic() || seen.empty()) return std::nullopt;
     const SeenThing& nearest = nearest_of(seen);
     const double z = std::max_element(seen.begin(), seen.end(), [](const SeenThing& a, const SeenThing& b) {
                          return a.farthest < b.farthest;

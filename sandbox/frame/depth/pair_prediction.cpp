@@ -26,14 +26,15 @@ std::vector<Polygon> seen_part(const FlatPair& pair, const Derived& derived, con
                                  rows[3] - rows[0],
                                  rows[3] + rows[1],
                                  rows[3] - rows[1]};
+    const double close = 1e-12 * lens.shown_far();
     std::vector<Polygon> seen;
     for (Polygon part : pair.overlap) {
         for (glm::dvec3& corner : part.vertices) corner = glm::dvec3(derived.view_from_world * glm::dvec4(corner, 1.0));
         bool is_seen = true;
         for (const glm::dvec4& plane : planes) {
             const glm::dvec4 unit = plane / glm::length(glm::dvec3(plane));
-            const PlaneSide side = side_of_plane(part, unit, 1e-12 * lens.far);
-            if (side == PlaneSide::spanning) part = split(part, unit, 1e-12 * lens.far).first;
+            const PlaneSide side = side_of_plane(part, unit, close);
+            if (side == PlaneSide::spanning) part = split(part, unit, close).first;
             is_seen = is_seen && side != PlaneSide::back && side != PlaneSide::coplanar;
         }
         if (is_seen) seen.push_back(std::move(part));

@@ -26,7 +26,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.object_marks = derived.object_marks;
     frame.depth_scale = params.view.depth_scale;
     frame.depth_colors = params.view.depth_colors;
-    frame.shown_range = params.view.depth_range.value_or(glm::dvec2(frame.lens.near, frame.lens.far));
+    frame.shown_range = params.view.depth_range.value_or(glm::dvec2(frame.lens.near, frame.lens.shown_far()));
 }
 
 namespace {

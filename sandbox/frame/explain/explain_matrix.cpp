@@ -185,8 +185,9 @@ void read_depth(FoundLens& lens, double a, double b, bool divides) {
     lens.far = distance_of(1.0);
 }
 
-/// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries.
-std::optional<FoundLens> lens_of(const dmat4& m, bool zero_to_one, double tolerance) {
+}  // namespace
+
+std::optional<FoundLens> read_lens(const dmat4& m, bool zero_to_one, double tolerance) {
     for (const auto& [row, column] : {std::pair(0, 1), {0, 3}, {1, 0}, {1, 3}, {2, 0}, {2, 1}}) {
         const bool may_shift = column == 3 && has_affine_row(m, tolerance);
         if (!may_shift && !is_near(entry(m, row, column), 0.0, tolerance)) return std::nullopt;
@@ -200,18 +201,25 @@ std::optional<FoundLens> lens_of(const dmat4& m, bool zero_to_one, double tolera
         lens.fovy_deg = glm::degrees(2.0 * std::atan(1.0 / y));
         lens.off_center = !is_near(entry(m, 0, 2), 0.0, tolerance) || !is_near(entry(m, 1, 2), 0.0, tolerance);
         read_depth(lens, entry(m, 2, 2), entry(m, 2, 3), true);
+        const double n = std::min(lens.near, lens.far);
+        lens.edges = {n * (entry(m, 0, 2) - 1.0) / x, n * (entry(m, 0, 2) + 1.0) / x, n * (entry(m, 1, 2) - 1.0) / y,
+                      n * (entry(m, 1, 2) + 1.0) / y};
         return lens;
     }
     if (!has_affine_row(m, tolerance) || entry(m, 2, 2) == 0.0) return std::nullopt;
     if (!is_near(entry(m, 0, 2), 0.0, tolerance) || !is_near(entry(m, 1, 2), 0.0, tolerance)) return std::nullopt;
     lens.orthographic = true;
     lens.height = 2.0 / y;
+    lens.edges = {(-1.0 - entry(m, 0, 3)) / x, (1.0 - entry(m, 0, 3)) / x, (-1.0 - entry(m, 1, 3)) / y,
+                  (1.0 - entry(m, 1, 3)) / y};
     lens.off_center = !is_near(entry(m, 0, 3), 0.0, tolerance) || !is_near(entry(m, 1, 3), 0.0, tolerance);
     const double a = entry(m, 2, 2), b = entry(m, 2, 3);
     lens.near = (b - (zero_to_one ? 0.0 : -1.0)) / a;
     lens.far = (b - 1.0) / a;
     return lens;
 }
+
+namespace {
 
 /// A matrix of rank 1 as column · rowᵀ; none if the rank is not 1.
 struct Outer {
@@ -320,16 +328,20 @@ bool explain_pose(ExplainedMatrix& found, const dmat4& m, char named, const Stat
 }
 
 bool explain_projection(ExplainedMatrix& found, const dmat4& m, char named, const State& state, double tolerance) {
-    const std::optional<FoundLens> lens = lens_of(m, state.is_zero_to_one(), tolerance);
+    const bool looks_along_z = has_row(m, 3, {0, 0, 1, 0}, tolerance);  // w = z instead of −z
+    const dmat4 p = looks_along_z ? m * flipped({1, 1, -1}) : m;
+    const std::optional<FoundLens> lens = read_lens(p, state.is_zero_to_one(), tolerance);
     const bool is_expected = named == 'P' || state.params().projection.type == ProjectionType::orthographic;
     if (!lens || (lens->orthographic && !is_expected)) return false;
     found.letter = 'P';
     found.lens = lens;
-    found.fault = MatrixFault::different;
+    found.fault = looks_along_z ? MatrixFault::left_handed : MatrixFault::different;
     return true;
 }
 
 bool explain_structure(ExplainedMatrix& found, const dmat4& m, char named, const State& state, double tolerance) {
+    if (named == 'S' && explain_shadow(found, m, state, tolerance))
+        return true;  // diag(1, 0, 1, 1) is also half a mirror
     return explain_projection(found, m, named, state, tolerance) || explain_mirror(found, m, tolerance) ||
            explain_pose(found, m, named, state, tolerance) || explain_shadow(found, m, state, tolerance);
 }
@@ -337,7 +349,7 @@ bool explain_structure(ExplainedMatrix& found, const dmat4& m, char named, const
 /// Fills in what the right matrix tells, for a matrix that was recognized by comparison.
 void describe_right(ExplainedMatrix& found, const State& state) {
     if (found.letter == 'V' || found.letter == 'C') describe_camera(found, state.first('C').right);
-    if (found.letter == 'P') found.lens = lens_of(*found.right, state.is_zero_to_one(), 1e-12);
+    if (found.letter == 'P') found.lens = read_lens(*found.right, state.is_zero_to_one(), 1e-12);
     if (found.letter == 'S' || found.letter == 'R')
         found.found_plane = unit_plane(state.params().planes[found.plane].equation);
     if (found.letter == 'S') found.found_light = state.params().lights[found.light].position;

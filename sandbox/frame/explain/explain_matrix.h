@@ -40,6 +40,7 @@ struct FoundLens {
     double near = 0.0, far = 0.0;  ///< far is +∞ if infinite; near > far if reversed
     bool zero_to_one = false;      ///< read for a clip range 0 … 1 instead of −1 … 1
     bool off_center = false;       ///< the frustum is not symmetric
+    Edges edges;                   ///< of the picture; perspective: at the near plane
 };
 
 /// What a matrix is. Optional parts are set if the matrix, once the fault is fixed, has them.
@@ -55,6 +56,10 @@ struct ExplainedMatrix {
     std::optional<glm::dvec4> found_plane, found_light;  ///< S, R: unit plane; light with w = 1 or 0
     glm::dvec3 scale{1.0};                               ///< V, C: lengths of the axes
 };
+
+/// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries. `zero_to_one`: its
+/// clip range; `tolerance`: rounding of each entry.
+std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double tolerance);
 
 /// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter that it should be, 0 if open. `aspect`:
 /// width ÷ height of the picture. `tolerance`: rounding of each entry; 2e-6 of the entry is added for float32.

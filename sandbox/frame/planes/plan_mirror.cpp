@@ -103,7 +103,7 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     const Color background = ground_of(level.params.ui.theme).background;
     const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
     const double far_clip = reversed ? (level.derived.clip_zero_to_one ? 0.0 : -1.0) : 1.0;
-    fill_picture(pass, far_clip, level.params.projection.far);
+    fill_picture(pass, far_clip, level.params.lens().logarithmic_far());
     pass.is_mirror_image = true;
     pass.color = color_of(background, 1.0);
     pass.depth.func = CompareFunc::always;

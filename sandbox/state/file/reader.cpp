@@ -192,7 +192,11 @@ struct FieldReader {
         *target = read_whole(value, where, static_cast<int>(field.min), static_cast<int>(field.max));
     }
     void operator()(double* target) const {
-        const double number = read_number(value, where, component_range(field, 0));
+        if (field.may_be_infinite && value == infinite) {
+            *target = std::numeric_limits<double>::infinity();
+            return;
+        }
+        const double number = read_number(value, where, component_range(field, 0), field.may_be_infinite);
         if (field.path == "projection.aspect" && number > 0.0 && number < min_aspect) {
             refuse_value(value, where, allowed_text(field));
         }

@@ -21,7 +21,7 @@ namespace viewing {
 /// Refuses a value; `must_be` completes "must be" in the message.
 [[noreturn]] void refuse_value(const Json& value, const Where& where, const std::string& must_be);
 
-double read_number(const Json& value, const Where& where, const Range& range);
+double read_number(const Json& value, const Where& where, const Range& range, bool may_be_infinite = false);
 int read_whole(const Json& value, const Where& where, int min, int max);
 bool read_bool(const Json& value, const Where& where);
 Color read_color(const Json& value, const Where& where);

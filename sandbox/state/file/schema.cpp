@@ -93,6 +93,7 @@ Json of_type(const Field& field) {
                 return whole_in(range.min, range.max);
             },
             [&](double*) -> Json {
+                if (field.may_be_infinite) return {{"anyOf", Json::array({number_in(range), {{"const", infinite}}})}};
                 if (field.path != "projection.aspect") return number_in(range);
                 return {{"anyOf", Json::array({{{"const", 0}}, number_in({min_aspect, range.max})})}};
             },
@@ -208,17 +209,23 @@ void add_look_at(Json& camera) {
         camera["allOf"].push_back({{"not", {{"required", {"look_at", field(path).name()}}}}});
 }
 
-/// Adds the rule that near is positive unless the projection is orthographic and depth is not logarithmic.
-void add_positive_near(Json& root) {
+/// Adds the rules that near is positive unless the projection is orthographic and depth is not logarithmic, and that
+/// far is finite if either is so.
+void add_rules_of_range(Json& root) {
     const auto is = [](const char* group, const char* name, std::string_view value) -> Json {
         const Json inner = {{"properties", {{name, {{"const", value}}}}}, {"required", Json::array({name})}};
         return {{"properties", {{group, inner}}}, {"required", Json::array({group})}};
     };
+    const Json finite = {{"properties", {{"projection", {{"properties", {{"far", {{"type", "number"}}}}}}}}}};
     const Json positive = {
         {"properties", {{"projection", {{"properties", {{"near", {{"minimum", least_positive_near}}}}}}}}}};
-    root["allOf"] =
-        Json::array({{{"if", is("projection", "type", name_of(ProjectionType::orthographic))}, {"else", positive}},
-                     {{"if", is("depth", "mapping", name_of(DepthMapping::logarithmic))}, {"then", positive}}});
+    const Json orthographic = {
+        {"anyOf", Json::array({is("projection", "type", name_of(ProjectionType::orthographic)),
+                               is("projection", "type", name_of(ProjectionType::orthographic_window))})}};
+    const Json logarithmic = is("depth", "mapping", name_of(DepthMapping::logarithmic));
+    root["allOf"] = Json::array({{{"if", orthographic}, {"then", finite}, {"else", positive}},
+                                 {{"if", logarithmic}, {"then", positive}},
+                                 {{"if", logarithmic}, {"then", finite}}});
 }
 
 }  // namespace
@@ -237,7 +244,7 @@ std::string state_schema() {
         (*group)["properties"][std::string(rest)] = described(field);
     }
     add_look_at(root["properties"]["camera"]);
-    add_positive_near(root);
+    add_rules_of_range(root);
     root["properties"] = with_titles(root["properties"]);
     root["$defs"] = {{"scene", scene_of(scene_properties())}};
     return print_document(document("A state of Viewing Sandbox", root)) + "\n";

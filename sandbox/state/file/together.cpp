@@ -1,4 +1,6 @@
 // Checks values of a state that depend on each other. Read reader.cpp first.
+#include <cmath>
+
 #include "state/file/reader.h"
 #include "text/numbers.h"
 
@@ -43,6 +45,14 @@ void check_overrides(const Params& params, const Where& where) {
     }
 }
 
+/// Refuses a window without width or height, or one whose edges are exchanged.
+void check_edges(const Params& params, const char* low_path, double low, const char* high_path, double high,
+                 const Where& root) {
+    if (!params.projection.has_window() || high - low >= least_window(low, high)) return;
+    root.key(low_path).refuse("must be less than " + std::string(high_path) + " (" + format_number(high) + "), got " +
+                              format_number(low));
+}
+
 void check_plane(const glm::dvec4& equation, const Where& where) {
     if (glm::length(glm::dvec3(equation)) < min_length) {
         where.refuse("the normal (a, b, c) must not be zero");
@@ -60,10 +70,17 @@ void check_together(const Params& params, const std::string& prefix) {
                     ", got the number " + format_number(near) +
                     "; it may be 0 or negative only in an orthographic projection without logarithmic depth");
     }
+    if (std::isinf(far) && !may_have_infinite_far(params))
+        root.key("projection.far")
+            .refuse("must be a number " + range_text({field("projection.far").min, field("projection.far").max}) +
+                    "; it may be infinite only in a perspective or a frustum without logarithmic depth");
     if (near >= far) {
         root.key("projection.near")
             .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));
     }
+    const Edges window = params.projection.window();
+    check_edges(params, "projection.left", window.left, "projection.right", window.right, root);
+    check_edges(params, "projection.bottom", window.bottom, "projection.top", window.top, root);
     for (std::size_t i = 0; i < params.lights.size(); ++i) {
         check_light(params.lights[i].position, element(root, "light", i).key("position"));
     }

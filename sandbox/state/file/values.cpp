@@ -13,10 +13,10 @@ void refuse_value(const Json& value, const Where& where, const std::string& must
     where.refuse("must be " + must_be + ", got " + describe(value));
 }
 
-double read_number(const Json& value, const Where& where, const Range& range) {
+double read_number(const Json& value, const Where& where, const Range& range, bool may_be_infinite) {
     const double number = value.is_number() ? value.get<double>() : std::nan("");
     if (!(number >= range.min && number <= range.max)) {
-        refuse_value(value, where, "a number " + range_text(range));
+        refuse_value(value, where, "a number " + range_text(range) + (may_be_infinite ? ", or \"infinite\"" : ""));
     }
     return number;
 }

@@ -1,5 +1,6 @@
 // Writes fields and whole states as a JSON tree; reader.cpp does the reverse.
 #include <algorithm>
+#include <cmath>
 
 #include "state/file/reader.h"
 
@@ -13,7 +14,7 @@ struct FieldWriter {
 
     Json operator()(const bool* value) const { return *value; }
     Json operator()(const int* value) const { return *value; }
-    Json operator()(const double* value) const { return *value; }
+    Json operator()(const double* value) const { return std::isinf(*value) ? Json(infinite) : Json(*value); }
     Json operator()(const glm::dvec3* value) const { return vector_as_json(*value); }
     Json operator()(const glm::dvec4* value) const { return vector_as_json(*value); }
     Json operator()(const Color* value) const { return color_as_json(*value); }

@@ -35,11 +35,12 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     // An audience cannot scroll: when presenting, omit the sentence if it would be cut off.
     const bool has_note = room.y - below >= px(120.0F) || !widgets::HasPlainTitles();
     const float height = has_note ? std::max(room.y - below, px(120.0F)) : room.y;
-    widgets::CodeTicks("codes", codes.eye_distances, coding.lens.near, coding.lens.far,
+    widgets::CodeTicks("codes", codes.eye_distances, coding.lens.near, coding.lens.shown_far(),
                        {.depth_title = coding.precision.is_float ? marked("floats: the same number per tick")
                                                                  : marked("codes: equal steps"),
                         .first_depth = is_reversed ? marked("depth 1") : marked("depth 0"),
                         .last_depth = is_reversed ? marked("depth 0") : marked("depth 1"),
+                        .ends_at_far = !coding.lens.is_infinite(),
                         .codes = codes.codes,
                         .size = {room.x, height}});
     if (has_note) recorded_note(told);

@@ -89,7 +89,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     const DepthMapping mapping = params.depth.mapping;
     const auto shown = [&](double distance) { return is_linear ? distance : window_depth(lens, mapping, distance); };
     const auto meant = [&](double value) { return is_linear ? value : distance_of_window_depth(lens, mapping, value); };
-    const glm::dvec2 whole(lens.near, lens.far);
+    const glm::dvec2 whole(lens.near, lens.shown_far());
     const glm::dvec2 distances = contrast_range(params, derived, session.scene());
     // Reversed depth decreases with distance, but the histogram's axis always runs from low to high window depth.
     const bool turns = !is_linear && mapping == DepthMapping::reversed;

@@ -34,8 +34,10 @@ std::string code_count(const DepthPrecision& precision) {
 std::string eye_z_formula(const ProjectionParams& projection, DepthMapping mapping) {
     if (mapping == DepthMapping::logarithmic) return "z_{eye} = -n (f/n)^d; d = z_{window}";
     const bool reversed = mapping == DepthMapping::reversed;
-    if (projection.type == ProjectionType::orthographic)
+    if (projection.is_orthographic())
         return reversed ? "z_{eye} = -(f - d (f - n)); d = z_{window}" : "z_{eye} = -(n + d (f - n)); d = z_{window}";
+    if (std::isinf(projection.far))
+        return reversed ? "z_{eye} = -n / d; d = z_{window}" : "z_{eye} = -n / (1 - d); d = z_{window}";
     return reversed ? "z_{eye} = -n f / (n + d (f - n)); d = z_{window}"
                     : "z_{eye} = -n f / (f - d (f - n)); d = z_{window}";
 }
@@ -44,7 +46,8 @@ std::string step_formula(const ProjectionParams& projection, DepthMapping mappin
     if (precision.is_float) return "";
     const std::string codes = code_count(precision);
     if (mapping == DepthMapping::logarithmic) return "Δz = z ln(f/n) / " + codes;
-    if (projection.type == ProjectionType::orthographic) return "Δz = (f - n) / " + codes;
+    if (projection.is_orthographic()) return "Δz = (f - n) / " + codes;
+    if (std::isinf(projection.far)) return "Δz = z^2 / (n " + codes + ")";
     return "Δz = z^2 (f - n) / (f n " + codes + ")";
 }
 

@@ -36,9 +36,10 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
         return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
     };
     const auto positive = [](double near) { return near > 0.0 ? near : usual_min; };
+    const auto finite = [](double far) { return std::isfinite(far) ? far : usual_max; };
     return {.title = marked("eye distance z"),
             .min = std::min(usual_min, decade(std::min(positive(now.near), positive(before.near)), false)),
-            .max = std::max(usual_max, decade(std::max(now.far, before.far), true))};
+            .max = std::max({usual_max, decade(finite(now.far), true), decade(finite(before.far), true)})};
 }
 
 /// How many curves there are besides the one of the current format.

@@ -54,10 +54,11 @@ bool matrix_heading(const char* title, const char* letter, const std::string& no
 
 namespace {
 
+constexpr const char* paste_label = marked("Paste from the clipboard");
 /// The reason why a covered matrix cannot be copied.
 constexpr const char* covered_text = marked("Hidden until answered.");
 
-void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool is_covered) {
+void copy_menu(const ShownMatrix& shown, bool is_covered) {
     struct Entry {
         const char* label;
         MatrixFormat format;
@@ -69,16 +70,26 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool 
                                         {"LaTeX", MatrixFormat::latex},
                                         {marked("plain text"), MatrixFormat::text}};
     if (!widgets::OffersButton("Copy")) return;
-    ImGui::PushID(id);
+    ImGui::PushID(shown.name);
     ImGui::SameLine(place_at_right("Copy"));
     if (widgets::SmallButton("Copy", !is_covered, covered_text)) ImGui::OpenPopup("copy");
-    if (!is_covered) widgets::Tooltip("Copy", "Copies this matrix to the clipboard with all its digits.");
+    if (!is_covered)
+        widgets::Tooltip(
+            "Copy", "Copies this matrix to the clipboard with all its digits, or pastes another one in its place.");
     if (ImGui::BeginPopup("copy")) {
         widgets::ClosePopupOnEscape();
         for (const Entry& entry : entries) {
             if (ImGui::MenuItem(widgets::LabelText(entry.label).c_str()))
-                ImGui::SetClipboardText(matrix_text(name, matrix, entry.format).c_str());
+                ImGui::SetClipboardText(matrix_text(shown.name, shown.now, entry.format).c_str());
             widgets::Record(entry.label);
+        }
+        if (shown.pastes) {
+            ImGui::Separator();
+            if (ImGui::MenuItem(widgets::LabelText(paste_label).c_str())) *shown.pastes = *shown.letter;
+            widgets::Record(paste_label);
+            widgets::Tooltip("Paste from the clipboard",
+                             "Reads GLM, NumPy, MATLAB, C, JSON, LaTeX or plain text. A right matrix is taken; of any "
+                             "other, a dialog says what it is. Ctrl+V does the same.");
         }
         ImGui::EndPopup();
     }
@@ -131,7 +142,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;
     }
-    copy_menu(shown.name, shown.name, shown.now, is_part_covered);
+    copy_menu(shown, is_part_covered);
     if (!has_note) {
         widgets::Note(note.c_str());
         mark_facts(shown.facts);

@@ -33,6 +33,7 @@ struct ShownMatrix {
     std::string heading = "";                 ///< replaces the letter unless it is empty
     std::string property = "";                ///< says how far a matrix entered by hand moves points on the plane
     std::span<const char* const> facts = {};  ///< the lessons' names for the facts in the note
+    char* pastes = nullptr;                   ///< receives the letter if the user pastes a matrix in its place
 };
 
 /// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the text of the note.

@@ -9,25 +9,14 @@
 #include "ui/depth/depth_panel.h"
 #include "ui/hidden/method_words.h"
 #include "ui/panel/beside_panel.h"
+#include "ui/panel/projection_section.h"
 #include "ui/parts/controls.h"
-#include "ui/parts/links.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
 #include "ui/planes/shadow_panel.h"
 
 namespace viewing {
 namespace {
-
-/// Returns the formula for the width of a depth code under the current projection and mapping. ε is the step between
-/// adjacent floats.
-const char* depth_step_formula(const Params& params) {
-    const bool is_float = precision_of(params.depth.format).is_float;
-    if (params.depth.mapping == DepthMapping::logarithmic)
-        return is_float ? "Δz = ε(d) z ln(f/n)" : "Δz = z ln(f/n)/(2^b - 1)";
-    if (params.projection.type == ProjectionType::orthographic)
-        return is_float ? "Δz = ε(d) (f - n)" : "Δz = (f - n)/(2^b - 1)";
-    return is_float ? "Δz = ε(d) z^2 (f - n)/(f n)" : "Δz = z^2 (f - n)/(f n (2^b - 1))";
-}
 
 using widgets::Lamp;
 using widgets::Role;
@@ -128,52 +117,6 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
     });
 }
 
-void projection_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!section("Projection", problems, {"projection"})) return;
-    const widgets::Group group("projection");
-    Params& params = session.params;
-    static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
-    if (control(params, "projection.type", {.segments = true, .names = types, .label = "##type"}) &&
-        params.projection.near < least_near(params))
-        params.projection.near = default_params().projection.near;
-    static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
-                                    far[] = {link::far};
-    if (params.projection.type == ProjectionType::perspective)
-        control(params, "projection.fovy", {.decimals = 1, .slider = true, .links = fovy});
-    else
-        control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
-    // Near and far stop just short of each other, so that near < far holds while either one is dragged.
-    ProjectionParams& projection = params.projection;
-    const double least = least_near(params);  // a slider over negative numbers is linear
-    if (control(params, "projection.near",
-                {.decimals = 3, .slider = true, .links = near, .min = least > 0.0 ? 0.001 : -100.0, .max = 100.0}))
-        projection.near = std::clamp(projection.near, least, projection.far * 0.999);
-    if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
-        projection.far = std::max(projection.far, projection.near * 1.001);
-
-    static constexpr const char* lens[] = {"control:projection.aspect", "control:slips.degrees_as_radians"};
-    if (details("Aspect and radians", lens)) {
-        control(params, "projection.aspect",
-                {.slider = true, .label = marked("aspect (0: from view)"), .min = 0.0, .max = 4.0});
-        control(params, "slips.degrees_as_radians", {.label = marked("degrees given as radians")});
-    }
-
-    if (widgets::IsListing() && !widgets::IsHighlighted("note:depth_step")) return;
-    const DepthPrecision precision = precision_of(params.depth.format);
-    const std::string z = number_text(derived.facts.target_distance, 2),
-                      step = number_text(derived.facts.resolvable_step_at_target, 2);
-    const std::string note = precision.is_float ? say("{bits}-bit float depth: Δz at z = {z} is {step}",
-                                                      "bits"_a = precision.bits, "z"_a = z, "step"_a = step)
-                                                : say("{bits}-bit depth: Δz at z = {z} is {step}",
-                                                      "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
-    if (!named_note("note:depth_step", note)) return;
-    widgets::Tooltip("Depth resolution",
-                     "The smallest difference in eye z that the depth buffer can distinguish at the camera's target: "
-                     "the code width or, where float codes are finer, the float32 precision of eye z itself. Two "
-                     "surfaces with a smaller gap between them may show depth fighting.",
-                     depth_step_formula(params));
-}
-
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
                              const HiddenStatus& hidden) {
     const std::string of_method = hidden.answer ? hidden.answer->problem() : "";
@@ -235,7 +178,7 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                    "section:slips"},
                   [&] { camera_section(session, derived, problems, tab); });
     named_section("projection", {"control:projection", "control:slips.degrees_as_radians", "note:depth_step"},
-                  [&] { projection_section(session, derived, problems); });
+                  [&] { draw_projection_section(session, derived, problems); });
     named_section("visibility",
                   {"control:depth.test", "control:depth.func", "control:depth.write", "control:depth.clear",
                    "control:cull", "control:visibility", "button:find a view where this key fails"},

@@ -133,7 +133,8 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
     };
     constexpr double share = 0.14;  // of the observer's distance, so that the arrow looks equally long in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
-    places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
+    places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4),
+                     std::isinf(params.projection.far)};
     return places;
 }
 
@@ -154,7 +155,8 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
     look(places.camera->eye, Handle::camera);
     look(places.camera->direction_tip, Handle::direction);
     for (const glm::dvec3& point : places.camera->near) look(point, Handle::near_plane);
-    for (const glm::dvec3& point : places.camera->far) look(point, Handle::far_plane);
+    if (!places.camera->has_infinite_far)
+        for (const glm::dvec3& point : places.camera->far) look(point, Handle::far_plane);
     return found;
 }
 
@@ -177,7 +179,7 @@ std::optional<double> pulled_distance(const Params& params, const Overlay& overl
     const glm::dvec3 eye = params.camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
     const double distance = glm::dot(forward, grip.grabbed_world - eye);
-    const bool is_pyramid = params.projection.type == ProjectionType::perspective;
+    const bool is_pyramid = !params.projection.is_orthographic();
     if (is_pyramid && !(distance > 0.0)) return std::nullopt;
     const glm::dvec3 along = is_pyramid ? (grip.grabbed_world - eye) / distance : forward;
     const Ray now = overlay.ray_at(place);
@@ -218,7 +220,7 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             constexpr double usual_least = 1e-3;
             const double least = least_near(params) > 0.0 ? usual_least : least_near(params);
             if (grip.handle == Handle::near_plane)
-                projection.near = std::clamp(*distance, least, projection.far * 0.999);
+                projection.near = std::clamp(*distance, least, params.lens().shown_far() * 0.999);
             else
                 projection.far = std::max(*distance, projection.near * 1.001);
             break;
@@ -267,6 +269,7 @@ void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, H
     if (hovered == Handle::direction) overlay.ring(camera.direction_tip, color, 9.0F);
     for (const glm::dvec3& point : camera.near)
         overlay.square(point, color, hovered == Handle::near_plane ? 4.0F : 1.5F);
+    if (camera.has_infinite_far) return;
     for (const glm::dvec3& point : camera.far) overlay.square(point, color, hovered == Handle::far_plane ? 4.0F : 2.0F);
 }
 

@@ -27,6 +27,7 @@ struct HandlePlaces {
     struct Camera {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
+        bool has_infinite_far = false;        ///< then `far` is only where the frustum is drawn to, and no handle
     };
     std::optional<Camera> camera;
 };

@@ -68,11 +68,16 @@ MatrixCells camera_cells(bool swapped_order) {
 }
 
 MatrixCells projection_cells(const Params& params, bool clip_zero_to_one) {
-    const Links size = params.projection.type == ProjectionType::orthographic ? link::height : link::fovy;
-    const Links range = link::near | link::far | link::mapping;
-    return cells_of(projection_symbols(params, clip_zero_to_one), {size, 0, 0, 0,       //
-                                                                   0, size, 0, 0,       //
-                                                                   0, 0, range, range,  //
+    const bool orthographic = params.projection.is_orthographic(), has_window = params.projection.has_window();
+    const Links size = orthographic ? link::height : link::fovy, range = link::near | link::far | link::mapping;
+    const Links scale = has_window && !orthographic ? link::near : has_window ? 0 : size;
+    const Links wide = scale | (has_window ? link::window_x : 0), high = scale | (has_window ? link::window_y : 0);
+    const auto shift = [&](Links edges, bool is_here) { return has_window && is_here ? edges : Links{0}; };
+    const Links x_by_z = shift(link::window_x, !orthographic), x_by_w = shift(link::window_x, orthographic);
+    const Links y_by_z = shift(link::window_y, !orthographic), y_by_w = shift(link::window_y, orthographic);
+    return cells_of(projection_symbols(params, clip_zero_to_one), {wide, 0, x_by_z, x_by_w,  //
+                                                                   0, high, y_by_z, y_by_w,  //
+                                                                   0, 0, range, range,       //
                                                                    0, 0, link::type, link::type});
 }
 
@@ -96,7 +101,9 @@ std::span<const LetterRole> mirror_roles() {
 }
 
 std::span<const LetterRole> camera_roles() {
-    static constexpr LetterRole roles[] = {{'n', Role::camera}, {'f', Role::camera}, {'h', Role::camera}};
+    static constexpr LetterRole roles[] = {{'n', Role::camera}, {'f', Role::camera}, {'h', Role::camera},
+                                           {'l', Role::camera}, {'r', Role::camera}, {'b', Role::camera},
+                                           {'t', Role::camera}};
     return roles;
 }
 

@@ -19,6 +19,7 @@ constexpr Links plane[4] = {bit(4), bit(5), bit(6), bit(7)};
 constexpr Links position[3] = {bit(8), bit(9), bit(10)};
 constexpr Links yaw = bit(11), pitch = bit(12), roll = bit(13);
 constexpr Links fovy = bit(14), near = bit(15), far = bit(16), height = bit(17), type = bit(18), mapping = bit(19);
+constexpr Links window_x = bit(52), window_y = bit(53);  // left and right, bottom and top
 constexpr Links all_light = light[0] | light[1] | light[2] | light[3];
 constexpr Links all_plane = plane[0] | plane[1] | plane[2] | plane[3];
 constexpr Links turning = yaw | pitch | roll;

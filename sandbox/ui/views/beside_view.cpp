@@ -93,7 +93,8 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (ImGui::IsItemHovered()) {
         state.hovered = ViewName::camera;
-        state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
+        state.hovered_pixel =
+            camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px, session.params.projection);
         if (state.hovered_pixel) state.told_pixel = state.hovered_pixel;
     }
     camera_mouse(state, session, derived, overlay, Handle::none, pictures.hidden, input, motion);

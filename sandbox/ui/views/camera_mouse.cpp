@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/object_reach.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
@@ -64,9 +65,7 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
 
 /// Returns how many world units one pixel spans at an eye distance.
 double world_per_px(const Lens& lens, double distance, float height_px) {
-    const double height =
-        lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * lens.fovy_deg));
-    return height / static_cast<double>(height_px);
+    return picture_height(lens, distance) / static_cast<double>(height_px);
 }
 
 /// Handles a turn of the wheel: it moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
@@ -78,8 +77,8 @@ void turn_wheel(Session& session, const FrameInput& input, float lines, MotionIn
     if (has_speed && input.is_down(Key::ctrl)) {
         session.set_speed(session.speed() * std::pow(1.2, lines));
         session.message = {say("speed {speed} units/s", "speed"_a = number_text(session.speed(), 2)), false};
-    } else if (params.projection.type == ProjectionType::orthographic) {
-        params.projection.height *= std::pow(0.88, lines);  // moving the camera would not change the picture
+    } else if (params.projection.is_orthographic()) {
+        params.projection.scale_picture(std::pow(0.88, lines));  // moving the camera would not change the picture
         clamp_to_ranges(params);
     } else if (has_speed) {
         motion.dolly += seconds_a_line * session.speed() * static_cast<double>(lines);

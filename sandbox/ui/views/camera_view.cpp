@@ -121,7 +121,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
         const Color unwritten = ground_of(params.ui.theme).unwritten;
         const DepthColors colors = params.view.depth_colors;
         const glm::dvec2 range =
-            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.projection.far));
+            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.lens().shown_far()));
         const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
         const LegendEntry entries[] = {
             {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, marked("never written")}};
@@ -211,12 +211,14 @@ void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel) {
         params.view.pixel = pixel;
 }
 
-std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px) {
+std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px,
+                                          const ProjectionParams& projection) {
     // The vertical field of view is fixed, so a picture with another aspect ratio shows more or less at its sides.
     const glm::dvec2 size(camera_px),
         from_middle(pointer.x - 0.5F * (rect.min.x + rect.max.x), pointer.y - 0.5F * (rect.min.y + rect.max.y));
-    const glm::ivec2 pixel(
-        glm::floor(0.5 * size + from_middle * (size.y / static_cast<double>(std::max(rect.height(), 1.0F)))));
+    const glm::dvec2 scale = size / glm::dvec2(std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F));
+    const bool fills = projection.has_window() || projection.aspect > 0.0;
+    const glm::ivec2 pixel(glm::floor(0.5 * size + from_middle * (fills ? scale : glm::dvec2(scale.y))));
     const bool is_inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < camera_px.x && pixel.y < camera_px.y;
     return is_inside ? std::optional(pixel) : std::nullopt;
 }

@@ -63,29 +63,30 @@ void draw_patches(Overlay& overlay, const Derived& derived) {
 
 void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view) {
     const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, world_from_view);
+    const bool is_infinite = std::isinf(params.projection.far);
     for (std::size_t corner = 0; corner < 4; ++corner) {
         overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
-        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
+        if (!is_infinite) overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
         overlay.line(corners[corner], corners[corner + 4], palette().camera, 1.5F);
     }
     const ImU32 faint = with_alpha(palette().camera, 28);
     overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
-    overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
+    if (!is_infinite) overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
     const glm::dvec3 eye(world_from_view[3]);
-    if (params.projection.type == ProjectionType::perspective)
+    if (!params.projection.is_orthographic())
         for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
     overlay.dot(eye, palette().camera, 5.0F);
     overlay.label(eye, tr("camera"), palette().camera);
     overlay.label((corners[0] + corners[1]) * 0.5, tr("near"), palette().camera);
-    overlay.label((corners[4] + corners[5]) * 0.5, tr("far"), palette().camera);
+    overlay.label((corners[4] + corners[5]) * 0.5, is_infinite ? tr("far: ∞") : tr("far"), palette().camera);
 }
 
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;
     const glm::dvec3 eye(effective[3]);
-    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye,
-                 params.projection.type == ProjectionType::perspective, with_alpha(palette().trouble, 200));
+    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye, !params.projection.is_orthographic(),
+                 with_alpha(palette().trouble, 200));
     overlay.ring(eye, palette().trouble, 7.0F);
     overlay.dot(eye, palette().trouble, 4.0F);
     overlay.label(eye, tr("V puts the eye here"), palette().trouble);
@@ -101,8 +102,7 @@ void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& de
     std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, effective);
     std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
     const glm::dvec3 eye = mirrored(glm::dvec3(effective[3]));
-    draw_pyramid(overlay, corners, eye, params.projection.type == ProjectionType::perspective,
-                 with_alpha(palette().mirror, 170));
+    draw_pyramid(overlay, corners, eye, !params.projection.is_orthographic(), with_alpha(palette().mirror, 170));
     overlay.dot(eye, palette().mirror, 5.0F);
     overlay.label(eye, tr("mirrored eye"), palette().mirror);
 }

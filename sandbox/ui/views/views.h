@@ -103,7 +103,9 @@ void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
 /// Returns the pixel of the camera's picture that corresponds to the pointer's position in another picture from the
 /// same camera, which fills `rect`; nullopt if the pointer is outside the camera's picture.
-std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px);
+/// With a fixed aspect ratio or a window of its own, the camera's picture is stretched to fill any view.
+std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px,
+                                          const ProjectionParams& projection);
 
 /// Returns the lower view to show if only one fits.
 Slot lower_shown(const ViewState& state, const Params& params);

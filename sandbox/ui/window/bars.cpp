@@ -148,7 +148,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     save_step = item(marked("Save as step…"), "");
     if (item(marked("Copy state"), "Ctrl+C")) copy(session);
     if (item(marked("Copy link"), "")) copy_link(guide, session, link_address);
-    if (item(marked("Paste state"), "Ctrl+V")) paste(guide, session);
+    if (item(marked("Paste state"), "Ctrl+V")) paste_anything(session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
     if (item(recorder.is_recording() ? marked("Stop recording") : marked("Record a flight"), "F9"))

@@ -96,7 +96,7 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
 /// pixel of the camera's picture. A click pins that pixel if a view shows pinned pixels.
 void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     if (!ImGui::IsItemHovered()) return;
-    state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
+    state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px, params.projection);
     if (!state.hovered_pixel) return;
     state.told_pixel = state.hovered_pixel;
     if (examines_pixel(params) && ImGui::IsMouseClicked(ImGuiMouseButton_Left))

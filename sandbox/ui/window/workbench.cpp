@@ -172,6 +172,14 @@ void Workbench::choose_scale(Session& session, double scale, Requests& requests)
     requests.chosen_scale = session.params.ui.scale;
 }
 
+void Workbench::paste_anything(Session& session) {
+    const char* const held = ImGui::GetClipboardText();
+    if (held && MatrixDialog::is_matrix(held))
+        matrix_dialog_.paste(held, 0);
+    else
+        paste(guide, session);
+}
+
 void Workbench::handle_shortcut(const KeyPress& press, Session& session, Requests& requests) {
     const auto& [key, ctrl, shift] = press;
     if (key == Key::z) shift ? session.redo() : session.undo();
@@ -180,7 +188,7 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
     if (key == Key::v) {
         const char* const held = ImGui::GetClipboardText();
         const bool is_link_or_state = held && std::string_view(held).find_first_of("#{") != std::string_view::npos;
-        takes_pasted_answer() && !is_link_or_state ? paste_answer() : paste(guide, session);
+        takes_pasted_answer() && !is_link_or_state ? paste_answer() : paste_anything(session);
     }
     if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
     if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
@@ -193,8 +201,8 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput stays true for one frame after typing ends.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool in_dialog =
-        help_.is_open() || file_dialog_.is_open() || search_.is_open() || session.asks_to_read() != nullptr;
+    const bool in_dialog = help_.is_open() || file_dialog_.is_open() || search_.is_open() || matrix_dialog_.is_open() ||
+                           session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
         if (arrangement.embedded) break;  // the embedding page handles keys
@@ -409,6 +417,11 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     help_.draw();
     draw_search(session, problems, now, requests);
     draw_permission(session);
+    if (matrix_choice_.pastes != 0) {
+        const char* const held = ImGui::GetClipboardText();
+        matrix_dialog_.paste(held ? held : "", std::exchange(matrix_choice_.pastes, '\0'));
+    }
+    matrix_dialog_.draw(session, derived);
     want_korean(session);
 
     // Ignore idle time when motion starts: the window may have slept.

@@ -24,6 +24,7 @@
 #include "ui/window/caption.h"
 #include "ui/window/dialogs.h"
 #include "ui/window/help.h"
+#include "ui/window/matrix_dialog.h"
 #include "ui/window/preset_picker.h"
 #include "ui/window/search_box.h"
 #include "ui/window/syllables.h"
@@ -163,6 +164,8 @@ private:
                     const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
                     const FrameInput& input, MotionInput& motion);
     void draw_splitters(const Layout& layout, const Rect& between);
+    /// Pastes a state, a link or a matrix from the clipboard.
+    void paste_anything(Session& session);
     void draw_loading(Session& session, const Layout& layout);
     void draw_message(Session& session, const Layout& layout);
 
@@ -187,6 +190,7 @@ private:
     CaptionFold caption_fold_;
     std::optional<double> pending_scale_;
     HelpDialog help_;
+    MatrixDialog matrix_dialog_;
     MatrixChoice matrix_choice_;
     SectionLinks section_links_;
     CameraTab camera_tab_;

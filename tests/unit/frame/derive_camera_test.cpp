@@ -102,7 +102,7 @@ TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
         double near_ndc, far_ndc;
         bool zero_to_one;
     };
-    for (const char* const type : {"perspective", "orthographic"}) {
+    for (const char* const type : {"perspective", "orthographic", "frustum", "orthographic_window"}) {
         for (const Case& each : {Case{"standard", true, -1, 1, false},
                                  {"standard", false, -1, 1, false},
                                  {"logarithmic", true, -1, 1, false},
@@ -111,13 +111,28 @@ TEST(DeriveProjection, NearAndFarMapToTheClipRange) {
             SCOPED_TRACE(std::string(type) + " " + each.mapping + (each.clip_control ? " with" : " without") +
                          " clip control");
             const Params params =
-                params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping});
+                params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping,
+                             "projection.left=-0.7", "projection.top=0.5"});
             const Derived derived = derived_camera(params, each.clip_control);
             EXPECT_EQ(derived.clip_zero_to_one, each.zero_to_one);
             EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -0.5, 1.0)).z, each.near_ndc, 1e-12);
             EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -40.0, 1.0)).z, each.far_ndc, 1e-12);
         }
     }
+}
+
+TEST(DeriveProjection, AnInfiniteFarIsWhereDirectionsGo) {
+    for (const char* const mapping : {"standard", "reversed"})
+        for (const bool clip_control : {true, false}) {
+            const Params params = params_with({"projection.far=infinite", std::string("depth.mapping=") + mapping});
+            const Derived derived = derived_camera(params, clip_control);
+            const glm::dvec4 end = derived.clip_from_view * glm::dvec4(0.2, 0.1, -1.0, 0.0);
+            const bool reversed = params.depth.mapping == DepthMapping::reversed;
+            EXPECT_EQ(end.z / end.w, !reversed ? 1.0 : clip_control ? 0.0 : -1.0);
+            EXPECT_TRUE(std::isfinite(derived.facts.depth_step_at_target));
+            for (const glm::dvec3& corner : frustum_corners(params, derived))
+                EXPECT_LT(glm::length(corner), 1e3) << "drawn to a finite length";
+        }
 }
 
 TEST(DeriveProjection, MappingKeepsScreenPositions) {
@@ -135,11 +150,13 @@ TEST(DeriveProjection, MappingKeepsScreenPositions) {
 
 TEST(DeriveFrustum, CornersProjectToTheCube) {
     Random random(seed);
-    for (const char* const type : {"perspective", "orthographic"}) {
+    for (const char* const type : {"perspective", "orthographic", "frustum", "orthographic_window"}) {
         for (int trial = 0; trial < 20; ++trial) {
             SCOPED_TRACE(std::string(type) + " seed " + std::to_string(seed) + " trial " + std::to_string(trial));
             Params params = random_pose(random);
-            params.projection = params_with({std::string("projection.type=") + type}).projection;
+            params.projection =
+                params_with({std::string("projection.type=") + type, "projection.left=-0.7", "projection.top=0.5"})
+                    .projection;
             const Derived derived = derived_camera(params);
             const auto corners = frustum_corners(params, derived);
             // Near, then far, each counterclockwise from bottom left as seen by the camera.

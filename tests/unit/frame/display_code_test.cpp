@@ -32,9 +32,17 @@ std::vector<double> arguments(const std::string& code, const std::string& functi
 }
 
 glm::dmat4 projection_in(const std::string& code) {
+    if (code.find("infinitePerspective(") != std::string::npos) {
+        const std::vector<double> n = arguments(code, "infinitePerspective");
+        return glm::infinitePerspective(n.at(0), n.at(1), n.at(2));
+    }
     if (code.find("perspective(") != std::string::npos) {
         const std::vector<double> n = arguments(code, "perspective");
         return glm::perspectiveRH_NO(n.at(0), n.at(1), n.at(2), n.at(3));
+    }
+    if (code.find("frustum(") != std::string::npos) {
+        const std::vector<double> n = arguments(code, "frustum");
+        return glm::frustumRH_NO(n.at(0), n.at(1), n.at(2), n.at(3), n.at(4), n.at(5));
     }
     const std::vector<double> n = arguments(code, "ortho");
     return glm::orthoRH_NO(n.at(0), n.at(1), n.at(2), n.at(3), n.at(4), n.at(5));
@@ -73,7 +81,10 @@ TEST(DisplayCode, MakesTheMatricesOfTheStateWithEveryMistake) {
         {"slips.camera_as_view=true"},
         {"slips.swapped_order=true", "slips.camera_as_view=true"},
         {"slips.degrees_as_radians=true", "projection.fovy=45"},
-        {"projection.type=orthographic", "projection.height=4", "slips.degrees_as_radians=true"}};
+        {"projection.type=orthographic", "projection.height=4", "slips.degrees_as_radians=true"},
+        {"projection.far=infinite"},
+        {"projection.type=frustum", "projection.left=-0.125", "slips.degrees_as_radians=true"},
+        {"projection.type=orthographic_window", "projection.left=-1.5", "projection.top=2.25"}};
     for (const std::vector<std::string>& settings : cases) {
         std::vector<std::string> all = camera;
         all.insert(all.end(), settings.begin(), settings.end());
@@ -97,8 +108,9 @@ TEST(DisplayCode, ConvertsToRadiansUnlessTheMistakeOmitsIt) {
 }
 
 TEST(DisplayCode, FitsTheMatrixColumn) {
-    for (const char* const setting : {"camera.position=[-123.456,-100,-99.99]", "camera.yaw=-123.4",
-                                      "projection.type=orthographic", "projection.far=100000"}) {
+    for (const char* const setting :
+         {"camera.position=[-123.456,-100,-99.99]", "camera.yaw=-123.4", "projection.type=orthographic",
+          "projection.type=frustum", "projection.far=100000"}) {
         const Params params = testing::params_with({setting});
         for (const DisplayLine& line : display_lines(params, derive(params, testing::box_scene(), {})))
             EXPECT_LE(line.code.size(), 48U) << line.code;

@@ -68,7 +68,9 @@ TEST(SeenThings, EncloseEveryVisiblePointOfTheirTriangles) {
         };
         const std::array<glm::dvec3, 3> corners{corner(), corner(), corner()};
         Params params = looking_from(0.1, 15.0);
-        params.projection.type = trial % 3 == 0 ? ProjectionType::orthographic : ProjectionType::perspective;
+        params.projection.type = static_cast<ProjectionType>(trial % 4);
+        const bool is_frustum = params.projection.type == ProjectionType::frustum;
+        params.projection.set_window(is_frustum ? Edges{-0.02, 0.07, -0.05, 0.01} : Edges{-1.0, 4.0, -3.0, 0.5});
         const Scene scene = scene_of({object("triangle", triangle_mesh(corners), glm::dvec3(0.0))});
         const Derived derived = derive(params, scene, {});
         double nearest = 1e300, farthest = -1e300;

@@ -35,7 +35,12 @@ TEST(Framing, FillsThePictureWithTheWholeBox) {
         const Angles angles{random.number(-180, 180), random.number(-90, 90), random.number(-180, 180)};
         Lens lens{.orthographic = i % 4 == 0, .fovy_deg = random.number(5, 120)};
         const double aspect = random.number(0.3, 3.0);
+        if (i % 3 == 0) {
+            const double l = random.number(-2, 1), b = random.number(-2, 1);
+            lens.window = Edges{l, l + random.number(0.3, 2), b, b + random.number(0.3, 2)};
+        }
         const Framing found = framing(box, angles, lens, aspect);
+        if (lens.window && lens.orthographic) lens.window = lens.window->scaled(found.height / lens.window->height());
         lens.height = found.height;
         const double reach = reach_of(box, found.eye, angles, lens, aspect);
         EXPECT_LE(reach, 0.95) << i;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "unit/geometry/random.h"
 
 namespace viewing {
@@ -44,6 +46,43 @@ TEST(Projection, FieldOfViewAndHeightAreFullVertical) {
     }
 }
 
+// The corners of the cube −1 … 1 are the images of the frustum's corners, written down by hand from the window.
+TEST(Projection, AWindowsEdgesAreThePicturesEdges) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (int i = 0; i < 200; ++i) {
+        const bool orthographic = i % 2 == 0;
+        const double l = random.number(-3, 2), b = random.number(-3, 2);
+        const double r = l + random.number(0.1, 4), t = b + random.number(0.1, 4);
+        const double n = orthographic && i % 4 == 0 ? random.number(-5, 0) : random.number(0.1, 2), f = 2.0 + 9.0 * i;
+        const Lens lens{.orthographic = orthographic, .near = n, .far = f, .window = Edges{l, r, b, t}};
+        for (int corner = 0; corner < 8; ++corner) {
+            const bool is_far = (corner & 4) != 0;
+            const double z = is_far ? f : n, scale = orthographic ? 1.0 : z / n;
+            const glm::dvec4 point(scale * (corner & 1 ? r : l), scale * (corner & 2 ? t : b), -z, 1.0);
+            const glm::dvec4 clip = clip_from_view(lens, 7.0) * point,
+                             swapped = clip_from_view_reversed(lens, 7.0) * point;
+            const double x = corner & 1 ? 1.0 : -1.0, y = corner & 2 ? 1.0 : -1.0;
+            EXPECT_LT(glm::distance(glm::dvec3(clip) / clip.w, glm::dvec3(x, y, is_far ? 1.0 : -1.0)), 1e-9) << i;
+            EXPECT_LT(glm::distance(glm::dvec3(swapped) / swapped.w, glm::dvec3(x, y, is_far ? 0.0 : 1.0)), 1e-9) << i;
+            EXPECT_LT(glm::distance(lens.edges_at(z, 7.0).at({x, y}), glm::dvec2(point)), 1e-9 * f) << i;
+        }
+    }
+}
+
+// A centered window shows what an angle or a height shows.
+TEST(Projection, ACenteredWindowIsAnAngleOrAHeight) {
+    for (const bool orthographic : {false, true}) {
+        Lens lens{.orthographic = orthographic, .fovy_deg = 90.0, .height = 6.0, .near = 0.5, .far = 40.0};
+        const glm::dmat4 without = clip_from_view(lens, 2.0), reversed = clip_from_view_reversed(lens, 2.0);
+        lens.window = orthographic ? Edges{-6.0, 6.0, -3.0, 3.0} : Edges{-1.0, 1.0, -0.5, 0.5};  // tan 45° = 1
+        for (int column = 0; column < 4; ++column) {
+            EXPECT_LT(glm::distance(clip_from_view(lens, 1.0)[column], without[column]), 1e-12);
+            EXPECT_LT(glm::distance(clip_from_view_reversed(lens, 1.0)[column], reversed[column]), 1e-12);
+        }
+    }
+}
+
 TEST(WindowDepth, AgreesWithTheMatrices) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -66,6 +105,49 @@ TEST(WindowDepth, WorkedValues) {
     EXPECT_NEAR(window_depth({.near = 1, .far = 100}, DepthMapping::logarithmic, 10), 0.5, 1e-15);
     EXPECT_NEAR(window_depth({.orthographic = true, .near = 1, .far = 11}, DepthMapping::standard, 2), 0.1, 1e-15);
     EXPECT_NEAR(window_depth({.orthographic = true, .near = 1, .far = 11}, DepthMapping::reversed, 2), 0.9, 1e-15);
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// An infinite far is the limit of larger and larger ones, and directions are its far plane.
+TEST(Projection, AnInfiniteFarIsTheLimit) {
+    for (const bool has_window : {false, true}) {
+        Lens lens{.near = 0.25, .far = infinity};
+        if (has_window) lens.window = Edges{-0.1, 0.4, -0.3, 0.2};
+        Lens finite = lens;
+        finite.far = 1e12;
+        for (const bool reversed : {false, true}) {
+            const auto p = [&](const Lens& of) {
+                return reversed ? clip_from_view_reversed(of, 1.5) : clip_from_view(of, 1.5);
+            };
+            for (int column = 0; column < 4; ++column)
+                EXPECT_LT(glm::distance(p(lens)[column], p(finite)[column]), 1e-11) << column;
+            EXPECT_NEAR(ndc_z(p(lens), 0.25), reversed ? 1.0 : -1.0, 1e-14);
+            const glm::dvec4 direction = p(lens) * glm::dvec4(0.3, -0.2, -1.0, 0.0);
+            EXPECT_EQ(direction.z / direction.w, reversed ? 0.0 : 1.0);
+            EXPECT_GT(std::abs(glm::determinant(p(lens))), 1e-3) << "P keeps an inverse";
+        }
+    }
+}
+
+TEST(WindowDepth, OfAnInfiniteFar) {
+    const Lens lens{.near = 1, .far = infinity};
+    EXPECT_EQ(window_depth(lens, DepthMapping::standard, 1), 0.0);
+    EXPECT_EQ(window_depth(lens, DepthMapping::standard, 4), 0.75);
+    EXPECT_EQ(window_depth(lens, DepthMapping::reversed, 4), 0.25);
+    EXPECT_EQ(window_depth(lens, DepthMapping::standard, infinity), 1.0);
+    EXPECT_EQ(window_depth(lens, DepthMapping::reversed, infinity), 0.0);
+    EXPECT_EQ(distance_of_window_depth(lens, DepthMapping::standard, 1.0), infinity);
+    // One code of 24 bits at z = 10 is z²/(n (2²⁴ − 1)) wide; with far = 100, 1 % less. Moving far away costs no more.
+    EXPECT_NEAR(depth_step(lens, DepthMapping::standard, {24, false}, 10) * 16777215.0, 100.0, 1e-9);
+    EXPECT_NEAR(depth_step({.near = 1, .far = 100}, DepthMapping::standard, {24, false}, 10) * 16777215.0, 99.0, 1e-9);
+    for (const DepthMapping mapping : mappings) {
+        const double depth = window_depth(lens, mapping, 10), step = depth_step(lens, mapping, {24, false}, 10);
+        EXPECT_NEAR(distance_of_window_depth(lens, mapping, depth), 10.0, 1e-9);
+        EXPECT_TRUE(std::isfinite(step) && step > 0.0);
+        const double farther = window_depth(lens, mapping, 10 + 1e-4) - depth;
+        EXPECT_NEAR(std::abs(farther) / 1e-4, 1.0 / 16777215.0 / step, 1e-6);
+    }
 }
 
 TEST(WindowDepth, OutsideTheRangeIsOutsideZeroToOne) {

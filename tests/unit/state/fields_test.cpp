@@ -25,6 +25,10 @@ constexpr std::string_view contract_paths[] = {
     "projection.near",
     "projection.far",
     "projection.aspect",
+    "projection.left",
+    "projection.right",
+    "projection.bottom",
+    "projection.top",
     "depth.buffer",
     "depth.test",
     "depth.func",
@@ -164,7 +168,7 @@ TEST(Fields, MatchTheContractInOrder) {
 
 TEST(Fields, EnumsHaveTheNamesOfTheContract) {
     EXPECT_EQ(names("camera.navigation"), (Names{"fly", "walk", "orbit"}));
-    EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic"}));
+    EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic", "frustum", "orthographic_window"}));
     EXPECT_EQ(names("depth.func"),
               (Names{"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"}));
     EXPECT_EQ(names("depth.format"),
@@ -392,6 +396,22 @@ TEST(Clamp, KeepsANegativeNearOnlyWhereItIsLegal) {
             clamp_to_ranges(params);
             const bool is_legal = orthographic && mapping != DepthMapping::logarithmic;
             EXPECT_EQ(params.projection.near, is_legal ? -5.0 : 1e-6);
+        }
+    }
+}
+
+TEST(Clamp, KeepsAnInfiniteFarOnlyWhereItIsLegal) {
+    for (int type = 0; type < 4; ++type) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            Params params;
+            params.projection.type = static_cast<ProjectionType>(type);
+            params.depth.mapping = mapping;
+            params.projection.far = INFINITY;
+            params.projection.near = 100.0;
+            clamp_to_ranges(params);
+            const bool is_parallel = type % 2 == 1;
+            EXPECT_EQ(std::isinf(params.projection.far), !is_parallel && mapping != DepthMapping::logarithmic);
+            EXPECT_LT(params.projection.near, params.projection.far);
         }
     }
 }

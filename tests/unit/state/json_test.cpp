@@ -93,7 +93,11 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "height": 6,
     "near": 0.5,
     "far": 40,
-    "aspect": 0
+    "aspect": 0,
+    "left": -0.32,
+    "right": 0.32,
+    "bottom": -0.18,
+    "top": 0.18
   },
   "depth": {
     "buffer": true,

@@ -27,6 +27,11 @@ public:
         if (params.projection.near >= params.projection.far || params.projection.near < least_near(params)) {
             params.projection.near = std::min(params.projection.far / 3.0, 1e6);
         }
+        ProjectionParams& projection = params.projection;
+        if (may_have_infinite_far(params) && coin()) projection.far = std::numeric_limits<double>::infinity();
+        for (auto [low, high] : {std::pair(&projection.left, &projection.right), {&projection.bottom, &projection.top}})
+            if (*low > *high) std::swap(*low, *high);
+        if (projection.left == projection.right || projection.bottom == projection.top) projection.set_window({});
         return params;
     }
 
@@ -44,7 +49,7 @@ private:
         const int kind = whole(0, 9);
         return std::clamp(kind == 0   ? range.min
                           : kind == 1 ? range.max
-                          : kind < 5  ? std::round(value)
+                          : kind < 5  ? std::round(value) + 0.0  // a link writes −0 as 0
                                       : value,
                           range.min, range.max);
     }

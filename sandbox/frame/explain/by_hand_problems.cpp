@@ -1,0 +1,230 @@
+// Says what an S or R entered by hand is. Checks such as rank, det and S² = (Π·L) S pass for the matrix of another
+// light or plane too, so explain_matrix.h names it.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "frame/explain/explain_matrix.h"
+#include "frame/matrix_facts.h"
+#include "frame/problems.h"
+#include "frame/say.h"
+#include "text/numbers.h"
+
+namespace viewing {
+namespace {
+
+/// Returns the w that the uploaded matrix gives a point between the light and the plane.
+double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
+    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
+    const double height = is_parallel_light(cast.light_world)
+                              ? 1.0
+                              : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
+    const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
+    return cast.sign * (cast.shadowed_world_from_world * between).w;
+}
+
+/// A relative tolerance, since entries may be typed with only five digits.
+constexpr double by_hand_tolerance = 1e-4;
+
+double largest_component(const glm::dvec4& v) {
+    const glm::dvec4 size = glm::abs(v);
+    return std::max({size.x, size.y, size.z, size.w});
+}
+
+/// Returns whether a matrix sends a point to `image`, up to the tolerance times the patch's size.
+bool sends(const glm::dmat4& matrix, const glm::dvec3& point, const glm::dvec3& image, const PlanePatch& patch) {
+    const glm::dvec4 found = matrix * glm::dvec4(point, 1.0);
+    return glm::length(glm::dvec3(found) / found.w - image) <= by_hand_tolerance * patch.extent;
+}
+
+/// Returns whether S or R leaves three points of the plane where they are, and therefore all of its points.
+bool keeps_plane(const glm::dmat4& matrix, const PlanePatch& patch) {
+    const glm::dvec3 points[] = {patch.center, patch.center + patch.extent * patch.u,
+                                 patch.center + patch.extent * patch.v};
+    return std::all_of(std::begin(points), std::end(points),
+                       [&](const glm::dvec3& point) { return sends(matrix, point, point, patch); });
+}
+
+/// Returns "S" for the first plane and light, otherwise "S of plane 2, light 1".
+std::string shadow_name(std::size_t plane, std::size_t light) {
+    return plane == 0 && light == 0
+               ? "S"
+               : say("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
+}
+
+/// Returns "R" for the first plane, otherwise "R of plane 2".
+std::string mirror_name(std::size_t plane) {
+    return plane == 0 ? "R" : say("R of plane {plane}", "plane"_a = plane + 1);
+}
+
+/// Returns a light as "(1, 4, 2)" or, if it is parallel, as "(1, 4, 2, 0)".
+std::string light_text(const glm::dvec4& light) {
+    std::string text = "(" + figures(light.x, 3) + ", " + figures(light.y, 3) + ", " + figures(light.z, 3);
+    return text + (light.w == 0.0 ? ", 0)" : ")");
+}
+
+/// Returns a unit plane as "y = 0.5" or "0.6 x + 0.8 y − 2 = 0".
+std::string plane_text(const glm::dvec4& plane) {
+    constexpr double none = 5e-4;
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(plane[axis]) > 1.0 - none * none)
+            return std::string(axes[axis]) + " = " + figures(0.0 - plane.w / plane[axis], 3);
+    std::string text;
+    for (int part = 0; part < 4; ++part) {
+        if (std::abs(plane[part]) < none) continue;
+        const char* const sign = plane[part] < 0.0 ? (text.empty() ? "−" : " − ") : text.empty() ? "" : " + ";
+        text += sign + figures(std::abs(plane[part]), 3) + (part < 3 ? " " + std::string(axes[part]) : "");
+    }
+    return text + " = 0";
+}
+
+/// Explains a matrix with its own plane and light as the whole state.
+ExplainedMatrix explained(const glm::dmat4& matrix, char letter, const Params& params, const Derived& derived,
+                          std::size_t plane, std::size_t light) {
+    constexpr double shown = 5.1e-4;  // entries may be typed as they are shown
+    Params own;
+    own.camera = params.camera;
+    own.projection = params.projection;
+    own.planes.front() = params.planes[plane];
+    own.lights.front() = params.lights[light];
+    return explain_matrix(matrix, letter, own, derived.aspect, shown);
+}
+
+/// Returns whether the matrix is the transpose of the right one; for S, up to a factor.
+bool is_right_transposed(const ExplainedMatrix& found, const glm::dmat4& matrix) {
+    if (found.fault != MatrixFault::transposed || !found.right) return false;
+    const glm::dmat4& right = *found.right;
+    const double off = found.letter == 'S' ? largest_difference_up_to_scale(glm::transpose(matrix), right)
+                                           : largest_entry(glm::transpose(matrix) - right);
+    return off <= 1e-3 * largest_entry(right);
+}
+
+/// Returns what an S or R entered by hand is instead of the right one; "" if it is right or not recognized. `matrix` is
+/// its name, `letter` what it should be.
+std::string recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
+                       const std::string& matrix) {
+    if (found.letter != 'S' && found.letter != 'R') return "";
+    const std::string plane = found.found_plane ? plane_text(*found.found_plane) : "";
+    const std::string light = found.found_light ? light_text(*found.found_light) : "";
+    const bool is_shadow = found.letter == 'S', is_transposed = found.fault == MatrixFault::transposed;
+    if (found.letter != letter) {
+        if (is_transposed || found.fault == MatrixFault::not_unit_normal || found.fault == MatrixFault::plus_2ab)
+            return "";
+        return is_shadow
+                   ? say("{matrix} entered by hand is the shadow of the light {light} on the plane {plane}, not a "
+                         "mirror",
+                         "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
+                   : say("{matrix} entered by hand is the mirror of the plane {plane}, not a shadow",
+                         "matrix"_a = matrix, "plane"_a = plane);
+    }
+    if (is_right_transposed(found, entries))
+        return is_shadow ? say("{matrix} entered by hand is the transpose of the right S: OpenGL reads columns",
+                               "matrix"_a = matrix)
+                         : say("{matrix} entered by hand is Rᵀ, the transpose of the right R: OpenGL reads columns",
+                               "matrix"_a = matrix);
+    switch (found.fault) {
+        case MatrixFault::transposed:
+            return is_shadow ? say("{matrix} entered by hand is the transpose of a shadow matrix: of the light {light} "
+                                   "on the plane {plane}",
+                                   "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
+                             : say("{matrix} entered by hand is the transpose of a mirror matrix: of the plane {plane}",
+                                   "matrix"_a = matrix, "plane"_a = plane);
+        case MatrixFault::other_light:
+            return say("{matrix} entered by hand is the shadow of the light {light}, not of this one",
+                       "matrix"_a = matrix, "light"_a = light);
+        case MatrixFault::other_plane:
+            return is_shadow ? say("{matrix} entered by hand is the shadow on the plane {plane}, not on this one",
+                                   "matrix"_a = matrix, "plane"_a = plane)
+                             : say("{matrix} entered by hand is the mirror of the plane {plane}, not of this one",
+                                   "matrix"_a = matrix, "plane"_a = plane);
+        case MatrixFault::different:
+            return say("{matrix} entered by hand is the shadow of the light {light} on the plane {plane}",
+                       "matrix"_a = matrix, "light"_a = light, "plane"_a = plane);
+        case MatrixFault::not_unit_normal:
+            return say(
+                "{matrix} entered by hand is filled from a normal that is not a unit vector: divide (a, b, c, d) "
+                "by |n| first",
+                "matrix"_a = matrix);
+        case MatrixFault::plus_2ab:
+            return say("{matrix} entered by hand has +2ab in row 2, column 1, as in one line of the slide: it is −2ab",
+                       "matrix"_a = matrix);
+        default:
+            return "";
+    }
+}
+
+/// Reports the first property of S that a matrix lacks: it sends points to the plane and the light to 0, and leaves the
+/// plane's points where they are.
+void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of, const CastShadow& cast,
+                       const std::string& matrix) {
+    const double size = by_hand_tolerance * largest_entry(s);
+    // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
+    const bool lands = largest_component(of.unit_plane * s) <= size;
+    const bool loses_light = largest_component(s * cast.light_world) <= size * glm::length(cast.light_world);
+    tell.broken(!lands, say("{matrix} entered by hand does not land in the plane: Π·S p ≠ 0", "matrix"_a = matrix));
+    tell.broken(lands && !loses_light,
+                say("{matrix} entered by hand does not send the light to 0: S L ≠ 0, so its shadow does not lie on the "
+                    "rays from the light",
+                    "matrix"_a = matrix));
+    tell.broken(lands && loses_light && !cast.light_in_plane && !keeps_plane(s, of.patch),
+                say("{matrix} entered by hand moves the points of the plane itself, so the shadow does not touch its "
+                    "caster",
+                    "matrix"_a = matrix));
+}
+
+/// Reports the first property of R that a matrix lacks: it leaves the plane's points where they are, and sends a point
+/// beside the plane to its mirror image.
+void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& matrix) {
+    const PlanePatch& patch = of.patch;
+    const glm::dvec3 normal(of.unit_plane), q = patch.center + normal;
+    const bool keeps = keeps_plane(of.mirrored_world_from_world, patch);
+    tell.broken(!keeps, say("{matrix} entered by hand moves the points of the plane itself, so the image does not "
+                            "fit its mirror",
+                            "matrix"_a = matrix));
+    tell.broken(keeps && !sends(of.mirrored_world_from_world, q, patch.center - normal, patch),
+                say("{matrix} entered by hand keeps the plane, but sends no other point to its mirror image: "
+                    "R q ≠ q − 2 (n·q + d) n",
+                    "matrix"_a = matrix));
+}
+
+/// Reports one S: what it is or, if that is not recognized, what is wrong with it.
+void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& derived, std::size_t plane,
+                         std::size_t light) {
+    const DerivedPlane& of = derived.planes[plane];
+    const CastShadow& cast = of.shadows[light];
+    const glm::dmat4& s = cast.shadowed_world_from_world;
+    const std::string matrix = shadow_name(plane, light);
+    tell(true, say("{matrix} is entered by hand: the plane and the light no longer change it", "matrix"_a = matrix));
+    if (!params.shadow.enabled) return;
+    const std::string what = recognized(explained(s, 'S', params, derived, plane, light), s, 'S', matrix);
+    tell.broken(!what.empty(), what, plane == 0 && light == 0 ? "overrides.shadow_from_world" : "");
+    if (what.empty()) tell_wrong_shadow(tell, s, of, cast, matrix);
+    tell.broken(!cast.light_in_plane && uploaded_w(of, cast) < 0.0,
+                say("{matrix} entered by hand gives a negative w to points between the light and the "
+                    "plane: clipping removes the shadow; −S is the same projection with a positive w",
+                    "matrix"_a = matrix));
+}
+
+}  // namespace
+
+void find_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    Sayer tell_shadow(problems, "shadow"), tell_mirror(problems, "reflection");
+    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane)
+        for (std::size_t light = 0; light < derived.planes[plane].shadows.size(); ++light)
+            if (derived.planes[plane].shadows[light].by_hand)
+                tell_shadow_by_hand(tell_shadow, params, derived, plane, light);
+    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
+        const DerivedPlane& of = derived.planes[plane];
+        if (!of.mirror_by_hand) continue;
+        const std::string matrix = mirror_name(plane);
+        tell_mirror(true, say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = matrix));
+        if (!params.reflection.enabled || !of.mirrors) continue;
+        const glm::dmat4& r = of.mirrored_world_from_world;
+        const std::string what = recognized(explained(r, 'R', params, derived, plane, 0), r, 'R', matrix);
+        tell_mirror.broken(!what.empty(), what, plane == 0 ? "overrides.mirror_from_world" : "");
+        if (what.empty()) tell_wrong_mirror(tell_mirror, of, matrix);
+    }
+}
+
+}  // namespace viewing

@@ -1,0 +1,24 @@
+// Gives the state the camera, projection, S or R of a pasted matrix. Read explain_matrix.h first.
+#pragma once
+
+#include <optional>
+
+#include "frame/explain/explain_matrix.h"
+
+namespace viewing {
+
+/// Returns whether the matrix can be taken as it is: a right V, C, P, S or R, of this state or another. A P with near
+/// and far swapped is right too: depth is then reversed.
+bool is_takeable(const ExplainedMatrix& found);
+
+/// Returns the pasted V, C or P without its fault; none for other matrices and unknown faults.
+std::optional<glm::dmat4> fixed(const glm::dmat4& pasted, const ExplainedMatrix& found);
+
+/// Gives the state the camera, projection, S or R of a matrix that can be taken, so that its own is the same, and
+/// switches off mistakes that would change it. P is read for the clip range that the program uses: 0 … 1 if it is
+/// reversed, otherwise −1 … 1; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
+/// `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns whether that is possible:
+/// not for values that no state may have.
+bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
+
+}  // namespace viewing

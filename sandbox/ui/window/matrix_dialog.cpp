@@ -1,0 +1,84 @@
+#include "ui/window/matrix_dialog.h"
+
+#include <utility>
+
+#include "frame/explain/fault_words.h"
+#include "frame/explain/take_matrix.h"
+#include "state/file/link.h"
+#include "text/catalogue.h"
+#include "ui/parts/look.h"
+#include "ui/window/dialogs.h"
+
+namespace viewing {
+namespace {
+
+constexpr const char* no_state = marked("the pasted matrix was not taken: no state may have its values");
+
+/// Gives the state a matrix, and tells it.
+void take_into(Session& session, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance) {
+    if (!take_matrix(session.params, letter, matrix, view_aspect, tolerance))
+        return session.report(Error{tr(no_state)});
+    const bool is_camera = letter == 'V' || letter == 'C';
+    const std::string name(1, letter);
+    session.message = {is_camera       ? say("the camera is that of the pasted {matrix}", "matrix"_a = name)
+                       : letter == 'P' ? tr("the projection is that of the pasted P")
+                                       : say("{matrix} is entered by hand, as pasted", "matrix"_a = name),
+                       false};
+}
+
+}  // namespace
+
+bool MatrixDialog::is_matrix(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool is_state = first != std::string::npos && text[first] == '{' && text.find('"') != std::string::npos;
+    return !is_state && !is_link(text) && read_pasted_matrix(text);
+}
+
+void MatrixDialog::paste(const std::string& text, char letter) {
+    wanted_ = {text, letter};
+}
+
+void MatrixDialog::take(const Paste& paste, Session& session, const Derived& derived) {
+    const Result<PastedMatrix> pasted = read_pasted_matrix(paste.text);
+    if (!pasted) return session.report(Error{tr("the clipboard holds no matrix of 16 numbers")});
+    const char letter = pasted->letter != 0 ? pasted->letter : paste.letter;
+    const ExplainedMatrix found =
+        explain_matrix(pasted->matrix, letter, session.params, derived.view_aspect, pasted->tolerance);
+    if (is_takeable(found))
+        return take_into(session, found.letter, pasted->matrix, derived.view_aspect, pasted->tolerance);
+    trouble_ = Trouble{*pasted, found, fixed(pasted->matrix, found)};
+}
+
+void MatrixDialog::draw(Session& session, const Derived& derived) {
+    if (const std::optional<Paste> paste = std::exchange(wanted_, std::nullopt)) take(*paste, session, derived);
+    const widgets::Group group("pasted");
+    if (trouble_) ImGui::OpenPopup("pasted");
+    if (!begin_dialog("pasted", {px(520.0F), px(230.0F)})) return;
+    if (!trouble_) {
+        ImGui::CloseCurrentPopup();
+        return ImGui::EndPopup();
+    }
+    const auto& [pasted, found, mended] = *trouble_;
+    const FaultWords words = fault_words(found);
+    dialog_title(marked("The pasted matrix"));
+    ImGui::BeginChild("sentences", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
+    const char* const title = tr(matrix_title(found.letter));
+    const std::string read =
+        pasted.by_columns ? say("{matrix}, read as columns ({syntax})", "matrix"_a = title, "syntax"_a = pasted.syntax)
+                          : say("{matrix}, read as rows ({syntax})", "matrix"_a = title, "syntax"_a = pasted.syntax);
+    widgets::Note(read.c_str());
+    widgets::Trouble(tr(words.wrong));
+    if (*words.fix != '\0') widgets::Note(say("Fix: {how}", "how"_a = tr(words.fix)).c_str());
+    ImGui::EndChild();
+    const bool fixes = mended && widgets::Button("Fix and take it");
+    if (mended) ImGui::SameLine();
+    const bool closes = widgets::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (fixes) take_into(session, found.letter, *mended, derived.view_aspect, pasted.tolerance);
+    if (fixes || closes) {
+        trouble_.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace viewing

@@ -1,0 +1,116 @@
+// A matrix pasted in the window: a right one is taken, of any other a dialog says what it is and mends it.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "desk.h"
+#include "frame/matrix_text.h"
+
+namespace viewing::test {
+namespace {
+
+void press_paste(Desk& desk) {
+    desk.press_with(Key::ctrl, Key::v);
+    desk.settle();
+}
+
+double worst_entry(const glm::dmat4& a, const glm::dmat4& b) {
+    double worst = 0.0;
+    for (int i = 0; i < 16; ++i) worst = std::max(worst, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
+    return worst;
+}
+
+bool is_recorded(const Desk& desk, const std::string& label) {
+    return std::any_of(desk.recorded().begin(), desk.recorded().end(),
+                       [&](const RecordedItem& item) { return item.label == label; });
+}
+
+/// Chooses Paste in the Copy menu of the matrix with this place in the column.
+void paste_into(Desk& desk, std::size_t place) {
+    std::vector<RecordedItem> menus;
+    std::copy_if(desk.recorded().begin(), desk.recorded().end(), std::back_inserter(menus),
+                 [](const RecordedItem& item) { return item.label == "matrices/Copy"; });
+    const RecordedItem& menu = menus.at(place);
+    desk.click_at({0.5F * (menu.min.x + menu.max.x), 0.5F * (menu.min.y + menu.max.y)});
+    desk.settle();
+    desk.click("matrices/Paste from the clipboard");
+    desk.settle();
+}
+
+const glm::dmat4 pasted_view = glm::lookAtRH(glm::dvec3(5, 4, 3), glm::dvec3(0, 1, 0), glm::dvec3(0, 1, 0));
+
+TEST(PasteMatrix, ARightOneIsTakenInOneUndoStep) {
+    for (const MatrixFormat format :
+         {MatrixFormat::glm, MatrixFormat::numpy, MatrixFormat::matlab, MatrixFormat::text, MatrixFormat::latex}) {
+        Desk desk;
+        const Params before = desk.params();
+        desk.clipboard = matrix_text("view_from_world", pasted_view, format);
+        press_paste(desk);
+        EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
+        EXPECT_EQ(desk.session.message.text, "the camera is that of the pasted V");
+        desk.undo();
+        EXPECT_EQ(desk.params(), before);
+    }
+}
+
+TEST(PasteMatrix, TheMenuOfEachMatrixKnowsItsLetter) {
+    Desk desk;
+    desk.click("matrices/Show C");
+    desk.settle();
+    desk.clipboard = matrix_text("m", glm::inverse(pasted_view), MatrixFormat::numpy);  // no name: C by its place
+    paste_into(desk, 0);
+    EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
+    desk.clipboard = "no matrix";
+    paste_into(desk, 1);
+    EXPECT_TRUE(desk.session.message.is_error);
+    EXPECT_EQ(desk.session.message.text, "the clipboard holds no matrix of 16 numbers");
+}
+
+TEST(PasteMatrix, AFaultIsNamedAndMended) {
+    Desk desk;
+    const Params before = desk.params();
+    desk.clipboard = matrix_text("V", glm::transpose(pasted_view), MatrixFormat::numpy);
+    press_paste(desk);
+    EXPECT_EQ(desk.params(), before);
+    ASSERT_TRUE(is_recorded(desk, "pasted/Fix and take it"));
+    desk.click("pasted/Fix and take it");
+    desk.settle();
+    EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
+    EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
+}
+
+TEST(PasteMatrix, AnUnknownOneCanOnlyBeClosed) {
+    Desk desk;
+    const Params before = desk.params();
+    desk.clipboard = "1 2 3 4\n5 6 7 8\n9 10 11 12\n13 14 15 17";
+    press_paste(desk);
+    EXPECT_FALSE(is_recorded(desk, "pasted/Fix and take it"));
+    desk.click("pasted/Close");
+    desk.settle();
+    EXPECT_EQ(desk.params(), before);
+    EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
+}
+
+TEST(PasteMatrix, PIsTakenWithItsLens) {
+    Desk desk;
+    desk.clipboard = matrix_text("P", glm::frustum(-0.1, 0.3, -0.2, 0.1, 0.25, 80.0), MatrixFormat::glm);
+    press_paste(desk);
+    const ProjectionParams& projection = desk.params().projection;
+    EXPECT_EQ(projection.type, ProjectionType::frustum);
+    EXPECT_NEAR(projection.left, -0.1, 1e-12);
+    EXPECT_NEAR(projection.top, 0.1, 1e-12);
+    EXPECT_NEAR(projection.far, 80.0, 1e-9);
+    desk.clipboard = matrix_text("P", glm::infinitePerspective(1.0, 1.5, 0.25), MatrixFormat::glm);
+    press_paste(desk);
+    EXPECT_TRUE(std::isinf(projection.far));
+    EXPECT_EQ(projection.aspect, 1.5);
+}
+
+// A state on the clipboard stays a state.
+TEST(PasteMatrix, StatesAreStillPasted) {
+    Desk desk;
+    desk.clipboard = R"({"projection": {"fovy": 55}})";
+    press_paste(desk);
+    EXPECT_EQ(desk.params().projection.fovy, 55.0);
+}
+
+}  // namespace
+}  // namespace viewing::test
