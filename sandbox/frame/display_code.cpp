@@ -25,7 +25,7 @@ std::vector<Factor> factors_of(const Params& params) {
     const auto turn = [&](double angle_deg, const char* axis, const char* name, const char* part) -> Factor {
         return {"rotate(radians(" + number(angle_deg, 1) + "), " + axis + ")", std::string(minus) + name, part};
     };
-    std::vector<Factor> turns = {turn(camera.yaw, "y", "heading", "rotate.yaw"),
+    std::vector<Factor> turns = {turn(camera.yaw, "y", "yaw", "rotate.yaw"),
                                  turn(camera.pitch, "x", "pitch", "rotate.pitch"),
                                  turn(camera.roll, "z", "roll", "rotate.roll")};
     const Factor move = {"translate(" + number(camera.position.x, 2) + ", " + number(camera.position.y, 2) + ", " +

@@ -62,7 +62,7 @@ constexpr double window_limit = 1e6;
 
 constexpr std::string_view length = "world units";
 constexpr std::string_view degrees = "°";
-constexpr std::string_view camera_formula = "C = T(position) · Ry(yaw) · Rx(pitch) · Rz(roll), V = C⁻¹";
+constexpr std::string_view camera_formula = "C = T(position) · R_y(yaw) · R_x(pitch) · R_z(roll), V = C⁻¹";
 constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z) (perspective, standard depth)";
 constexpr std::string_view window_call = "glFrustum | glOrtho";
 constexpr std::string_view shadow_formula = "S = (Π·L) I − L Πᵀ";
@@ -100,7 +100,8 @@ const Field all_fields[] = {
      .min = -turns_limit_deg,
      .max = turns_limit_deg,
      .step = 0.5,
-     .help = "Heading: the rotation about the y axis, positive to the left. At 0, the camera looks along −z. Walking "
+     .help = "Yaw (heading on the slides): the rotation about the y axis, positive to the left. At 0, the camera looks "
+             "along −z. Walking "
              "changes only this angle.",
      .formula = camera_formula},
     {.path = "camera.pitch",
@@ -545,11 +546,12 @@ const Field all_fields[] = {
     {.path = "shadow.sign",
      .place = IN(shadow.sign),
      .label = "sign of S",
-     .help = "The factor by which S is multiplied before it is uploaded. With plane_dot_light, it is the sign of Π·L, "
-             "so w is positive between light and plane. With none, S is uploaded unchanged, and every shadow vanishes "
+     .help = "The factor by which S is multiplied before it is uploaded. With plane_dot_light, it is the sign of "
+             "n·ℓ + d, so w is positive between light and plane. With none, S is uploaded unchanged, and every shadow "
+             "vanishes "
              "when the normal points away from the light. With forced, each vertex with a negative w is negated, and "
              "casters beyond the light cast an anti-shadow.",
-     .formula = "sign(Π·L) S"},
+     .formula = "sign(n·ℓ + d) S"},
     {.path = "shadow.write_depth",
      .place = IN(shadow.write_depth),
      .label = "write depth",

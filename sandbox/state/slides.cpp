@@ -11,7 +11,7 @@ namespace {
 /// The subject of each slide, from slide 1 on.
 constexpr std::array subjects{marked("Viewing"),
                               marked("Camera movement"),
-                              marked("Camera position and heading"),
+                              marked("Camera position and yaw"),
                               marked("Fly and walk"),
                               marked("Occlusion"),
                               marked("Hidden surface removal"),

@@ -14,8 +14,12 @@ bool is_in_name(char sign) {
 /// Returns the length of the subscript behind the underscore at `at`; 0 if the underscore belongs to a name.
 std::size_t subscript_length(std::string_view text, std::size_t at) {
     constexpr std::size_t longest = 4;
+    constexpr std::string_view script_l = "ℓ";
     const auto is_letter = [](char sign) { return is_in_name(sign) && sign != '_' && !(sign >= '0' && sign <= '9'); };
-    if (at == 0 || !is_letter(text[at - 1]) || (at > 1 && is_in_name(text[at - 2]))) return 0;
+    const std::string_view before = text.substr(0, at);
+    const std::size_t letter = before.ends_with(script_l) ? script_l.size() : 1;
+    if (at == 0 || (letter == 1 && !is_letter(text[at - 1])) || (at > letter && is_in_name(text[at - letter - 1])))
+        return 0;
     std::size_t end = at + 1;
     while (end < text.size() && is_small(text[end])) ++end;
     const bool goes_on = end < text.size() && is_in_name(text[end]);

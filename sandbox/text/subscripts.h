@@ -1,4 +1,4 @@
-// Subscripts in sentences: "l_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as they are typed; what
+// Subscripts in sentences: "ℓ_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as they are typed; what
 // shows them lowers the letters.
 #pragma once
 

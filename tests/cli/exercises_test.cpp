@@ -103,7 +103,7 @@ TEST_F(ExercisesCommand, VariantsMatchAnIndependentComputation) {
         << "the ninth of its deployed ones";
     EXPECT_EQ(sheet["exercises"][0]["points"], 3);
     EXPECT_EQ(sheet["exercises"][0]["question"],
-              "P = (0, 1, 0, 0), L = (−1, 4, 3, 1). Enter the shadow matrix S, each number to four digits. (Any "
+              "Π = (0, 1, 0, 0), L = (−1, 4, 3, 1). Enter the shadow matrix S, each number to four digits. (Any "
               "nonzero multiple is the same map.)");
     EXPECT_EQ(sheet["exercises"][1]["variant"], 12);
     EXPECT_FALSE(sheet["exercises"][0].contains("solution"));

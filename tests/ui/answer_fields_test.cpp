@@ -123,7 +123,7 @@ TEST_F(AnswerFields, AGoalShowsItsNumbers) {
 
 TEST(ALessonsButtons, AHintMovesNothing) {
     Desk desk({1600, 900});
-    desk.workbench.guide.begin(*load_lesson("view-is-the-inverse"), 6, desk.session);
+    desk.workbench.guide.begin(*load_lesson("view-is-the-inverse"), 7, desk.session);
     desk.settle();
     desk.apply_looks();
     desk.ui.frames(3);

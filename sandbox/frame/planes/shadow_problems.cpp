@@ -78,15 +78,16 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                                  one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
-    tell.broken(
-        vanishes && all_vanish,
-        tr("S is uploaded unchanged, and Π·L < 0: every caster gets a negative w, so clipping removes every shadow"),
-        "shadow.sign");
-    tell.broken(vanishes && !all_vanish,
-                say("S is uploaded unchanged, and Π·L < 0 for {shadows}: every caster gets a negative w, so clipping "
-                    "removes that shadow",
-                    "shadows"_a = joined(vanishing)),
+    tell.broken(vanishes && all_vanish,
+                tr("S is uploaded unchanged, and n·ℓ + d < 0: every caster gets a negative w, so clipping removes "
+                   "every shadow"),
                 "shadow.sign");
+    tell.broken(
+        vanishes && !all_vanish,
+        say("S is uploaded unchanged, and n·ℓ + d < 0 for {shadows}: every caster gets a negative w, so clipping "
+            "removes that shadow",
+            "shadows"_a = joined(vanishing)),
+        "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;

@@ -167,7 +167,7 @@ void shadow_switches(Params& params) {
     control(params, "shadow.clip_at_light", {.label = marked("Clip at light")});
     beside(second_column, widgets::ToggleWidth("Own stencil"));
     control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
-    static constexpr const char* signs[] = {"sign(Π·L)", marked("none"), marked("forced")};
+    static constexpr const char* signs[] = {"sign(n·ℓ + d)", marked("none"), marked("forced")};
     control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
 }
 

@@ -279,7 +279,7 @@ const std::vector<Case>& cases() {
          {facing_walls, "reflection.bounces=6", "reflection.stencil=false"},
          {facing_walls, "reflection.bounces=6"}},
         {"shadow",
-         "Π·L < 0 for the light on plane 2",
+         "n·ℓ + d < 0 for the light on plane 2",
          box_scene,
          {"shadow.sign=none", "planes=[{\"equation\":[0,0,-1,-3]}]"},
          {"shadow.sign=none", wall}},
