@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/other_plane.h"
 #include "lesson/progress.h"
 
 namespace viewing {
@@ -209,6 +210,12 @@ Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings&
     if (is_typed(ask.kind))
         if (const Result<Answer> model = model_answer(ask, surroundings))
             tell_near_numbers(ask, answer.numbers, model->numbers, unknown);
+    if (ask.kind == AskKind::matrix && unknown.near == Near::right_parts)
+        if (const std::optional<OtherPlane> other =
+                other_plane(answer.numbers, unknown.places, ask.expect, surroundings)) {
+            unknown.other_row = other->row;
+            unknown.other_plane = {other->plane.x, other->plane.y, other->plane.z, other->plane.w};
+        }
     return unknown;
 }
 

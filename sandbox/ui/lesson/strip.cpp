@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "text/words.h"
 #include "ui/lesson/answers.h"
 #include "ui/lesson/lesson_text.h"
@@ -249,6 +250,13 @@ std::string places_in_words(const Ask& ask, const std::vector<int>& places) {
     return text;
 }
 
+/// Returns "(0, 1, 0, −0.5)".
+std::string plane_in_words(const Verdict& verdict) {
+    std::string text;
+    for (const double number : verdict.other_plane) text += (text.empty() ? "" : ", ") + figures(number, 3);
+    return "(" + text + ")";
+}
+
 /// Returns feedback on an answer that matches no known mistake: what is right about it, but no number.
 std::string not_yet(const Ask& ask, const Verdict& verdict) {
     const std::string places = places_in_words(ask, verdict.places);
@@ -261,6 +269,9 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
             return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
                              : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
         case Near::right_parts:
+            if (verdict.other_row > 0)
+                return say("Not yet. These rows are right: {places}. Row {row} is that of the plane {plane}.",
+                           "places"_a = places, "row"_a = verdict.other_row, "plane"_a = plane_in_words(verdict));
             return is_matrix ? say("Not yet. These rows are right: {places}.", "places"_a = places)
                              : say("Not yet. These numbers are right: {places}.", "places"_a = places);
         case Near::first_items:

@@ -1,0 +1,34 @@
+// A row of an entered R or S that is right for another plane than the one that is asked for.
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/expression.h"
+
+namespace viewing {
+
+/// Returns the plane (a, b, c, d) with a unit normal whose R has this row, counted from 0. n_i is taken as positive,
+/// since (n, d) and (−n, −d) are the same mirror. None if no unit plane has it, as for row 3, which is (0, 0, 0, 1) for
+/// every plane. Source: lecture, Planar Reflection: row i is e_i − 2 n_i (n, d).
+std::optional<glm::dvec4> plane_of_mirror_row(const glm::dvec4& row, int index);
+
+/// Returns the plane with a unit normal whose S for this light has this row, counted from 0. The row says nothing about
+/// the plane's number at `index`: it is taken from `asked`. None if there is no such plane or L_i is 0. Source:
+/// lecture, Projection Shadow Matrix: row i is (Π·L) e_i − L_i Π.
+std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& light,
+                                              const glm::dvec4& asked);
+
+struct OtherPlane {
+    int row = 0;  ///< from 1
+    glm::dvec4 plane{0.0};
+};
+
+/// Finds the first row of 16 numbers that is not among `right_rows` (from 1) and belongs to another plane than
+/// `plane.equation`. None if `expect` is neither R nor S of that plane and `light.position`.
+std::optional<OtherPlane> other_plane(const std::vector<double>& numbers, const std::vector<int>& right_rows,
+                                      const std::string& expect, const Surroundings& surroundings);
+
+}  // namespace viewing
