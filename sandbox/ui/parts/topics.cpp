@@ -58,8 +58,9 @@ ImVec2 least_size_on_stage(Topic topic) {
         case Topic::codes:
             return {400.0F, 180.0F};
         case Topic::precision:
-        case Topic::tree:
             return {400.0F, 150.0F};
+        case Topic::tree:
+            return {400.0F, 280.0F};
         default:
             return {360.0F, 150.0F};
     }
