@@ -95,6 +95,9 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
+/// Draws eye space, NDC, or a space between the two: the frustum with the scene inside, seen from outside.
+void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture);
+
 /// Pins a pixel of the camera's picture and replaces any other pin. If this pixel is already pinned, removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
