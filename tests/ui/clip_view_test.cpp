@@ -45,5 +45,25 @@ TEST(ClipSpaceView, SaysWhatTheSpaceIs) {
     EXPECT_TRUE(says("w = 1"));
 }
 
+TEST(ClipSpaceView, MarksTheFaceThatCutsTheFollowedPointOff) {
+    Desk desk;
+    choose_topic(desk.params(), Slot::left, Topic::clip);
+    desk.params().follow = Follow{"box", 3};
+    const auto says = [&](const std::string& part) {
+        desk.settle();
+        std::string all;
+        for (const Letter& letter : letters_of_frame()) all += utf8(letter.character);
+        std::size_t count = 0;
+        for (std::size_t at = all.find(part); at != std::string::npos; at = all.find(part, at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(says("PVp÷w"), 1U);
+    EXPECT_EQ(says("cutoffbythefarplane"), 0U);
+    desk.params().projection.far = 2.0;  // in front of the box; the matrices' column says so too
+    EXPECT_GE(says("cutoffbythefarplane"), 1U);
+    desk.params().view.division = 0.0;
+    EXPECT_GE(says("Vp"), 1U);
+}
+
 }  // namespace
 }  // namespace viewing::test

@@ -1,8 +1,10 @@
 // The observer's view, which shows the camera from outside; and the lecture's second reading of camera movement: the
 // camera stays fixed, and the world moves.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "frame/camera_way.h"
 #include "frame/depth/depth_precision.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
@@ -125,6 +127,27 @@ void draw_code_steps(Overlay& overlay, const Params& params, const Derived& deri
     }
 }
 
+/// Draws the followed point on its view ray, and the face of the frustum that cuts it off.
+void draw_point_on_its_way(Overlay& overlay, const Params& params, const Derived& derived) {
+    if (!derived.followed) return;
+    const glm::dvec3& point = derived.followed->point_world;
+    const glm::dmat4 world_from_view = effective_camera(derived);
+    const double division = params.view.division;
+    if (!params.projection.is_orthographic())
+        overlay.line(glm::dvec3(world_from_view[3]), point, with_alpha(palette().point, 170), 1.0F);
+    overlay.dot(point, palette().point, 5.0F);
+    overlay.label(point, division <= 0.0 ? "V p" : division >= 1.0 ? "P V p ÷ w" : "p", palette().point);
+    const FrustumPlane cut_by = camera_way(params, derived, point).cut_by;
+    if (cut_by == FrustumPlane::none || widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P"))
+        return;
+    static constexpr std::array<std::array<std::size_t, 4>, 6> faces = {
+        {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 2, 6, 7}}};
+    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, world_from_view);
+    const auto& [a, b, c, d] = faces[static_cast<std::size_t>(cut_by) - 1];
+    overlay.fill({corners[a], corners[b], corners[c], corners[d]}, with_alpha(palette().trouble, 70));
+    overlay.label(0.5 * (corners[a] + corners[c]), outcome_of(cut_by), palette().trouble);
+}
+
 /// A sentence, and a shorter one for a narrow view.
 struct ClipWords {
     const char *whole, *brief;
@@ -182,6 +205,7 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
         overlay.keep_labels_off(row);
         draw_code_steps(overlay, session.params, derived);
         draw_frustum(overlay, session.params, derived, effective_camera(derived));
+        draw_point_on_its_way(overlay, session.params, derived);
         const auto [whole, brief] = clip_words(session.params);
         overlay.keep_labels_off(
             sentence_over_picture(draw, {rect.min, {rect.max.x, row.min.y}}, palette().camera, whole, brief));
