@@ -104,6 +104,8 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
             return draw_outside(derive_observer(shown.params.observer, {size}));
         case Topic::moving_world:
             return draw_outside(derive_moving_world(shown.params.observer, shown.derived, {size}));
+        case Topic::clip:
+            return draw_outside(derive_clip_view(shown.params, shown.derived, {size}));
         case Topic::from_light:
             return draw_outside(derive_light_view(shown.derived, scene, {size}));
         case Topic::depth:

@@ -57,13 +57,13 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "(with GL's part as an embedded image). All these carry the state that they show. With --view depth, "
                  "names that end in .npy, .pfm or z16.png get the stored window depths as float64, float32 or 16-bit "
                  "numbers");
-    options.text(
-        "--view", "VIEW", typed.view,
-        "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
-        "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
-        "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code, why. A "
-        "view that would need scrolling is scaled down to fit");
+    options.text("--view", "VIEW", typed.view,
+                 "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
+                 "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
+                 "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
+                 "cells, pixel, fighting, passes, moving_world, clip, from_light, mirror_ways, lecture_code, "
+                 "display_code, why. A "
+                 "view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,
         "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");

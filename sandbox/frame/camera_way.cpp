@@ -1,8 +1,10 @@
 #include "frame/camera_way.h"
 
+#include <array>
 #include <cmath>
 
 #include "frame/depth/fragment_depth.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 
@@ -28,6 +30,14 @@ CameraWay camera_way(const Params& params, const Derived& derived, const glm::dv
         way.code = code_of(*way.window_depth, precision_of(params.depth.format));
     }
     return way;
+}
+
+const char* outcome_of(FrustumPlane plane) {
+    static constexpr std::array texts = {marked("inside the frustum"),       marked("cut off by the near plane"),
+                                         marked("cut off by the far plane"), marked("left of the picture"),
+                                         marked("right of the picture"),     marked("below the picture"),
+                                         marked("above the picture")};
+    return tr(texts[static_cast<std::size_t>(plane)]);
 }
 
 }  // namespace viewing

@@ -21,4 +21,7 @@ struct CameraWay {
 /// Returns the way of a world point through the state's V, P and depth mapping, mistakes included.
 CameraWay camera_way(const Params& params, const Derived& derived, const glm::dvec3& point_world);
 
+/// Returns what a plane of the frustum does to a point, in the window's language: "cut off by the near plane".
+const char* outcome_of(FrustumPlane plane);
+
 }  // namespace viewing

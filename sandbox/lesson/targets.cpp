@@ -93,6 +93,7 @@ constexpr const char* without_control[] = {"version",
                                            "view.triangle",
                                            "view.pass",
                                            "view.derivation_step",
+                                           "view.division",
                                            "view.lower_left",
                                            "view.lower_right",
                                            "view.layout"};

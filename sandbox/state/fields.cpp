@@ -31,7 +31,7 @@ template <> std::span<const char* const> names_of<DecalMethod>() { static conste
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth", "settings"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
-template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "clip", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why"}; return names; }
 template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<Language>() { static constexpr const char* names[] = {"en", "ko"}; return names; }
@@ -896,6 +896,17 @@ const Field all_fields[] = {
      .step = 1,
      .help = "The last line to show in the derivation of the shadow or the mirror image, counted from 0; −1 shows all "
              "lines."},
+    {.path = "view.division",
+     .place = IN(view.division),
+     .label = "division by w",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help =
+         "What the view Clip space shows: 0 is eye space with the frustum as a pyramid, 1 is NDC, where the division "
+         "by w has made it a box. In between, each point is divided by a share of w.",
+     .formula = "p = ((1 − t) c E + t P) p_eye, then ÷ its w",
+     .gl_call = "gl_Position / gl_Position.w"},
     {.path = "view.lower_left",
      .place = IN(view.lower_left),
      .label = "lower left",

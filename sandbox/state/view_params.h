@@ -28,6 +28,7 @@ enum class Topic {
     cells,
     fighting,
     moving_world,
+    clip,
     passes,
     tree,
     order,
@@ -91,6 +92,7 @@ struct ViewParams {
     int triangle = -1;                ///< how many triangles of that call to draw; −1: all of them
     int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all
     int derivation_step = -1;         ///< the last line of a derivation to show, counted from 0; −1: shows all
+    double division = 1.0;            ///< of clip space: 0 eye space, 1 after the division by w
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;

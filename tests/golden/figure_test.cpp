@@ -77,6 +77,7 @@ const std::vector<Case>& cases() {
         {PictureView::fighting, "depth-fighting", {}, ""},
         {PictureView::passes, "", {}, "gl"},
         {PictureView::moving_world, "", {}, "the camera stays"},
+        {PictureView::clip, "", {}, "NDC"},
         {PictureView::from_light, "", {}, "the light's view"},
         {PictureView::mirror_ways, "", {}, "mirrored camera"},
         {PictureView::lecture_code, "", {}, "ShadowMatrix"},

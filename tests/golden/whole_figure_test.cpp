@@ -46,6 +46,7 @@ const std::vector<Shown>& shown_views() {
         {PictureView::fighting, "fighting-16-bit"},
         {PictureView::passes, "passes"},
         {PictureView::moving_world},
+        {PictureView::clip},
         {PictureView::from_light, "from-light"},
         {PictureView::mirror_ways, "mirror-ways"},
         {PictureView::lecture_code, "lecture-code"},

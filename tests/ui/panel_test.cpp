@@ -236,6 +236,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "view.triangle",
                     "view.pass",
                     "view.derivation_step",
+                    "view.division",
                     "view.lower_left",
                     "view.lower_right",
                     "ui.theme",

@@ -56,14 +56,6 @@ float number_width(const char* text) {
 
 namespace {
 
-const char* outcome_of(FrustumPlane plane) {
-    static constexpr std::array texts = {marked("inside the frustum"),       marked("cut off by the near plane"),
-                                         marked("cut off by the far plane"), marked("left of the picture"),
-                                         marked("right of the picture"),     marked("below the picture"),
-                                         marked("above the picture")};
-    return tr(texts[static_cast<std::size_t>(plane)]);
-}
-
 /// Where the value of a line begins, and with how many characters a component of a vector is padded.
 struct LineStyle {
     float column;

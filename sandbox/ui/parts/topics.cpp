@@ -77,6 +77,7 @@ std::span<const char* const> topic_names() {
                                             marked("Pixel grid"),
                                             marked("Depth fighting"),
                                             marked("Moving the world"),
+                                            marked("Clip space"),
                                             marked("GL calls, pass by pass"),
                                             marked("BSP tree"),
                                             marked("Drawing order"),

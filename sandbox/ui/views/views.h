@@ -98,6 +98,9 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
 /// Draws a ring around the pinned pixel, large enough to be visible.
 void draw_pin(const Overlay& overlay, glm::ivec2 pixel);
 
+/// Draws eye space, NDC, or a space between the two: the frustum with the scene inside, seen from outside.
+void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture);
+
 /// Pins a pixel of the camera's picture and replaces any other pin. If this pixel is already pinned, removes the pin.
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 

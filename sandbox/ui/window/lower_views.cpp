@@ -47,7 +47,8 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
     widgets::Tooltip(
         "What this view shows",
         "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
-        "camera stays; why a pixel has its color; the depth buffer and its analysis (histogram, precision, codes, one "
+        "camera stays; clip space, where the frustum becomes a box; why a pixel has its color; the depth buffer and "
+        "its analysis (histogram, precision, codes, one "
         "pixel, a block of pixels, depth fighting); the lecture's display(); the lecture's derivation and code for "
         "shadow and mirror, and four "
         "ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the tree, the "
@@ -155,6 +156,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
             return draw_fighting_view(session, pictures.depth.fighting.get(), rect);
         case Topic::moving_world:
             return draw_moving_world_view(session, state, derived, rect, picture);
+        case Topic::clip:
+            return draw_clip_view(session, state, derived, rect, picture);
         case Topic::passes:
             return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
         case Topic::tree:

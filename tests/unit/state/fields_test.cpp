@@ -122,6 +122,7 @@ constexpr std::string_view contract_paths[] = {
     "view.triangle",
     "view.pass",
     "view.derivation_step",
+    "view.division",
     "view.lower_left",
     "view.lower_right",
     "view.layout.big",

@@ -215,6 +215,7 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "triangle": -1,
     "pass": -1,
     "derivation_step": -1,
+    "division": 1,
     "lower_left": "automatic",
     "lower_right": "automatic",
     "layout": {
