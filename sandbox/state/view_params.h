@@ -28,7 +28,6 @@ enum class Topic {
     cells,
     fighting,
     moving_world,
-    clip,
     passes,
     tree,
     order,
@@ -39,7 +38,8 @@ enum class Topic {
     mirror_ways,
     from_light,
     display_code,
-    why
+    why,
+    clip
 };
 
 /// Fields to change, each as PATH=VALUE with a JSON value: "projection.near=0.001".

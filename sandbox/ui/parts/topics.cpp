@@ -77,7 +77,6 @@ std::span<const char* const> topic_names() {
                                             marked("Pixel grid"),
                                             marked("Depth fighting"),
                                             marked("Moving the world"),
-                                            marked("Clip space"),
                                             marked("GL calls, pass by pass"),
                                             marked("BSP tree"),
                                             marked("Drawing order"),
@@ -88,7 +87,8 @@ std::span<const char* const> topic_names() {
                                             marked("Mirror, four ways"),
                                             marked("Seen from the light"),
                                             marked("The lecture's display()"),
-                                            marked("Why this pixel?")};
+                                            marked("Why this pixel?"),
+                                            marked("Clip space")};
     return names;
 }
 
