@@ -22,7 +22,9 @@ public:
     FigureView(const char* name, const Rect& rect)
         : view_(name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
         const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-        is_wide_ = room.x >= px(420.0F) && room.x >= 1.3F * room.y;
+        // A stage's lines are longer: there, a text beside the figure is cut unless the view is very low.
+        const float least_aspect = widgets::HasPlainTitles() && room.x < px(520.0F) ? 2.0F : 1.3F;
+        is_wide_ = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
         const float width = is_wide_ ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
         const float height = is_wide_ ? std::max(room.y, 1.0F) : std::max(std::floor(room.y * 0.5F), px(60.0F));
         figure_ = {from, {from.x + width, from.y + height}};
