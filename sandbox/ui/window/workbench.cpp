@@ -80,10 +80,16 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     const bool has_strip = guide.is_shown() && arrangement.has_strip;
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && arrangement.presents) {
-        // The strip keeps its place throughout a lesson, unless that takes space from what the step names.
+        // The strip keeps its place throughout a lesson, unless that takes space or symbols from what the step names.
         const float own = now.strip_px;
+        const auto has_symbols = [&] {
+            return lay_out(window_px, widgets.scale, now).matrices.height() >=
+                   std::floor(now.telling.tall_matrices * widgets.scale);
+        };
+        const bool may_have_symbols = has_symbols();
         now.strip_px = std::max(own, tallest_strip(*guide.run(), strip_width, widgets, look));
-        if (!lay_out(window_px, widgets.scale, now).column_fits) now.strip_px = own;
+        const bool fits = lay_out(window_px, widgets.scale, now).column_fits;
+        if (!fits || (may_have_symbols && !has_symbols())) now.strip_px = own;
     }
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
