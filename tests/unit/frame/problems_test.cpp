@@ -158,6 +158,11 @@ const std::vector<Case>& cases() {
          far_shadow_scene,
          {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,5],\"extent\":6}]", "light.position=[4,2,0.5,1]"},
          {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,5],\"extent\":6}]", "light.position=[4,9,2,1]"}},
+        {"shadow",  // below the floor, the wall's shadow is seen through the floor's patch, but hidden by it
+         "share one stencil value",
+         box_scene,
+         {"shadow.own_stencil=false", wall, "depth.test=false"},
+         {"shadow.own_stencil=false", wall}},
         {"reflection",
          "the image in plane 2 is also drawn over plane 1",
          box_scene,
