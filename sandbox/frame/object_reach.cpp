@@ -56,23 +56,17 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// Returns four linear forms: the distances of a vertex's image from the patch's edges, times the image's w. If w > 0,
-/// the image is in the patch exactly where all four are nonnegative.
+/// Returns forms_of_edges() over boxes in a model's space.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);
-    const double reach = patch.reach();
+    const std::array<glm::dvec4, 4> forms = forms_of_edges(plane_from_world, patch);
     std::vector<BoxForm> ways;
-    for (const glm::dvec3& axis : {patch.u, patch.v}) {
-        const glm::dvec4 along = axis.x * rows[0] + axis.y * rows[1] + axis.z * rows[2];
-        const glm::dvec4 along_summed = std::abs(axis.x) * glm::abs(rows[0]) + std::abs(axis.y) * glm::abs(rows[1]) +
-                                        std::abs(axis.z) * glm::abs(rows[2]);
-        const double to_center = glm::dot(axis, patch.center);
-        const glm::dvec4 offset = along - to_center * rows[3];
-        const glm::dvec4 summed =
-            along_summed + (glm::dot(glm::abs(axis), glm::abs(patch.center)) + reach) * glm::abs(rows[3]);
-        for (const double side : {-1.0, 1.0})
-            ways.emplace_back(reach * rows[3] - side * offset, world_from_model, 2.0 * summed);
+    for (std::size_t edge = 0; edge < forms.size(); ++edge) {
+        const glm::dvec3 axis = glm::abs(edge < 2 ? patch.u : patch.v);
+        const glm::dvec4 along = axis.x * glm::abs(rows[0]) + axis.y * glm::abs(rows[1]) + axis.z * glm::abs(rows[2]);
+        const glm::dvec4 summed = along + (glm::dot(axis, glm::abs(patch.center)) + patch.reach()) * glm::abs(rows[3]);
+        ways.emplace_back(forms[edge], world_from_model, 2.0 * summed);
     }
     return ways;
 }
@@ -198,6 +192,27 @@ bool lands_beyond(const Scene& scene, const Landing& landing) {
         return lands(object, landing, true, false) && lands(object, landing, false, false) &&
                crosses_edge_in_picture(object, landing);
     });
+}
+
+glm::dmat4 seen_on_plane(const glm::dvec4& unit_plane, const glm::dvec4& eye_world) {
+    return shadow_sign(unit_plane, eye_world) * shadow_matrix(unit_plane, eye_world);
+}
+
+std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch) {
+    const glm::dmat4 rows = glm::transpose(plane_from_world);
+    const auto offset = [&](const glm::dvec3& axis) {
+        return axis.x * rows[0] + axis.y * rows[1] + axis.z * rows[2] - glm::dot(axis, patch.center) * rows[3];
+    };
+    const glm::dvec4 reach = patch.reach() * rows[3], along_u = offset(patch.u), along_v = offset(patch.v);
+    return {reach + along_u, reach - along_u, reach + along_v, reach - along_v};
+}
+
+bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
+    return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
+}
+
+bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance) {
+    return !is_above(object, unit_plane, tolerance) && !is_above(object, -unit_plane, tolerance);
 }
 
 bool lands_inside(const Scene& scene, const Landing& landing) {

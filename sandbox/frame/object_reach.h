@@ -1,6 +1,8 @@
 // Finds objects by position: on one side of a plane, or beyond the edge of a patch. Part of problems.h.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
 #include "frame/derive.h"
@@ -43,5 +45,20 @@ struct Landing {
 /// edge, and assumes that a large mesh has some.
 bool lands_beyond(const Scene& scene, const Landing& landing);
 bool lands_inside(const Scene& scene, const Landing& landing);
+
+/// Returns S with the eye as its light. It projects points onto a plane as the eye sees them; w is positive for points
+/// on the same side of the eye as the plane.
+glm::dmat4 seen_on_plane(const glm::dvec4& unit_plane, const glm::dvec4& eye_world);
+
+/// Returns four linear forms: the distances of a point's image from the patch's edges, times the image's w. If w > 0,
+/// the image is in the patch exactly where all four are nonnegative.
+std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch);
+
+/// Returns false only if no part of an object is where all forms are positive: one of them is positive at none of its
+/// vertices and, since forms are linear, nowhere inside its triangles.
+bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
+
+/// Returns whether every vertex of an object is at most `tolerance` (world units) away from a unit plane.
+bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance);
 
 }  // namespace viewing

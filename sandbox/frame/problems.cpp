@@ -166,7 +166,8 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame) {
     std::vector<Problem> problems;
-    find_view_problems(problems, params, derived, scene);
+    const std::vector<SeenImage> images = seen_images(derived, scene, frame);
+    find_view_problems(problems, params, derived, scene, images);
     find_slips(problems, params, scene);
     find_projection_problems(problems, params, derived);
     find_light_problems(problems, params, derived, scene);
@@ -180,7 +181,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
         std::erase_if(problems, [](const Problem& problem) { return problem.kind != ProblemKind::worth_knowing; });
     else
         find_cull_problems(problems, params, derived, scene);
-    find_depth_problems(problems, params, derived, scene);
+    find_depth_problems(problems, params, derived, scene, images);
     if (params.follow && !derived.followed)
         problems.push_back({tr("the followed vertex does not exist in this scene"), "follow"});
     return problems;

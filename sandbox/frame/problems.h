@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/plan.h"
+#include "frame/planes/image_reach.h"
 
 namespace viewing {
 
@@ -27,9 +28,10 @@ struct Problem {
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 
-/// Adds a problem if the picture shows none of the objects.
+/// Adds a problem if the picture shows none of the objects, not even in a mirror, or nothing of a mesh, or if far
+/// cuts off what mirrors show.
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                        const Scene& scene);
+                        const Scene& scene, const std::vector<SeenImage>& images);
 
 /// Adds a problem if culling removes the sides that face the eye.
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
@@ -40,7 +42,7 @@ void find_by_hand_problems(std::vector<Problem>& problems, const Params& params,
 
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene);
+                         const Scene& scene, const std::vector<SeenImage>& images);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "frame/depth/near_advice.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -50,17 +53,134 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
     return tr(sentence);
 }
 
+/// A mesh's part in the picture. Lengths are shares of the picture's height.
+struct Drawn {
+    double area = 0.0;    ///< of all its triangles, whether or not they hide each other
+    double length = 0.0;  ///< the diagonal of its bounds
+
+    double thickness() const { return length > 0.0 ? area / length : 0.0; }
+};
+
+/// Returns nothing if part of the mesh is behind the eye: it is not small then.
+std::optional<Drawn> drawn_size(const Mesh& mesh, const glm::dmat4& clip_from_model, double aspect) {
+    Drawn drawn;
+    std::vector<glm::dvec2> points;
+    glm::dvec2 min(std::numeric_limits<double>::infinity()), max(-min);
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec4 clip = clip_from_model * glm::dvec4(position, 1.0);
+        if (!(clip.w > 0.0)) return std::nullopt;
+        points.push_back(0.5 * glm::dvec2(aspect * clip.x, clip.y) / clip.w);
+        min = glm::min(min, points.back());
+        max = glm::max(max, points.back());
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::dvec2 at = points[mesh.indices[i]], u = points[mesh.indices[i + 1]] - at,
+                         v = points[mesh.indices[i + 2]] - at;
+        drawn.area += 0.5 * std::abs(u.x * v.y - u.y * v.x);
+    }
+    drawn.length = glm::length(max - min);
+    return drawn;
+}
+
+/// Returns the longest side of the box that holds all vertices but a few: along each axis, the lowest and the highest
+/// fiftieth of them do not count. Model units; judged by some thousand vertices.
+double size_of_most(const Mesh& mesh) {
+    constexpr std::size_t judged = 4096, left_out = 50;
+    const std::size_t step = std::max<std::size_t>(1, mesh.positions.size() / judged);
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> values;
+        for (std::size_t i = 0; i < mesh.positions.size(); i += step) values.push_back(mesh.positions[i][axis]);
+        std::sort(values.begin(), values.end());
+        const std::size_t few = (values.size() + left_out - 1) / left_out;
+        if (values.size() > 2 * few)
+            longest = std::max(longest, static_cast<double>(values[values.size() - 1 - few] - values[few]));
+    }
+    return longest;
+}
+
+/// Returns how many times a mesh is as large as the box of most of its vertices, if that box is a dot in the picture;
+/// otherwise 0.
+double times_of_most(const SceneObject& object, const Params& params, const Derived& derived) {
+    constexpr std::size_t most_vertices = 200'000;
+    constexpr double dot = 1.0 / 100.0, apart = 100.0;
+    const Mesh& mesh = *object.mesh;
+    if (mesh.positions.size() > most_vertices) return 0.0;
+    const Bounds bounds = bounds_of(mesh);
+    const glm::dvec3 extent(bounds.size());
+    const double whole = std::max({extent.x, extent.y, extent.z}), most = size_of_most(mesh);
+    if (!(apart * most < whole)) return 0.0;
+    double scale = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        scale = std::max(scale, glm::length(glm::dvec3(object.world_from_model[axis])));
+    const glm::dvec4 center =
+        derived.view_from_world * object.world_from_model * glm::dvec4(glm::dvec3(bounds.center()), 1.0);
+    const Lens lens = params.lens();
+    const bool is_dot = most * scale < dot * picture_height(lens, std::max(-center.z, lens.near));
+    return is_dot ? whole / std::max(most, 1e-6 * whole) : 0.0;
+}
+
+/// Reports meshes from files of which nothing, or only a dot, can be seen although they are in the view.
+void say_too_small(std::vector<Problem>& problems, const Params& params, const Derived& derived, const Scene& scene) {
+    constexpr std::size_t most_vertices = 20'000;
+    constexpr double thinnest = 1.0 / 2000.0;
+    Sayer tell(problems, group);
+    for (const SceneObject& object : scene.objects) {
+        const Mesh& mesh = *object.mesh;
+        if (object.description.shape != ShapeKind::mesh || mesh.positions.empty() ||
+            !is_in_view(object, params, derived))
+            continue;
+        const std::string name = object_text(object.description.name);
+        if (const double times = times_of_most(object, params, derived); times > 1.0) {
+            tell(true, say("{object} is {times} times as large as the box that holds nearly all of its vertices: a few "
+                           "stray vertices make the rest a dot",
+                           "object"_a = name, "times"_a = figures(times, 2)));
+            continue;
+        }
+        if (mesh.positions.size() > most_vertices) continue;
+        const std::optional<Drawn> drawn =
+            drawn_size(mesh, derived.clip_from_world * object.world_from_model, derived.view_aspect);
+        tell(drawn && drawn->thickness() < thinnest,
+             say("{object} covers less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
+                 "little or nothing of it is drawn",
+                 "object"_a = name));
+    }
+}
+
+/// Reports images that far cuts off: they are as far behind the mirror as their objects are in front of it.
+void say_far(std::vector<Problem>& problems, const Params& params, const std::vector<SeenImage>& images) {
+    std::vector<std::string> names;
+    double farthest = 0.0;
+    for (const SeenImage& image : images) {
+        if (!image.is_cut_off) continue;
+        names.push_back(object_text(image.name));
+        farthest = std::max(farthest, image.farthest);
+    }
+    if (names.empty() || !shows_effects(params)) return;
+    Sayer(problems, group)
+        .broken(true,
+                say("far = {far} cuts off the mirror image of {objects}, which reaches to z = {z}",
+                    "far"_a = figures(params.projection.far, 3), "objects"_a = viewing::joined(names),
+                    "z"_a = figures(farthest, 3)),
+                "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
+}
+
 }  // namespace
 
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                        const Scene& scene) {
+                        const Scene& scene, const std::vector<SeenImage>& images) {
+    say_too_small(problems, params, derived, scene);
     const auto is_there = [&](const SceneObject& object) { return is_in_view(object, params, derived); };
-    if (scene.objects.empty() || std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) return;
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) return say_far(problems, params, images);
+    if (scene.objects.empty()) return;
     Params unlimited = params;
     unlimited.projection.far = 1e12;
     std::vector<SeenThing> seen = seen_things(unlimited, derived, scene);
     std::erase_if(seen, [](const SeenThing& thing) { return thing.is_plane; });
-    if (seen.empty()) return Sayer(problems, group).window(true, beside_the_view(params, derived, scene));
+    if (seen.empty()) {
+        Sayer(problems, group).window(images.empty(), beside_the_view(params, derived, scene));
+        return say_far(problems, params, images);
+    }
 
     const double near = params.projection.near, far = params.projection.far;
     const auto is_before = [near](const SeenThing& thing) { return thing.farthest < near; };

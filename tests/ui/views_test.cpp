@@ -236,6 +236,35 @@ TEST_F(ViewsTest, TheHeaderSelectsWhatTheCameraShows) {
     EXPECT_EQ(params.view.depth_scale, DepthScale::window);
 }
 
+/// Of five mistakes, each with a sentence and a fix, three are told, and a click tells the others too.
+TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
+    const auto fixes = [] {
+        const std::vector<widgets::RecordedItem>& items = widgets::CurrentContext().recorded;
+        return std::count_if(items.begin(), items.end(),
+                             [](const widgets::RecordedItem& item) { return item.label == "view/Fix"; });
+    };
+    params.shadow.stencil_once = false;
+    params.reflection.reflect_light = params.reflection.flip_winding = false;
+    params.cull.enabled = true;
+    desk.settle();
+    EXPECT_EQ(fixes(), 3);
+    EXPECT_FALSE(ui.has("view/other sentences"));
+    params.shadow.offset = ShadowOffset::none;
+    params.depth.clear = false;
+    desk.settle();
+    EXPECT_EQ(fixes(), 3);
+    desk.click("view/other sentences");
+    desk.settle();
+    EXPECT_EQ(fixes(), 5);
+    desk.click("view/other sentences");
+    desk.settle();
+    EXPECT_EQ(fixes(), 3);
+    params.depth.clear = true;
+    params.shadow.offset = ShadowOffset::polygon_offset;
+    desk.settle();
+    EXPECT_FALSE(ui.has("view/other sentences"));
+}
+
 TEST_F(ViewsTest, ABrokenSwitchCanBeFixedOverThePicture) {
     params.shadow.stencil_once = false;
     desk.settle();

@@ -1,5 +1,6 @@
 // Reports what each switch of the depth buffer does to the picture. Part of problems.h.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -154,7 +155,8 @@ std::string finer_depth(const Params& params, const Derived& derived, const std:
 
 /// Reports that depth is too coarse for the objects in view. Reports nothing if the scene has nearly coplanar surfaces,
 /// which have a view of their own.
-void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                      const std::vector<SeenImage>& images) {
     const DepthParams& depth = params.depth;
     if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
     if (has_bent_depth(depth) || scene.objects.empty()) return;
@@ -162,12 +164,25 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
     const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
     const double reach = 0.5 * glm::length(scene.bounds_world.max - scene.bounds_world.min);
-    const double farthest = std::clamp(glm::dot(distance, glm::dvec4(center, 1.0)) + reach, lens.near, lens.far);
+    double farthest = glm::dot(distance, glm::dvec4(center, 1.0)) + reach;
+    for (const SeenImage& image : images) farthest = std::max(farthest, image.farthest);
+    farthest = std::clamp(farthest, lens.near, lens.far);
     if (unresolved_share(params, derived, farthest) < visible_share || !near_coplanar_pairs(scene).empty()) return;
-    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    const SeenThing* worst = nullptr;
-    for (const SeenThing& thing : seen)
-        if (!thing.is_plane && (!worst || thing.farthest > worst->farthest)) worst = &thing;
+    std::vector<SeenThing> seen = seen_things(params, derived, scene), mirrored;
+    for (SeenThing& thing : seen) thing.name = object_text(thing.name);
+    // An oblique near plane changes the depth of images: mirror_problems.cpp reports that.
+    for (const SeenImage& image : images)
+        if (image.is_shown && params.reflection.clip != MirrorClip::oblique)
+            mirrored.push_back({say("the mirror image of {object}", "object"_a = object_text(image.name)),
+                                image.nearest, std::min(image.farthest, lens.far)});
+    const auto farthest_of = [](const std::vector<SeenThing>& things) {
+        const SeenThing* found = nullptr;
+        for (const SeenThing& thing : things)
+            if (!thing.is_plane && (!found || thing.farthest > found->farthest)) found = &thing;
+        return found;
+    };
+    const SeenThing* worst = farthest_of(seen);
+    if (!worst || unresolved_share(params, derived, worst->farthest) < visible_share) worst = farthest_of(mirrored);
     if (!worst) return;
     const double share = unresolved_share(params, derived, worst->farthest);
     if (share < visible_share) return;
@@ -175,9 +190,46 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(true,
                 say("at {object} (z = {z}), depths that differ by less than {gap} are not distinguished, {percent} of "
                     "the picture's height there: where surfaces meet, the wrong one may win",
-                    "object"_a = object_text(worst->name), "z"_a = figures(worst->farthest, 3),
-                    "gap"_a = figures(gap, 2), "percent"_a = percent(share)),
+                    "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
+                    "percent"_a = percent(share)),
                 finer_depth(params, derived, seen, worst->farthest));
+}
+
+/// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
+void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
+    const Lens lens = params.lens();
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const DerivedPlane& plane = planes[index];
+        if (plane.eye_side == 0.0) continue;
+        std::vector<glm::dvec4> seen = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
+        for (const glm::dvec4& edge : forms_of_edges(glm::dmat4(1.0), plane.patch)) seen.push_back(edge);
+        for (const SceneObject& object : scene.objects) {
+            const double least_apart = 1e-3 * plane.patch.extent;
+            if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
+            const glm::dvec4 center =
+                object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+            const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * glm::dvec3(center);
+            const double cosine =
+                std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);
+            const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
+            const double fights = fighting_onset(depth_coding(params, derived), z).gap() * cosine;
+            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, seen)) continue;
+            glm::dvec4 equation = params.planes[index].equation;
+            const double apart = std::max(least_apart, 8.0 * fights / std::max(cosine, 1e-3));
+            equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
+            tell.broken(true,
+                        say("{object} lies in {plane} itself: where their depths round alike, the two fight",
+                            "object"_a = object_text(object.description.name),
+                            "plane"_a = planes_name(std::array{index}, planes.size())),
+                        index > 0 ? ""
+                                  : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
+                                        "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]");
+        }
+    }
 }
 
 /// Returns whether a polygon offset moves decals or shadows.
@@ -259,14 +311,15 @@ void say_omissions(Sayer& tell, const Params& params) {
 }  // namespace
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene) {
+                         const Scene& scene, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(params, derived, scene)) return;
     say_tests(tell, params.depth, derived, scene);
     say_clears(tell, params.depth);
     say_cleared_code(tell, params, derived, scene);
-    say_coarse_depth(tell, params, derived, scene);
+    say_coarse_depth(tell, params, derived, scene, images);
+    say_in_plane(tell, params, derived, scene);
     say_driver(tell, params.depth, derived.stored_depth.precision);
     say_mappings(tell, params, derived, scene);
     say_decals(tell, params, derived, scene);

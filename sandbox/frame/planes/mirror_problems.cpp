@@ -40,13 +40,6 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     return sees_any ? mirrors : std::vector<Mirror>{};
 }
 
-/// Returns S with the eye as its light. It projects points onto the plane as the eye sees them; w is positive for
-/// points on the same side of the eye as the plane.
-glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
-    return shadow_sign(mirror.plane.unit_plane, derived.eye_world) *
-           shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
-}
-
 /// Reports how much depth precision is lost or gained by using the mirror as the near plane.
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                  const FramePlan& frame) {
@@ -129,12 +122,13 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(scene, {seen_on_plane(mirror, derived) * mirror.plane.mirrored_world_from_world,
-                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
+        return lands_beyond(
+            scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirror.plane.mirrored_world_from_world,
+                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
     };
     const auto is_covered = [&](const Mirror& mirror) {
-        return lands_inside(
-            scene, {seen_on_plane(mirror, derived), derived.clip_from_world, mirror.towards_eye(), mirror.plane.patch});
+        return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
+                                    mirror.towards_eye(), mirror.plane.patch});
     };
     const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
     tell.broken(!reflection.stencil && (is_distorted || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
@@ -161,6 +155,26 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 tr("the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
+}
+
+/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
+/// value.
+void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
+    if (params.shadow.own_stencil || !params.reflection.stencil) return;
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    for (const Mirror& mirror : mirrors) {
+        const auto index = static_cast<std::size_t>(&mirror.plane - derived.planes.data());
+        std::vector<std::size_t> covered;
+        for (std::size_t before = 0; before < index; ++before)
+            if (planes[before].eye_side != 0.0 && is_in_view(planes[before].patch, derived.clip_from_world))
+                covered.push_back(before);
+        if (!covered.empty())
+            return tell.broken(true,
+                               say("the planes share one stencil value: the image in plane {plane} is also drawn over "
+                                   "{planes}",
+                                   "plane"_a = index + 1, "planes"_a = planes_name(covered, planes.size())),
+                               "shadow.own_stencil");
+    }
 }
 
 /// Reports the mistakes in R, for the first mirror that shows them.
@@ -329,6 +343,7 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
     say_masks(tell, params, derived, mirrors, scene);
+    say_shared_value(tell, params, derived, mirrors);
     if (params.reflection.clip == MirrorClip::oblique) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, mirrors, scene);
     say_slips(tell, params, derived, mirrors);

@@ -146,6 +146,28 @@ void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown
                 "shadow.style=missing_light");
 }
 
+/// Returns whether a shadow may fall on a patch that was drawn before its own and has the same stencil value: it lies
+/// in front of that patch's plane, as the eye sees it, and in the picture.
+bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow, const Scene& scene) {
+    const glm::dmat4 landed = shadow.cast.sign * shadow.cast.shadowed_world_from_world;
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * landed);
+    const bool tests = params.depth.tests() && params.shadow.offset != ShadowOffset::no_depth_test;
+    for (const DerivedPlane& before : derived.planes) {
+        if (&before == &shadow.plane) return false;
+        if (before.eye_side == 0.0) continue;
+        std::vector<glm::dvec4> forms = {clip[3], clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1],
+                                         clip[3] - clip[1]};
+        if (params.shadow.clip_casters) forms.push_back(shadow.towards_light());
+        if (tests) forms.push_back(plane_facing(before.unit_plane, derived.eye_world) * landed);
+        const glm::dmat4 seen = seen_on_plane(before.unit_plane, derived.eye_world) * landed;
+        for (const glm::dvec4& edge : forms_of_edges(seen, before.patch)) forms.push_back(edge);
+        if (std::any_of(scene.objects.begin(), scene.objects.end(),
+                        [&](const SceneObject& object) { return may_reach(object, forms); }))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
@@ -170,7 +192,9 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     }
     if (shadow.own_stencil) return;
     const bool lights = derived.lights_world.size() > 1 && thrown.size() > 1,
-               planes = drawn_planes(params, derived).size() > 1;
+               planes = shadow.style == ShadowStyle::blend &&
+                        std::any_of(thrown.begin(), thrown.end(),
+                                    [&](const Thrown&one) { return may_leak(params, derived, one, scene); });
     tell.broken(lights && !planes,
                 tr("the lights share one stencil bit: where one light's shadow was counted, another's is missing"),
                 "shadow.own_stencil");

@@ -176,19 +176,46 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     return next;
 }
 
-/// Draws the problems' sentences, the worst kind first, until they reach the picture's middle. Returns the covered
-/// area. On stage, the others would compete with the lesson's own sentences: only a wrong picture is explained.
+/// Returns the problems to tell over the picture: the worst kind first and, within a kind, first those that a button
+/// fixes. On stage, the others would compete with the lesson's own sentences: only a wrong picture is explained.
+std::vector<const Problem*> told_problems(const std::vector<Problem>& problems) {
+    std::vector<const Problem*> told;
+    for (const Problem& problem : problems)
+        if (problem.kind == ProblemKind::wrong || !widgets::HasPlainTitles()) told.push_back(&problem);
+    const auto rank = [](const Problem* problem) { return std::pair(problem->kind, problem->mended_by.empty()); };
+    std::stable_sort(told.begin(), told.end(),
+                     [&](const Problem* one, const Problem* other) { return rank(one) < rank(other); });
+    return told;
+}
+
+/// Draws at most three problems' sentences at once, until they reach the picture's middle; a small button opens the
+/// others. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
+    constexpr std::size_t most = 3;
     const float first = rect.min.y + px(15.0F);
     if (widgets::IsCovered("sentences")) return {};
+    const std::vector<const Problem*> told_ones = told_problems(problems);
+    bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("all sentences"), false);
+    const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
+    // Opened, the sentences leave room for the button that closes them.
+    const float last = is_open ? rect.max.y - px(90.0F) : (rect.min.y + rect.max.y) * 0.5F;
     float top = first;
-    const float middle = (rect.min.y + rect.max.y) * 0.5F;
-    for (const ProblemKind kind : {ProblemKind::wrong, ProblemKind::worth_knowing, ProblemKind::about_window})
-        for (const Problem& problem : problems)
-            if (problem.kind == kind && top < middle && (kind == ProblemKind::wrong || !widgets::HasPlainTitles()))
-                top = tell_why(session, problem, rect, top);
-    const Rect told{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}};
+    std::size_t fitting = 0;
+    while (fitting < shown && top < last) {
+        const float next = tell_why(session, *told_ones[fitting], rect, top);
+        if (next == top) break;
+        top = next;
+        ++fitting;
+    }
     if (top == first) return {};
+    const bool closes = is_open && told_ones.size() > most;
+    if ((closes || fitting < told_ones.size()) && top + px(24.0F) < rect.max.y) {
+        ImGui::SetCursorScreenPos({rect.min.x + px(20.0F), top - px(4.0F)});
+        const std::string label = closes ? tr("Fewer") : say("{count} more", "count"_a = told_ones.size() - fitting);
+        if (widgets::SmallButton((label + "###other sentences").c_str())) is_open = !closes;
+        top += px(24.0F);
+    }
+    const Rect told{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}};
     widgets::MarkTarget("sentences", told.min, told.max);
     return told;
 }

@@ -42,6 +42,16 @@ Scene small_scene() {
     return scene_of({object("pea", sphere_mesh(), {0, 0.1, 0}, glm::dvec3(0.1))});
 }
 
+Scene far_shadow_scene() {
+    return scene_of({object("ball", sphere_mesh(), {1.5, 1.2, 0.5}, glm::dvec3(0.7))});
+}
+Scene sheet_scene() {
+    return scene_of({object("sheet", box_mesh(), {0, 0, 0}, {1, 0, 1})});
+}
+Scene lifted_sheet_scene() {
+    return scene_of({object("sheet", box_mesh(), {0, 0.01, 0}, {1, 0, 1})});
+}
+
 Scene mirrored_scene() {
     return scene_of({object("twin", box_mesh(), {0, 1, 0}, {-1, 1, 1})});
 }
@@ -145,9 +155,28 @@ const std::vector<Case>& cases() {
          {"light.position=[2.6,7,2.2,1]"}},
         {"shadow",
          "share one stencil value",
+         far_shadow_scene,
+         {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,5],\"extent\":6}]", "light.position=[4,2,0.5,1]"},
+         {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,5],\"extent\":6}]", "light.position=[4,9,2,1]"}},
+        {"shadow",  // below the floor, the wall's shadow is seen through the floor's patch, but hidden by it
+         "share one stencil value",
+         box_scene,
+         {"shadow.own_stencil=false", wall, "depth.test=false"},
+         {"shadow.own_stencil=false", wall}},
+        {"reflection",
+         "the image in plane 2 is also drawn over plane 1",
          box_scene,
          {"shadow.own_stencil=false", wall},
-         {"shadow.own_stencil=false"}},
+         {"shadow.own_stencil=false", "planes=[{\"equation\":[0,0,1,3],\"mirrors\":false}]"}},
+        {"depth", "sheet lies in the plane itself", sheet_scene, {}, {}, lifted_sheet_scene},
+        {"depth", "sheet lies in the plane itself", sheet_scene, {}, {"depth.test=false"}},
+        {"depth", "sheet lies in the plane itself", sheet_scene, {}, {"plane.equation=[0,1,0,0.01]"}},
+        {"depth",
+         "at the mirror image of box",
+         box_scene,
+         {"plane.equation=[0,0,1,3]", "camera.position=[0,1,-1.5]", "camera.yaw=0", "camera.pitch=0",
+          "projection.near=0.00001"},
+         {"plane.equation=[0,0,1,3]", "camera.position=[0,1,-1.5]", "camera.yaw=0", "camera.pitch=0"}},
         {"shadow", "share one stencil bit", box_scene, {"shadow.own_stencil=false", side_light}, {side_light}},
         // light
         {"light",
@@ -407,6 +436,38 @@ TEST(Problems, BrokenPictureIsReportedOnThePicture) {
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // between a point light and a parallel one
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.01]"}), 1);
     EXPECT_EQ(breaks({"reflection.reflect_light=false", "shadow.stencil_once=false"}), 2);
+}
+
+/// The box reaches from z = −1 to 1, the mirror is z = −3, and the eye is at z = 5: the image reaches from 10 to 12.
+TEST(Problems, FarCutsAnImageWhereItsVerticesAre) {
+    const auto told = [](const std::string& far) {
+        return problems_with({"plane.equation=[0,0,1,3]", "camera.position=[0,1,5]", "camera.yaw=0", "camera.pitch=0",
+                              "projection.far=" + far},
+                             box_scene());
+    };
+    for (const char* cuts : {"9", "11", "11.9"}) {
+        const std::vector<Problem> problems = told(cuts);
+        EXPECT_TRUE(says(problems, "view", "the mirror image of box, which reaches to z = 12")) << all_of(problems);
+    }
+    for (const char* keeps : {"12.1", "40", "1000"})
+        EXPECT_FALSE(says(told(keeps), "view", "cuts off")) << keeps << ": " << all_of(told(keeps));
+}
+
+/// Applied, the fix takes the sentence away, and every vertex is on the eye's side of the plane.
+TEST(Problems, PlaneMovesAwayFromWhatLiesInIt) {
+    for (const char* equation : {"[0,1,0,0]", "[0,-3,0,0]"}) {
+        const Settings settings = {std::string("plane.equation=") + equation};
+        const std::vector<Problem> problems = problems_with(settings, sheet_scene());
+        const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& problem) {
+            return problem.sentence.find("lies in the plane itself") != std::string::npos;
+        });
+        ASSERT_NE(found, problems.end()) << equation;
+        EXPECT_EQ(all_of(problems_with({settings[0], found->mended_by}, sheet_scene())), "") << found->mended_by;
+        const Params mended = params_with({settings[0], found->mended_by});
+        const glm::dvec4 plane = mended.planes[0].equation;
+        EXPECT_GT(plane.w * plane.y, 0.0) << "the sheet at y = 0 is above the plane, as the eye is";
+        EXPECT_LT(std::abs(plane.w / plane.y), 0.05);
+    }
 }
 
 TEST(Problems, ReportWhetherAnObliqueNearPlaneIsFinerOrCoarser) {

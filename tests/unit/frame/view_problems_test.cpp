@@ -1,5 +1,6 @@
 // A picture without any object explains why and offers a working fix; a picture with objects has no such problem.
 #include <algorithm>
+#include <cmath>
 
 #include "frame/problems.h"
 
@@ -10,19 +11,20 @@
 namespace viewing {
 namespace {
 
-std::vector<Problem> problems_with(const std::vector<std::string>& settings) {
-    const Scene scene = testing::box_scene();
+std::vector<Problem> view_problems(const std::vector<std::string>& settings,
+                                   const Scene& scene = testing::box_scene()) {
     const Result<Params> params = apply_settings(Params{}, settings);
     EXPECT_TRUE(params) << params.error();
     std::vector<Problem> problems;
-    find_view_problems(problems, *params, derive(*params, scene, {}), scene);
+    const Derived derived = derive(*params, scene, {});
+    find_view_problems(problems, *params, derived, scene, seen_images(derived, scene, plan(*params, derived)));
     return problems;
 }
 
 TEST(ViewProblems, AreAbsentIfAnObjectIsVisible) {
-    EXPECT_TRUE(problems_with({}).empty());
-    EXPECT_TRUE(problems_with({"projection.type=orthographic"}).empty());
-    EXPECT_TRUE(problems_with({"projection.fovy=2"}).empty()) << "the middle of an object fills the picture";
+    EXPECT_TRUE(view_problems({}).empty());
+    EXPECT_TRUE(view_problems({"projection.type=orthographic"}).empty());
+    EXPECT_TRUE(view_problems({"projection.fovy=2"}).empty()) << "the middle of an object fills the picture";
 }
 
 TEST(ViewProblems, ReportWhereTheObjectsAre) {
@@ -32,7 +34,7 @@ TEST(ViewProblems, ReportWhereTheObjectsAre) {
                                                          {"camera.pitch=60", "below"},
                                                          {"camera.pitch=-80", "above"}};
     for (const auto& [setting, expected] : cases) {
-        const std::vector<Problem> problems = problems_with({setting});
+        const std::vector<Problem> problems = view_problems({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
         EXPECT_NE(problems[0].sentence.find(expected), std::string::npos) << setting << ": " << problems[0].sentence;
         EXPECT_EQ(problems[0].kind, ProblemKind::about_window);
@@ -41,13 +43,58 @@ TEST(ViewProblems, ReportWhereTheObjectsAre) {
 
 TEST(ViewProblems, ReportAndFixClippingByNearAndFar) {
     for (const std::string& setting : {std::string("projection.near=30"), std::string("projection.far=2")}) {
-        const std::vector<Problem> problems = problems_with({setting});
+        const std::vector<Problem> problems = view_problems({setting});
         ASSERT_EQ(problems.size(), 1U) << setting;
         EXPECT_NE(problems[0].sentence.find(setting.ends_with("30") ? "near = 30" : "far = 2"), std::string::npos)
             << problems[0].sentence;
         ASSERT_FALSE(problems[0].mended_by.empty());
-        EXPECT_TRUE(problems_with({setting, problems[0].mended_by}).empty()) << problems[0].mended_by;
+        EXPECT_TRUE(view_problems({setting, problems[0].mended_by}).empty()) << problems[0].mended_by;
     }
+}
+
+/// The eye is between the box and the mirror, and looks at the mirror.
+TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
+    std::vector<std::string> settings = {"plane.equation=[0,0,1,3]", "camera.position=[0,1,-1.5]", "camera.yaw=0",
+                                         "camera.pitch=0"};
+    EXPECT_TRUE(view_problems(settings).empty());
+    settings.emplace_back("projection.far=3");  // the image reaches from 3.5 to 5.5
+    std::vector<Problem> problems = view_problems(settings);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems[0].sentence.find("reaches to z = 5.5"), std::string::npos) << problems[0].sentence;
+    EXPECT_EQ(problems[0].mended_by, "projection.far=11");
+    settings.back() = "reflection.enabled=false";
+    problems = view_problems(settings);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems[0].sentence.find("behind the camera"), std::string::npos) << problems[0].sentence;
+}
+
+/// Returns a mesh of small triangles in a cube of side 1, and one vertex at a distance along x.
+Scene mesh_scene(float stray, const glm::dvec3& scale) {
+    Mesh mesh;
+    for (int i = 0; i < 300; ++i) {
+        const auto n = static_cast<float>(i);
+        mesh.positions.push_back({std::fmod(0.37F * n, 1.0F), std::fmod(0.61F * n, 1.0F), std::fmod(0.83F * n, 1.0F)});
+        mesh.normals.push_back({0.0F, 1.0F, 0.0F});
+        mesh.indices.push_back(static_cast<std::uint32_t>(i));
+    }
+    mesh.positions[17].x = stray;
+    SceneObject object = testing::object("scan", std::move(mesh), {0.0, 0.5, 0.0}, scale);
+    object.description.shape = ShapeKind::mesh;
+    return testing::scene_of({object});
+}
+
+TEST(ViewProblems, AMeshOfWhichNothingIsSeenIsNamed) {
+    const auto says = [](const Scene& scene, const std::string& words, const std::vector<std::string>& settings = {}) {
+        const std::vector<Problem> problems = view_problems(settings, scene);
+        return std::any_of(problems.begin(), problems.end(),
+                           [&](const Problem& problem) { return problem.sentence.find(words) != std::string::npos; });
+    };
+    EXPECT_FALSE(says(mesh_scene(0.5F, glm::dvec3(1.0)), "scan"));
+    EXPECT_TRUE(says(mesh_scene(0.5F, {2.0, 1e-5, 1e-5}), "thinner than a pixel"));
+    EXPECT_FALSE(says(mesh_scene(0.5F, {2.0, 0.1, 0.1}), "thinner than a pixel"));
+    EXPECT_TRUE(says(mesh_scene(500.0F, glm::dvec3(0.004)), "a few stray vertices make the rest a dot"));
+    EXPECT_FALSE(says(mesh_scene(20.0F, glm::dvec3(0.1)), "stray"));
+    EXPECT_FALSE(says(mesh_scene(500.0F, glm::dvec3(1.0)), "stray")) << "the rest is large enough to see";
 }
 
 TEST(ViewProblems, NumbersAreThoseOfTheVertices) {
@@ -61,7 +108,7 @@ TEST(ViewProblems, NumbersAreThoseOfTheVertices) {
             nearest = std::min(nearest, -(derived.view_from_world * world).z);
             farthest = std::max(farthest, -(derived.view_from_world * world).z);
         }
-    const auto sentence = [](const std::string& setting) { return problems_with({setting}).at(0).sentence; };
+    const auto sentence = [](const std::string& setting) { return view_problems({setting}).at(0).sentence; };
     EXPECT_NE(sentence("projection.near=30").find("z = " + figures(farthest, 3)), std::string::npos);
     EXPECT_NE(sentence("projection.far=2").find("z = " + figures(nearest, 3)), std::string::npos);
 }
