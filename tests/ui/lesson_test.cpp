@@ -205,7 +205,7 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
         const float usual = std::ranges::min(tops);
         lower += static_cast<int>(std::ranges::count_if(tops, [&](float top) { return top > usual + 0.5F; }));
     }
-    EXPECT_LE(lower, std::ssize(shares) / (is_wide ? 6 : 4))
+    EXPECT_LE(lower, std::ssize(shares) / (is_wide ? 5 : 3))
         << "the text of too many steps is lower than that of their lesson";
     RecordProperty("steps with a lower text", lower);
     std::ranges::sort(shares);

@@ -49,8 +49,9 @@ ImVec2 least_size_on_stage(Topic topic) {
         case Topic::display_code:
         case Topic::cells:
         case Topic::pixel:
-        case Topic::why:
             return {440.0F, 150.0F};
+        case Topic::why:
+            return {440.0F, 370.0F};
         case Topic::mirror_derivation:
             return {440.0F, 320.0F};
         case Topic::fighting:
