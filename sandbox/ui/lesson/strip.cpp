@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "text/catalogue.h"
 #include "text/numbers.h"
@@ -366,7 +367,7 @@ float strip_height(const LessonRun& run, float width, const widgets::Context& co
 
 float tallest_strip(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look) {
     struct Key {
-        const Lesson* lesson = nullptr;
+        std::shared_ptr<const Lesson> lesson;  ///< kept, so that no other lesson takes its address
         std::size_t first = 0;
         float width = 0.0F, scale = 0.0F;
         Language language{};
@@ -382,7 +383,7 @@ float tallest_strip(const LessonRun& run, float width, const widgets::Context& c
         first = part.first;
         count = part.count;
     }
-    const Key now{&lesson, first, width, context.scale, spoken_language(), !look.clock.empty()};
+    const Key now{run.shared_lesson(), first, width, context.scale, spoken_language(), !look.clock.empty()};
     if (now == known) return height;
     known = now;
     height = strip_height(run, width, context, look);
