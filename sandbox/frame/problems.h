@@ -11,12 +11,12 @@
 
 namespace viewing {
 
-/// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
-/// sentence is shown.
 /// What a problem's sentence is about; worst first. The picture is wrong; the picture is right, but the user should
 /// know something; or the window shows only a part of it.
 enum class ProblemKind { wrong, worth_knowing, about_window };
 
+/// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
+/// sentence is shown.
 struct Problem {
     std::string sentence;
     std::string_view group;

@@ -31,6 +31,14 @@ Json step_of(Json state, std::size_t number) {
 
 }  // namespace
 
+Json lesson_document(std::string_view text, const std::string& source) {
+    const Where root{source + ": ", ""};
+    Json lesson = parse_document(text, root.prefix);
+    if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") || !lesson["steps"].is_array())
+        root.refuse("is not a lesson: it must have \"lesson\" and a list of \"steps\"");
+    return lesson;
+}
+
 Json state_of_step(const Params& params, const std::string& preset, const std::string& source) {
     const std::string name = preset.empty() ? "opening" : preset;
     const Result<LoadedState> known = load_state(name);
@@ -45,11 +53,7 @@ Json state_of_step(const Params& params, const std::string& preset, const std::s
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
                               const std::string& preset, const std::vector<std::string>& highlight) {
     return guarded([&] {
-        const Where root{source + ": ", ""};
-        Json lesson = existing.empty() ? new_lesson(source) : parse_document(existing, root.prefix);
-        if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") ||
-            !lesson["steps"].is_array())
-            root.refuse("is not a lesson: it must have \"lesson\" and a list of \"steps\"");
+        Json lesson = existing.empty() ? new_lesson(source) : lesson_document(existing, source);
         Json step = step_of(state_of_step(params, preset, source), lesson["steps"].size() + 1);
         if (!highlight.empty()) step["highlight"] = highlight;
         lesson["steps"].push_back(std::move(step));

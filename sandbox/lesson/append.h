@@ -29,6 +29,9 @@ inline constexpr TemplateTexts template_texts{"What the picture shows.",
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
                               const std::string& preset, const std::vector<std::string>& highlight = {});
 
+/// Parses a lesson's file as a document with a list of steps. Throws a Refusal that begins with `source`.
+Json lesson_document(std::string_view text, const std::string& source);
+
 /// Returns a step's "state": its preset, and how the state differs from it. Throws a Refusal that begins with `source`.
 Json state_of_step(const Params& params, const std::string& preset, const std::string& source);
 

@@ -15,12 +15,9 @@ using Pointer = Json::json_pointer;
 template <typename Edit>
 Result<std::string> edited(const LessonSource& source, std::size_t step, const Edit& edit) {
     return guarded([&] {
-        const Where root{source.name + ": ", ""};
-        Json lesson = parse_document(source.text, root.prefix);
-        if (!lesson.is_object() || !lesson.contains("steps") || !lesson["steps"].is_array())
-            root.refuse("is not a lesson: it must have \"lesson\" and a list of \"steps\"");
+        Json lesson = lesson_document(source.text, source.name);
         if (step >= lesson["steps"].size() || !lesson["steps"][step].is_object())
-            root.refuse("has no step " + std::to_string(step + 1));
+            throw Refusal(source.name + ": has no step " + std::to_string(step + 1));
         edit(lesson);
         std::string text = print_document(lesson) + "\n";
         if (const Result<Lesson> read = parse_lesson(text, source.name, source.folder); !read)
@@ -95,8 +92,8 @@ private:
 
 std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language) {
     using Kind = StepPart::Kind;
-    const Result<Json> lesson = guarded([&] { return parse_document(source.text, ""); });
-    if (!lesson || !lesson->is_object() || !lesson->contains("steps") || step >= (*lesson)["steps"].size()) return {};
+    const Result<Json> lesson = guarded([&] { return lesson_document(source.text, source.name); });
+    if (!lesson || step >= (*lesson)["steps"].size()) return {};
     Parts parts((*lesson)["steps"][step], language);
     parts.sentence(Kind::say, "/say");
     parts.sentence(Kind::question, "/ask/question");

@@ -46,9 +46,8 @@ struct StepPart {
 /// the sentence of the reveal, and the lecturer's note, empty if it has none. Empty if the text is not a lesson.
 std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language);
 
-/// Replaces a part. Marking a choice as right unmarks the one that was, which takes over why it is wrong. A
-/// sentence that exists in one language only gets a
-/// second one beside it.
+/// Replaces a part. Marking a choice as right unmarks the one that was, which takes over why it is wrong. A sentence
+/// that exists in one language only gets a second one beside it.
 Result<std::string> with_part(const LessonSource& source, std::size_t step, const StepPart& part, Language language);
 
 /// Moves a step; `to` is clamped to the list.

@@ -9,6 +9,7 @@
 #include "text/words.h"
 #include "ui/lesson/page.h"
 #include "ui/parts/look.h"
+#include "ui/parts/panel_parts.h"
 
 namespace viewing {
 namespace {
@@ -56,9 +57,7 @@ std::string label_of(const StepPart& part) {
 
 /// Draws a button on the current line if there is room, otherwise on the next.
 bool flowing_button(const char* label, const char* tip, bool enabled = true, const char* why_not = "") {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + px(6.0F) + widgets::SmallButtonWidth(label) <= right)
-        ImGui::SameLine(0.0F, px(6.0F));
+    behind(widgets::SmallButtonWidth(label));
     const bool clicked = widgets::SmallButton(label, enabled, why_not);
     widgets::Tooltip(label, tip);
     return clicked;

@@ -92,20 +92,15 @@ void beside_section(Session& session, const std::vector<Problem>& problems) {
          marked("Shows the state before the last edit in the second picture.")},
         {OtherState::preset, marked("The preset"), marked("Shows the unchanged preset in the second picture.")},
         {OtherState::fixed, marked("Fixed"), marked("Shows the same state with its first problem fixed.")}};
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (const Choice& choice : choices) {
         const std::optional<Params> other = other_state(choice.state, session, problems);
-        if (choice.state != OtherState::before_edit) {
-            ImGui::SameLine(0.0F, px(6.0F));
-            if (ImGui::GetCursorScreenPos().x + widgets::SmallButtonWidth(choice.label) > right) ImGui::NewLine();
-        }
+        if (choice.state != OtherState::before_edit) behind(widgets::SmallButtonWidth(choice.label));
         if (widgets::SmallButton(choice.label, other.has_value(), why_no_other(choice.state)))
             show_beside(params, *other);
         widgets::Tooltip(choice.label, tr(choice.about));
     }
     if (params.view.beside.shows != Beside::settings) return;
-    ImGui::SameLine(0.0F, px(6.0F));
-    if (ImGui::GetCursorScreenPos().x + widgets::SmallButtonWidth("Swap") > right) ImGui::NewLine();
+    behind(widgets::SmallButtonWidth("Swap"));
     if (widgets::SmallButton("Swap")) swap_pictures(params);
     widgets::Tooltip("Swap", tr("Exchanges the two pictures: the controls then change the other one."));
 }
