@@ -136,11 +136,11 @@ protected:
         EXPECT_TRUE(is_unsaid || changed <= few_pixels || is_said || was_said || is_choice(change))
             << "silent: " << what << " changes " << changed << " pixels";
         for (const Problem& problem : after.problems) {
-            if (problem.kind != ProblemKind::wrong || problem.mended_by.empty() ||
+            if (problem.kind != ProblemKind::wrong || problem.fixed_by.empty() ||
                 before.sentences.contains(problem.sentence) || is_by_chance(problem.sentence))
                 continue;
-            EXPECT_TRUE(fix_shows(change.params, scene, problem.mended_by))
-                << "alarm: " << what << ": " << problem.sentence << " | " << problem.mended_by;
+            EXPECT_TRUE(fix_shows(change.params, scene, problem.fixed_by))
+                << "alarm: " << what << ": " << problem.sentence << " | " << problem.fixed_by;
         }
         return changed > few_pixels;
     }
