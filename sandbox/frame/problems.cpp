@@ -203,8 +203,11 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
     find_by_hand_problems(problems, params, derived);
-    // While the depth test rejects every fragment, no other effect on the picture can be seen.
-    if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
+    // While the depth test rejects every fragment, no other effect on the picture can be seen. A shadow beyond its
+    // patch is drawn nearer than the depths of the previous frame.
+    const bool hides_itself =
+        hides_next_frame(params.depth) && (params.shadow.clip_to_receiver || !params.shadow.enabled);
+    if (params.visibility.method == VisibilityMethod::depth_buffer && (rejects_all(params.depth) || hides_itself) &&
         !params.reflection.after_objects)
         std::erase_if(problems, [](const Problem& problem) { return problem.kind != ProblemKind::worth_knowing; });
     else

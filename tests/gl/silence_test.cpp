@@ -49,6 +49,8 @@ struct Unsaid {
 constexpr Unsaid unsaid[] = {
     {"room", "reflection.clip=none", "only images of images show what is behind a mirror"},
     {"mirrors-facing", "reflection.side_of_eye=false", "only images of images are seen from behind"},
+    {"front-faces-culled", "reflection.stencil=false",
+     "with few bits, depth rounds alike where image and mirror touch"},
     {"mirror-plus-2ab", "reflection.stencil=false", "the image leaves the mirror inside a triangle"},
 };
 

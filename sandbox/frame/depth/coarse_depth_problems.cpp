@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "frame/depth/depth_switches.h"
 #include "frame/depth/fighting.h"
 #include "frame/depth/near_advice.h"
+#include "frame/depth/pair_prediction.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 
@@ -78,6 +81,76 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
         finer_depth(params, derived, seen, worst->farthest));
 }
 
+/// A pair of flat surfaces that fight, or that may: no prediction rules it out.
+struct FightingPair {
+    const FlatPair* pair;
+    double needed, distance;  ///< the gap, along the normal, that depth is sure to distinguish; where it was judged
+};
+
+/// Returns the pairs in view that fight. Decals that are moved by an offset fight only if the offset is surely too
+/// small.
+std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& derived, const Scene& scene,
+                                         std::span<const FlatPair> pairs) {
+    constexpr int height_px = 720;
+    const glm::ivec2 size_px(std::lround(height_px * derived.view_aspect), height_px);
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1],
+                              clip[3] + clip[2]};
+    const auto is_seen = [&](int object) { return may_reach(scene.objects[static_cast<std::size_t>(object)], sides); };
+    std::vector<FightingPair> found;
+    for (const FlatPair& pair : pairs) {
+        const bool is_moved = pair.has_one_decal() && params.depth.offset != DepthOffset{};
+        if (pair.has_one_decal() && params.depth.decals != DecalMethod::offset) continue;
+        if (!is_seen(pair.first) || !is_seen(pair.second)) continue;
+        const PairPrediction predicted = predict_pair(pair, params, derived, size_px);
+        const std::optional<ShareInterval>& share = predicted.wrong_share;
+        const double needed = predicted.onset.gap() * predicted.slant;
+        const bool may_fight = !share || share->most > 0.0;
+        if (is_moved ? share && share->least > 0.0 : may_fight && pair.gap() < needed)
+            found.push_back({&pair, needed, predicted.distance});
+    }
+    return found;
+}
+
+/// Reports nearly coplanar surfaces that fight, by the pair whose gap is the smallest part of the one that is needed.
+void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write || !is_cleared_to_farthest(depth)) return;
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    if (pairs.empty() || has_bent_depth(depth)) return;
+    const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
+    if (fighting.empty()) return;
+    const FightingPair& worst =
+        *std::min_element(fighting.begin(), fighting.end(), [](const FightingPair& a, const FightingPair& b) {
+            return a.pair->gap() * b.needed < b.pair->gap() * a.needed;
+        });
+    const auto name = [&](int object) {
+        return object_text(scene.objects[static_cast<std::size_t>(object)].description.name);
+    };
+    const std::string first = name(worst.pair->first), second = name(worst.pair->second);
+    const bool is_decal = worst.pair->has_one_decal();
+    Params finer = params;
+    if (const std::optional<double> near = largest_near(seen_things(params, derived, scene)))
+        finer.projection.near = std::max(finer.projection.near, *near);
+    const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
+                                fighting_pairs(finer, derived, scene, pairs).empty();
+    const std::string fix = is_decal         ? "depth.offset={\"factor\": -1, \"units\": -1}"
+                            : is_near_enough ? "projection.near=" + plain_number(finer.projection.near)
+                                             : "";
+    tell.broken(worst.pair->gap() == 0.0,
+                sentence("depth.coplanar",
+                         "{object} and {other} lie in one plane: rounding decides which of the two is visible",
+                         "object"_a = first, "other"_a = second),
+                fix);
+    tell.broken(worst.pair->gap() > 0.0,
+                sentence("depth.fighting",
+                         "{object} and {other} are {gap} apart, but at z = {z}, depth is only sure to distinguish "
+                         "{needed}: where their codes are alike, the two fight",
+                         "object"_a = first, "other"_a = second, "gap"_a = figures(worst.pair->gap(), 2),
+                         "z"_a = figures(worst.distance, 3), "needed"_a = figures(worst.needed, 2)),
+                fix);
+}
+
 /// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
@@ -123,6 +196,7 @@ void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& pa
                                 const Scene& scene, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     say_coarse_depth(tell, params, derived, scene, images);
+    say_pairs(tell, params, derived, scene);
     say_in_plane(tell, params, derived, scene);
 }
 

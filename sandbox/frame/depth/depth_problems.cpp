@@ -15,9 +15,11 @@
 namespace viewing {
 namespace {
 
-bool shows_anything(const Params& params, const Derived& derived, const Scene& scene) {
+bool shows_anything(const Derived& derived, const Scene& scene) {
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
     return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return is_in_view(object, params, derived); }) ||
+                       [&](const SceneObject& object) { return may_reach(object, sides); }) ||
            std::any_of(derived.planes.begin(), derived.planes.end(),
                        [&](const DerivedPlane& plane) { return is_in_view(plane.patch, derived.clip_from_world); });
 }
@@ -57,7 +59,26 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, const Scene& scene) {
+/// Returns the eye distance beyond which depth is stored as the code of the cleared buffer.
+double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
+    const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
+    const double half = 0.5 * code_width(precision_of(depth.format), farthest);
+    return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
+}
+
+/// Returns the setting that replaces a depth function that lets nothing pass; "" if the clear value lets nothing pass
+/// either. With so few bits that everything has the code of the cleared buffer, GL_LESS lets nothing pass.
+std::string usual_func(const Params& params, const Derived& derived, const Scene& scene) {
+    if (clears_to_nearest(params.depth)) return "";
+    const double start = start_of_cleared_code(params.depth, params.lens());
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    const bool is_less_enough =
+        std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
+    return is_less_enough ? "depth.func" : "depth.func=lequal";
+}
+
+void say_tests(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
     // If two switches let the last fragment win, fixing one of them changes nothing.
     const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
     if (!depth.buffer) {
@@ -87,8 +108,8 @@ void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, co
         depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
         sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
         alone("depth.func"));
-    // A buffer that is cleared to the nearest depth rejects everything with GL_LESS, too, so GL_LESS would fix nothing.
-    const char* const as_usual = clears_to_nearest(depth) ? "" : "depth.func";
+    const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
+    const std::string as_usual = is_closed ? usual_func(params, derived, scene) : "";
     tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(
@@ -155,13 +176,6 @@ void say_clears(Sayer& tell, const DepthParams& depth) {
                  "glClear obeys the depth mask: with the mask off it clears no depth, so depths from the previous "
                  "frame keep hiding new fragments"),
         "depth.write_while_clearing");
-}
-
-/// Returns the eye distance beyond which depth is stored as the code of the cleared buffer.
-double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
-    const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
-    const double half = 0.5 * code_width(precision_of(depth.format), farthest);
-    return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
 }
 
 /// Reports objects whose depth code equals that of the cleared buffer, so that GL_LESS rejects them.
@@ -285,8 +299,8 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
                          const Scene& scene, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
-    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(params, derived, scene)) return;
-    say_tests(tell, params.depth, derived, scene);
+    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(derived, scene)) return;
+    say_tests(tell, params, derived, scene);
     say_clears(tell, params.depth);
     say_clear_value(tell, params, derived, scene);
     say_cleared_code(tell, params, derived, scene);

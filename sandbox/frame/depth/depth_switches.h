@@ -50,6 +50,12 @@ inline bool rejects_all(const DepthParams& depth) {
     }
 }
 
+/// Returns whether the depths of the previous, equal frame stay and hide this frame altogether.
+inline bool hides_next_frame(const DepthParams& depth) {
+    return depth.tests() && depth.func == CompareFunc::less && depth.write &&
+           !(depth.clear && depth.write_while_clearing);
+}
+
 /// Returns how many switches, each by itself, let the last fragment drawn win.
 inline int count_of_last_wins(const DepthParams& depth) {
     const bool passes = depth.func == CompareFunc::always || depth.func == CompareFunc::notequal;

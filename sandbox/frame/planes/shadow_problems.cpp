@@ -123,7 +123,8 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.depth.tests() && params.depth.func != CompareFunc::always &&
+                       params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
     const bool by_polygon = shadow.offset == ShadowOffset::polygon_offset,
                by_lift = shadow.offset == ShadowOffset::lift;
@@ -226,8 +227,8 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     if (thrown.empty() || !shows_effects(params)) return;
     const ShadowParams& shadow = params.shadow;
     Sayer tell(problems, "shadow");
-    say_rows(tell, thrown);
     if (!say_casters(tell, shadow, thrown, derived, scene)) return;
+    say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
             !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {

@@ -191,6 +191,11 @@ void add_others(std::vector<Problem>& shown) {
         add({}, box_scene(), other);
     }
     add({"cull.enabled=true"}, testing::scene_of({testing::object("twin", box_mesh(), {0, 1, 0}, {-1, 1, 1})}), usual);
+    for (const double gap : {0.0, 1e-7})
+        add({},
+            testing::scene_of({testing::object("red", quad_mesh(), {0, 1, 0}),
+                               testing::object("blue", quad_mesh(), {0, 1 + gap, 0})}),
+            usual);
     add({}, testing::scene_of({testing::object("sheet", box_mesh(), {0, 0, 0}, {1, 0, 1})}), usual);
     SceneObject decal = testing::object("decal", quad_mesh(), {0, 1, 0});
     decal.description.decal = true;

@@ -56,6 +56,13 @@ Scene mirrored_scene() {
     return scene_of({object("twin", box_mesh(), {0, 1, 0}, {-1, 1, 1})});
 }
 
+Scene coplanar_scene() {
+    return scene_of({object("red", quad_mesh(), {0, 1, 0}), object("blue", quad_mesh(), {0, 1, 0})});
+}
+Scene nearly_coplanar_scene() {
+    return scene_of({object("red", quad_mesh(), {0, 1, 0}), object("blue", quad_mesh(), {0, 1.0001, 0})});
+}
+
 const std::string wall = "planes=[{\"equation\":[0,0,1,3]}]";
 const std::string corner = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
 const std::string facing_walls =
@@ -415,6 +422,14 @@ const std::vector<Case>& cases() {
          box_scene,
          {"depth.format=d16", "projection.near=0.01"},
          {"projection.near=0.01"}},
+        {"depth", "red and blue lie in one plane", coplanar_scene, {}, {}, nearly_coplanar_scene},
+        {"depth", "red and blue lie in one plane", coplanar_scene, {}, {"camera.yaw=180"}},
+        {"depth", "red and blue are 0.0001 apart", nearly_coplanar_scene, {"projection.near=0.001"}, {}},
+        {"depth",
+         "red and blue are 0.0001 apart",
+         nearly_coplanar_scene,
+         {"depth.format=d16"},
+         {"depth.format=d16", "depth.test=false"}},
         {"depth", "glClearDepth(0) is the nearest", box_scene, {"depth.clear_value=0"}, {}},
         {"depth",
          "glClearDepth(0) is the nearest",
