@@ -134,7 +134,10 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
         finer.projection.near = std::max(finer.projection.near, *near);
     const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
                                 fighting_pairs(finer, derived, scene, pairs).empty();
-    const std::string fix = is_decal         ? "depth.offset={\"factor\": -1, \"units\": -1}"
+    // Where a code is a large part of the distance, a few codes more or less help nothing.
+    const bool is_hopeless = worst.needed > 0.05 * worst.distance;
+    const std::string fix = is_hopeless      ? ""
+                            : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"
                             : is_near_enough ? "projection.near=" + plain_number(finer.projection.near)
                                              : "";
     tell.broken(worst.pair->gap() == 0.0,
