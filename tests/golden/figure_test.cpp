@@ -78,6 +78,7 @@ const std::vector<Case>& cases() {
         {PictureView::passes, "", {}, "gl"},
         {PictureView::moving_world, "", {}, "the camera stays"},
         {PictureView::clip, "", {}, "NDC"},
+        {PictureView::way, "", {}, "world"},
         {PictureView::from_light, "", {}, "the light's view"},
         {PictureView::mirror_ways, "", {}, "mirrored camera"},
         {PictureView::lecture_code, "", {}, "ShadowMatrix"},
