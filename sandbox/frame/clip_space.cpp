@@ -154,7 +154,7 @@ ObserverView derive_way_view(const Params& params, const Derived& derived, const
     const double from_fovy_deg = outside_fovy(aspect), fovy_deg = mixed(from_fovy_deg, front_fovy_deg, share);
     // Half the height that the picture shows at the cube's middle; at the front, just enough for the whole window.
     // Nearer than in the view Clip space, since the numbers leave less room.
-    constexpr std::array nearer{0.75, 0.58, 0.58, 0.78, 0.78};
+    constexpr std::array nearer{0.75, 0.6, 0.68, 0.78, 0.78};
     const auto space = static_cast<std::size_t>(std::clamp(params.view.way, 0.0, way_steps - 1e-9));
     const double near_share = mixed(nearer[space], nearer[space + 1], params.view.way - static_cast<double>(space));
     const double half = near_share * outside_distance(params) * std::tan(glm::radians(0.5 * from_fovy_deg));
