@@ -63,6 +63,26 @@ void draw_point_on_ray(Overlay& overlay, const Params& params, const Derived& de
     overlay.label(point, label, palette().point);
 }
 
+bool point_or_observer_mouse(ViewState& state, Session& session, const Derived& derived, const Overlay& overlay) {
+    bool is_over = false;
+    if (derived.followed) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const HandlePlaces places = handle_places(derived);
+        const bool is_held = ImGui::IsItemActive() && state.grip.handle == Handle::point;
+        is_over =
+            is_held || (ImGui::IsItemHovered() && state.grip.handle == Handle::none &&
+                        is_at(overlay, *places.point, mouse) && movable_handle(state, Handle::point) == Handle::point);
+        if (is_over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+            state.grip = take(overlay, places, Handle::point, session.params, mouse);
+        else if (is_held)
+            drag(session.params, overlay, state.grip, mouse, ImGui::GetIO().KeyShift);
+    }
+    observer_mouse(state, session);
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
+    return is_over;
+}
+
 void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& derived) {
     const FrustumPlane cut_by = camera_way(params, derived, derived.followed->point_world).cut_by;
     if (cut_by == FrustumPlane::none || widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P"))
@@ -105,10 +125,10 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
     if (!row.empty()) slider_between(session.params, "view.division", row, tr("eye space"), tr("NDC"));
     draw->ChannelsSetCurrent(0);
     picture_item("lower view", rect, picture);
-    observer_mouse(state, session);
     {
         const ObserverView view = derive_clip_view(session.params, derived, {rect.size_px()});
         Overlay overlay(draw, rect, view.clip_from_world);
+        const bool is_over_point = point_or_observer_mouse(state, session, derived, overlay);
         overlay.keep_labels_off(row);
         draw_code_steps(overlay, session.params, derived);
         draw_frustum(overlay, session.params, derived, effective_camera(derived));
@@ -118,6 +138,7 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
                               division <= 0.0   ? "V p"
                               : division >= 1.0 ? "P V p ÷ w"
                                                 : "p");
+            if (is_over_point) overlay.ring(derived.followed->point_world, palette().point, 9.0F);
             mark_cutting_face(overlay, session.params, derived);
         }
         const auto [whole, brief] = clip_words(session.params);

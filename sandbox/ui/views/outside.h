@@ -14,6 +14,10 @@ void world_axes(Overlay& overlay);
 /// Draws the point on its view ray, with a label.
 void draw_point_on_ray(Overlay& overlay, const Params& params, const Derived& derived, const char* label);
 
+/// Drags the followed point, or turns and zooms the observer. Returns whether the pointer is over the point. The last
+/// item must be the view's picture.
+bool point_or_observer_mouse(ViewState& state, Session& session, const Derived& derived, const Overlay& overlay);
+
 /// Marks the face of the frustum that cuts the followed point off, unless a lesson covers V or P.
 void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& derived);
 

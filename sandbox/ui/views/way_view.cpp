@@ -219,23 +219,6 @@ void way_bar(ViewState& state, Params& params, const Rect& row) {
     if (player.playing) widgets::AskForRedraw(0.0F);
 }
 
-/// Grabs or drags the followed point; returns whether the pointer is over it.
-bool drag_point(ViewState& state, Session& session, const Derived& derived, const Overlay& overlay) {
-    if (!derived.followed) return false;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const HandlePlaces places = handle_places(derived);
-    const bool is_held = ImGui::IsItemActive() && state.grip.handle == Handle::point;
-    const bool is_over =
-        is_held || (ImGui::IsItemHovered() && state.grip.handle == Handle::none &&
-                    is_at(overlay, *places.point, mouse) && movable_handle(state, Handle::point) == Handle::point);
-    if (is_over) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-        state.grip = take(overlay, places, Handle::point, session.params, mouse);
-    else if (is_held)
-        drag(session.params, overlay, state.grip, mouse, ImGui::GetIO().KeyShift);
-    return is_over;
-}
-
 }  // namespace
 
 WayPlaces way_places(const Rect& rect) {
@@ -293,9 +276,7 @@ void draw_way_view(ViewState& state, Session& session, const Derived& derived, c
         const ObserverView view = derive_way_view(params, derived, {rect.size_px()}, free_of_numbers(rect));
         const WayPlaces places = way_places(rect);
         Overlay overlay(draw, rect, view.clip_from_world);
-        const bool is_over_point = drag_point(state, session, derived, overlay);
-        observer_mouse(state, session);
-        if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
+        const bool is_over_point = point_or_observer_mouse(state, session, derived, overlay);
         if (step <= 1) world_axes(overlay);
         draw_frustum(overlay, params, derived, effective_camera(derived));
         if (derived.followed) {
