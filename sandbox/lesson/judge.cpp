@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/other_plane.h"
+#include "lesson/other_row.h"
 #include "lesson/progress.h"
 
 namespace viewing {
@@ -210,11 +210,11 @@ Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings&
     if (is_typed(ask.kind))
         if (const Result<Answer> model = model_answer(ask, surroundings))
             tell_near_numbers(ask, answer.numbers, model->numbers, unknown);
-    if (ask.kind == AskKind::matrix && unknown.near == Near::right_parts)
-        if (const std::optional<OtherPlane> other =
-                other_plane(answer.numbers, unknown.places, ask.expect, surroundings)) {
+    if (ask.kind == AskKind::matrix && (unknown.near == Near::right_parts || unknown.near == Near::nothing))
+        if (const std::optional<OtherRow> other = other_row(answer.numbers, unknown.places, ask.expect, surroundings)) {
             unknown.other_row = other->row;
-            unknown.other_plane = {other->plane.x, other->plane.y, other->plane.z, other->plane.w};
+            std::vector<double>& numbers = other->is_light ? unknown.other_light : unknown.other_plane;
+            for (int i = 0; i < 4; ++i) numbers.push_back(other->numbers[i]);
         }
     return unknown;
 }

@@ -27,8 +27,9 @@ struct Verdict {
     int points = 0;                          ///< in an exercise: points earned although the answer is not right
     Near near = Near::nothing;               ///< for an unknown mistake
     std::vector<int> places = {};            ///< for `near`: rows or entries, counted from 1, or the number of tiles
-    int other_row = 0;                       ///< a wrong row that is right for another plane, from 1; 0: none
-    std::vector<double> other_plane = {};    ///< (a, b, c, d) of that plane, with a unit normal
+    int other_row = 0;                       ///< a wrong row that is right for another plane or light, from 1; 0: none
+    std::vector<double> other_plane = {};    ///< (a, b, c, d) of that plane, with a unit normal; empty: it is a light
+    std::vector<double> other_light = {};    ///< (x, y, z, w) of that light
     std::vector<std::string> progress = {};  ///< of a goal: see progress_of()
     bool operator==(const Verdict&) const = default;
 };

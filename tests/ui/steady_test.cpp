@@ -86,5 +86,46 @@ TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     expect_as_before(before, "a followed point");
 }
 
+/// Whatever a step tells, its question, its answers and its buttons stay where they are.
+TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{800, 600}}) {
+        Desk desk(size);
+        const Result<Lesson> lesson = load_lesson("similar-triangles");
+        ASSERT_TRUE(lesson) << lesson.error();
+        for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            SCOPED_TRACE(lesson->steps[step].id + " in " + std::to_string(static_cast<int>(size.x)));
+            desk.workbench.guide.begin(*lesson, step, desk.session);
+            desk.settle();
+            LessonRun& run = *desk.workbench.guide.run();
+            const auto tops = [&] {
+                std::map<std::string, float> found;
+                for (const RecordedItem& item : desk.recorded()) {
+                    const bool stays = item.label.starts_with("lesson strip/") &&
+                                       (item.label.find("/answers/") != std::string::npos ||
+                                        item.label == "lesson strip/Check" || item.label == "lesson strip/question");
+                    if (stays) found[item.label] = item.min.y;
+                }
+                return found;
+            };
+            const std::map<std::string, float> before = tops();
+            const Rect strip = desk.layout().strip;
+            ASSERT_FALSE(before.empty());
+            const auto expect_as_before = [&](const char* what) {
+                desk.ui.frames(3);
+                EXPECT_EQ(tops(), before) << what;
+                EXPECT_EQ(desk.layout().strip.min.y, strip.min.y) << what;
+            };
+            while (run.hints_shown() < static_cast<int>(run.step().ask.hints.size())) run.show_hint();
+            expect_as_before("all hints");
+            for (const WrongAnswer& wrong : run.step().ask.wrong) {
+                run.take({.say = wrong.say});
+                expect_as_before("a wrong answer");
+            }
+            run.take({.near = Near::right_parts, .places = {1, 2, 4}, .other_row = 3, .other_light = {1, 4, 2, 1}});
+            expect_as_before("an unknown wrong answer");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace viewing::test

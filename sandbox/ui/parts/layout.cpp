@@ -194,7 +194,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
                 gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    const float least_view = px(420.0F), least_lower = px(240.0F);
+    const float least_view = px(420.0F), least_lower = px(arrangement.least_lower);
 
     Layout layout;
     layout.is_short = is_short;

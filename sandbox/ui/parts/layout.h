@@ -48,6 +48,7 @@ struct Arrangement {
     ViewName maximized = ViewName::none;
     bool beside_matrices = false;      ///< the maximized view needs the matrices beside it
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
+    float least_lower = 240.0F;        ///< width of a lower view that has to fit twice, in design pixels
     bool halves = false;               ///< two pictures side by side instead of the camera's
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view

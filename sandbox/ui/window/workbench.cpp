@@ -38,6 +38,11 @@ Arrangement Workbench::arranged(const Session& session) const {
     Arrangement now = arrangement;
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
+    constexpr float least_derivation = 420.0F;  // a figure with its lines beside it
+    for (const Slot slot : {Slot::left, Slot::right})
+        if (const Topic topic = topic_of(session.params, slot);
+            topic == Topic::shadow_derivation || topic == Topic::mirror_derivation)
+            now.least_lower = least_derivation;
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
     if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
