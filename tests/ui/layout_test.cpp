@@ -272,6 +272,9 @@ TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {
     EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "the text never shrinks";
     arrangement.bare = true;
     EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
+    arrangement.bare = false;
+    arrangement.in_lesson = true;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may maximize nothing";
 }
 
 TEST(Layout, OneColumnGivesWayAtEightHundredBySixHundred) {

@@ -8,6 +8,7 @@
 
 #include "desk.h"
 #include "readable.h"
+#include "recorded_letters.h"
 
 namespace viewing::test {
 namespace {
@@ -633,6 +634,21 @@ TEST(LessonStrip, AProductGrowsBelowItsTiles) {
         }
         EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before it is checked";
     }
+}
+
+TEST(InALesson, NoMistakeIsToldWhileAnAnswerMovesTheCamera) {
+    Desk desk({1366, 768});
+    begin(desk, lesson_of("fly-and-walk"), 2, false);
+    desk.workbench.guide.reveal(desk.session);
+    const glm::dvec3 before = desk.params().camera.position;
+    int frames = 0;
+    for (; frames < 300 && desk.workbench.guide.is_revealing(); ++frames) {
+        desk.ui.frame();
+        for (const Line& line : lines_of(letters_of_frame()))
+            ASSERT_EQ(line.text.find("puts the eye"), std::string::npos) << "in frame " << frames;
+    }
+    EXPECT_GT(frames, 3);
+    EXPECT_NE(desk.params().camera.position, before);
 }
 
 TEST(LessonStrip, CheckIsReachedAtTwiceTheSize) {

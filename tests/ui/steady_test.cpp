@@ -86,6 +86,27 @@ TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     expect_as_before(before, "a followed point");
 }
 
+/// From step to step, the scale is the same, and so is the height of the question.
+TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
+    for (const char* id : {"view-is-the-inverse", "gl-depth", "mirror-matrix"}) {
+        SCOPED_TRACE(id);
+        Desk desk({1366, 768});
+        const Result<Lesson> lesson = load_lesson(id);
+        ASSERT_TRUE(lesson) << lesson.error();
+        std::map<float, std::string> tops;
+        for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            desk.workbench.guide.begin(*lesson, step, desk.session);
+            desk.settle();
+            desk.apply_looks();
+            desk.ui.frames(3);
+            EXPECT_EQ(desk.workbench.widgets.scale, 1.0F) << lesson->steps[step].id;
+            tops[desk.ui.find("lesson strip/question").min.y] += " " + lesson->steps[step].id;
+        }
+        EXPECT_EQ(tops.size(), 1U);
+        for (const auto& [top, steps] : tops) EXPECT_LT(top, 600.0F) << "from y = " << top << ":" << steps;
+    }
+}
+
 /// Whatever a step tells, its question, its answers and its buttons stay where they are.
 TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
     for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{800, 600}}) {

@@ -72,6 +72,9 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
         case Near::first_items:
             return say_count(verdict.places.front(), "Not yet: the first tile is right.",
                              "Not yet: the first {count} tiles are right.");
+        case Near::some_items:
+            return say_count(verdict.places.front(), "Not yet: one of those that you chose is right.",
+                             "Not yet: {count} of those that you chose are right.");
         case Near::incomplete:
             return tr("Not yet: what you chose is right, but something is missing.");
         case Near::too_many:
@@ -83,7 +86,8 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
 }
 
 /// Returns not_yet() with the row of another plane or light, if there is one.
-std::string feedback_on(const Ask& ask, const Verdict& verdict) {
+std::string feedback_on(const Ask& ask, const Answer& answer, const Verdict& verdict) {
+    if (has_items(ask.kind) && answer.empty()) return tr("Nothing is chosen yet.");
     const std::string other = other_row_in_words(verdict);
     if (other.empty()) return not_yet(ask, verdict);
     return (verdict.near == Near::nothing ? std::string(tr("Not yet.")) : not_yet(ask, verdict)) + " " + other;
@@ -128,7 +132,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     else if (!verdict.say.empty())
         draw_told(false, verdict.say.shown(), width, "verdict");
     else if (step.ask.kind != AskKind::goal)
-        draw_told(false, feedback_on(step.ask, verdict), width, "verdict");
+        draw_told(false, feedback_on(step.ask, run.answer(), verdict), width, "verdict");
 }
 
 }  // namespace viewing

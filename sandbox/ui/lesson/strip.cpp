@@ -271,7 +271,7 @@ float tallest_strip(const LessonRun& run, float width, const widgets::Context& c
         std::size_t first = 0;
         float width = 0.0F, scale = 0.0F;
         Language language{};
-        bool has_clock = false;
+        bool has_clock = false, presents = false;
         bool operator==(const Key&) const = default;
     };
     static Key known;
@@ -283,7 +283,8 @@ float tallest_strip(const LessonRun& run, float width, const widgets::Context& c
         first = part.first;
         count = part.count;
     }
-    const Key now{run.shared_lesson(), first, width, context.scale, spoken_language(), !look.clock.empty()};
+    const Key now{run.shared_lesson(), first,        width, context.scale, spoken_language(),
+                  !look.clock.empty(), look.presents};
     if (now == known) return height;
     known = now;
     height = strip_height(run, width, context, look);

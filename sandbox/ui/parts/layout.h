@@ -60,6 +60,7 @@ struct Arrangement {
     float caption_px = 0.0F;   ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;     ///< height of the lesson's strip below everything, in pixels
     bool has_strip = true;     ///< shows a lesson's strip; false for pictures without the lesson's text
+    bool in_lesson = false;    ///< a lesson's steps have one scale, whichever view they maximize
     bool presents = false;     ///< in front of an audience: no bars, text legible from the back row
     bool embedded = false;     ///< part of another page: no bars, no shortcuts of its own
 };

@@ -152,6 +152,10 @@ TEST(OtherRow, ARowOfAnotherLightIsToldForAnUnknownWrongMatrix) {
     EXPECT_EQ(other.other_row, 3);
     EXPECT_EQ(other.other_light, (std::vector<double>{3, 4, 2, 1}));
     EXPECT_TRUE(other.other_plane.empty());
+    ask.up_to_factor = true;
+    const Verdict twice = judged({8, -6, 0, 0, 0, 0, 0, 0, 0, -4, 8, 0, 0, -2, 0, 8});
+    EXPECT_EQ(twice.other_row, 3);
+    EXPECT_EQ(twice.other_light, (std::vector<double>{3, 4, 2, 1})) << "not of twice the light";
     EXPECT_EQ(judged(std::vector<double>(16, 0.0)).other_row, 0) << "nothing is entered";
 }
 
