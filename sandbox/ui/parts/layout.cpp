@@ -160,7 +160,8 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
         const float least = is_wide ? width_of_vectors : arrangement.panel_width, share = is_wide ? 0.34F : 0.25F;
         const float width = std::min(std::max(least * scale, share * whole.width()), 0.5F * whole.width());
         const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
-        const float wanted = height_of_controls(telling, scale);
+        constexpr float long_name = 18.0F;  // above its numbers
+        const float wanted = height_of_controls(telling, scale) + long_name * scale;
         const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
         const float split = column.max.y - (has_controls ? controls : 0.0F);
         if (has_controls) layout.panel = rounded(column.min.x, split, column.max.x, column.max.y);
