@@ -43,7 +43,7 @@ void DrawLamp(ImDrawList* draw, ImVec2 min, float height, const Lamp& lamp, ImU3
     }
     const ImU32 ink = lamp.active      ? palette.text
                       : lamp.available ? palette.quiet
-                                       : inner::Mix(palette.ground, palette.quiet, 0.75F);
+                                       : inner::Mix(palette.ground, palette.quiet, 0.85F);
     const ImVec2 at(min.x + Px(17), std::floor(min.y + (height - face.size) * 0.5F));
     face.Draw(draw, at, Shown(IsRefused(lamp) ? palette.trouble : ink), lamp.label);
     const ImVec2 behind(at.x + face.Measure(lamp.label).x + Px(keys_gap), at.y);

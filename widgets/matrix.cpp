@@ -74,6 +74,20 @@ bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
     return true;
 }
 
+/// Returns the number of characters of the longest entry.
+int ColumnsOf(const glm::dmat4& value, int decimals) {
+    int columns = 1;
+    for (int cell = 0; cell < 16; ++cell)
+        columns = std::max(columns, viewing::number_chars(Entry(value, cell), decimals, inner::Tiny::zero).columns);
+    return columns;
+}
+
+/// Returns the size of a face enlarged by at most `growth`, so that `columns` characters still fit into `room`.
+float GrownSize(const inner::Face& face, float growth, float room, int columns) {
+    const float advance = face.font->GetCharAdvance('0') / face.font->FontSize;
+    return std::clamp(room / (static_cast<float>(columns) * advance), face.size, growth * face.size);
+}
+
 /// Returns the largest number of decimals with which all entries fit, ignoring entries that never fit.
 int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
     const int fewest = std::min(decimals, 1);
@@ -95,7 +109,9 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     bracket = Px(7);
     cell_width = std::floor((width - 4.0F * bracket) / 4.0F);
     inset = std::min(Px(6), cell_width * 0.07F);
-    const float room = cell_width - 2.0F * inset;
+    const float room = cell_width - 2.0F * inset, growth = CurrentContext().matrix_growth;
+    number.size = GrownSize(number, growth, room, ColumnsOf(value, style.decimals));
+    symbol.size *= growth;
     symbols = FitSymbols(style, room, symbol);
 
     const float digit = number.font->GetCharAdvance('0') * number.size / number.font->FontSize;
@@ -108,7 +124,8 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     const bool hides_symbols =
         !style.cells.empty() && std::all_of(style.cells.begin(), style.cells.end(),
                                             [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
-    const float shown_height = ShownHeight(number.size, hides_symbols, symbols ? symbol.size : 0.0F);
+    const float usual = inner::FaceOf(CurrentContext().fonts.matrix).size, small = symbol.size / growth;
+    const float shown_height = growth * ShownHeight(usual, hides_symbols, symbols ? small : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
 
@@ -133,7 +150,7 @@ void DrawTint(ImDrawList* draw, ImVec2 min, ImVec2 max, const CellState& state) 
     const Palette& palette = CurrentContext().palette;
     const ImVec2 from(min.x + Px(1), min.y + Px(1)), to(max.x - Px(1), max.y - Px(1));
     const float rounding = ImGui::GetStyle().FrameRounding;
-    draw->AddRectFilled(from, to, inner::Shown(inner::WithAlpha(palette.accent, state.lit ? 0.24F : 0.17F)), rounding);
+    draw->AddRectFilled(from, to, inner::Shown(inner::WithAlpha(palette.accent, state.lit ? 0.11F : 0.09F)), rounding);
     const ImU32 outline = inner::Shown(inner::WithAlpha(palette.accent, 0.7F));
     if (state.lit) draw->AddRect(from, to, outline, rounding, 0, Px(1) * palette.stroke);
 }
@@ -146,7 +163,9 @@ void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const Ma
     if (*formula == '\0') return;
     const inner::FormulaLayout layout(formula, style.roles, CurrentContext().palette.quiet, measures.symbol);
     const float x = min.x + measures.cell_width - measures.inset - layout.size.x;
-    const bool stands_back = state.zero && !state.lit && !state.changed && CurrentContext().palette.stroke <= 1.0F;
+    const Context& context = CurrentContext();
+    const bool is_for_audience = context.is_on_stage || context.palette.stroke > 1.0F;
+    const bool stands_back = state.zero && !state.lit && !state.changed && !is_for_audience;
     layout.Draw(draw, ImVec2(std::floor(x), std::floor(min.y + Px(3) + measures.number_height)),
                 stands_back ? 0.65F : 1.0F);
 }
@@ -325,7 +344,8 @@ float MatrixHeight(bool has_symbols) {
     const Fonts& fonts = CurrentContext().fonts;
     const float symbol_size = has_symbols ? inner::FaceOf(fonts.note).size : 0.0F;
     return Measures::HeightOf(
-        std::ceil(Measures::ShownHeight(inner::FaceOf(fonts.matrix).size, !has_symbols, symbol_size)));
+        std::ceil(CurrentContext().matrix_growth *
+                  Measures::ShownHeight(inner::FaceOf(fonts.matrix).size, !has_symbols, symbol_size)));
 }
 
 }  // namespace widgets

@@ -120,7 +120,10 @@ void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max) {
 }
 
 void MarkLine(std::string_view name) {
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    MarkLine(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+void MarkLine(std::string_view name, ImVec2 min, ImVec2 max) {
     MarkTarget(name, ImVec2(min.x, min.y + Px(frame_margin)), ImVec2(max.x, max.y - Px(frame_margin)));
 }
 

@@ -69,8 +69,10 @@ bool HasPlainTitles();
 void MarkTarget(std::string_view name);
 void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// Gives this name to the last item, a line of text among others: its frame does not reach into its neighbors.
+/// Gives this name to the last item, or to a rectangle: a line of text among others, whose frame does not reach into
+/// its neighbors.
 void MarkLine(std::string_view name);
+void MarkLine(std::string_view name, ImVec2 min, ImVec2 max);
 
 /// Returns the highlighted names that were not found in this frame.
 std::vector<std::string> MissingTargets();

@@ -14,7 +14,7 @@ void DrawTextPlate(ImDrawList* draw, ImVec2 at, ImVec2 size) {
     const ImVec2 margin(inner::Px(plate_margin_x), inner::Px(plate_margin_y));
     draw->AddRectFilled(ImVec2(at.x - margin.x, at.y - margin.y),
                         ImVec2(at.x + size.x + margin.x, at.y + size.y + margin.y),
-                        inner::Shown(inner::WithAlpha(CurrentContext().palette.view_ground, 0.8F)), inner::Px(3));
+                        inner::Shown(CurrentContext().palette.view_ground), inner::Px(3));
 }
 
 /// Returns whether a line crosses a rectangle. Clips the line at one edge after another (Liang and Barsky).

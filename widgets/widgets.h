@@ -127,6 +127,7 @@ struct Context {
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
     bool is_on_stage = false;            ///< before an audience: a tooltip ends when the pointer rests
+    float matrix_growth = 1.0F;          ///< at least 1: enlarges the matrices drawn next, as far as their width allows
     bool printed = false;                ///< for a printed figure, where nothing should look pressable
     std::vector<SectionPlace> sections;  ///< of the panel, in this frame
     std::string section_asked;           ///< a section to open and scroll to
@@ -381,7 +382,7 @@ bool Splitter(const char* id, bool vertical, float& position, float min, float m
 
 // ---- drawing in a view -----------------------------------------------------------------------------
 
-/// Draws text on a translucent plate of the background color.
+/// Draws text on a plate of the views' background, with which all role colors contrast.
 void PlateText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font = nullptr);
 
 /// Places labels beside their points so that none covers another or leaves the view: it tries eight directions around

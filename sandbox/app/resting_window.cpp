@@ -106,6 +106,10 @@ bool RestingWindow::fits() const {
     return studio_.workbench.widgets.seen_share >= 1.0F && !has_cut_text(sketch());
 }
 
+Layout RestingWindow::layout() const {
+    return studio_.workbench.layout(ImGui::GetIO().DisplaySize, studio_.session);
+}
+
 Status RestingWindow::fit() {
     const glm::ivec2 size_px = surroundings_.size_px;
     const double usual = surroundings_.device_scale;

@@ -31,6 +31,7 @@ public:
     bool fits() const;
 
     Image read() const { return studio_.read(); }
+    Layout layout() const;
     /// Draws the window once more and returns it as shapes, text and pictures.
     Drawing record();
     /// Draws the window once more and returns its visible texts, line by line.

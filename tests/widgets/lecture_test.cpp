@@ -199,6 +199,28 @@ TEST_F(LectureTest, MatrixAdaptsToItsWidth) {
     EXPECT_EQ(ui.text_of("P/r0c1"), "1.5");
 }
 
+/// A grown matrix is higher and loses no digit: its numbers grow only as far as the widest one fits.
+TEST_F(LectureTest, AMatrixGrowsWithoutLosingDigits) {
+    glm::dmat4 value(-1.25);
+    value[2][1] = -123.456;
+    for (const float width : {700.0F, 500.0F, 420.0F, 350.0F, 250.0F}) {
+        std::vector<std::string> texts[2];
+        float heights[2] = {};
+        for (const int grown : {0, 1}) {
+            context.matrix_growth = grown ? 1.4F : 1.0F;
+            start([&] { return Matrix("P", value, {.decimals = 3}, width); });
+            for (const RecordedItem& item : context.recorded) {
+                if (!item.label.starts_with("P/")) continue;
+                texts[grown].push_back(item.text);
+                heights[grown] = item.max.y - item.min.y;
+            }
+        }
+        EXPECT_EQ(texts[0], texts[1]) << width;
+        EXPECT_NEAR(heights[1], 1.4F * heights[0], 2.0F) << width;
+    }
+    context.matrix_growth = 1.0F;
+}
+
 TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndNoSymbols) {
     const glm::dmat4 value(1.0);
     std::array<MatrixCell, 16> cells;

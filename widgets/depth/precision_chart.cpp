@@ -135,16 +135,6 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
     return inner::DrawLineNames(draw, plot, names);
 }
 
-/// Marks the visible part of a curve as a target.
-void MarkCurve(const ChartPlot& plot, const ChartCurve& curve, const std::string& name) {
-    if (!IsHighlighted(name)) return;
-    for (const glm::dvec2& point : curve.points) {
-        if (!inner::CanBeDrawn(point) || !inner::IsInPlot(plot, point)) continue;
-        const ImVec2 at = inner::PlaceOf(plot, point);
-        MarkTarget(name, ImVec2(at.x - Px(2), at.y - Px(2)), ImVec2(at.x + Px(2), at.y + Px(2)));
-    }
-}
-
 ChartAxis AxisOrDefault(const ChartAxis& axis) {
     const bool sensible = axis.min > 0.0 && std::isfinite(axis.max) && axis.max >= 1.01 * axis.min;
     const PrecisionChartStyle standard;
@@ -193,9 +183,8 @@ bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& 
         const ChartCurve& curve = all[label.curve];
         const bool stands_back = !curve.emphasized && label.curve < curves.size();
         inner::DrawEndLabel(draw, label, curve.name, Shown(stands_back ? palette.quiet : curve.color));
-        MarkTarget(std::string(style.target) + "." + curve.name, label.box.min, label.box.max);
+        MarkLine(std::string(style.target) + "." + curve.name, label.box.min, label.box.max);
     }
-    for (const ChartCurve& term : style.terms) MarkCurve(plot, term, std::string(style.target) + "." + term.name);
     if (hovered) inner::DrawPrecisionReadout(draw, {min, max}, plot, ImGui::GetIO().MousePos, curves, style);
     draw->PopClipRect();
 

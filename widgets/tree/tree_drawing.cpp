@@ -210,7 +210,7 @@ private:
         if (camera_.HasRoomBeside()) return DrawMarkBeside(node, center, face, digits, leans_right);
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
         const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
-        const float share = std::min(0.9F * small, room / face.Measure(digits).x);
+        const float share = std::min(small, room / face.Measure(digits).x);
         face.size = std::max(std::floor(face.size * share), Px(8));
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;
         const ImVec2 at(std::floor(left), std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1)));

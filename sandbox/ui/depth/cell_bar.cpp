@@ -49,7 +49,9 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
     const int count = static_cast<int>(calls.size());
     const std::string all = say("all {count} calls", "count"_a = count);
     const bool shows_all = limit.call < 0 || limit.call >= count;
-    if (widgets::BeginChoice("##call", shows_all ? all.c_str() : title(limit.call).c_str(), width)) {
+    const bool has_room = ImGui::CalcTextSize(all.c_str()).x + px(34.0F) < width;
+    const std::string chosen = !shows_all ? title(limit.call) : has_room ? all : say("all {count}", "count"_a = count);
+    if (widgets::BeginChoice("##call", chosen.c_str(), width)) {
         for (int call = -1; call < count; ++call) {
             ImGui::PushID(call);
             const std::string name = call < 0 ? all : std::to_string(call + 1) + "  " + title(call);

@@ -159,7 +159,9 @@ bool draw_row(const FragmentRow& row, const FragmentWidths& widths, const TableF
               const std::string& on_click) {
     bool is_clicked = false;
     ImGui::TableNextRow(0, height);
-    if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, 45U));
+    // Red text needs a darker background.
+    const ImU32 tint = with_alpha(palette().accent, row.is_close ? 12U : 45U);
+    if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, tint);
     for (int column = 0; column < fragment_columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
         if (widths[c] <= 0.0F) continue;

@@ -50,8 +50,8 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
     float longest = 1.0F;  // in units of the font's size
     for (const DisplayLine& line : lines)
         longest = std::max(longest, font->CalcTextSizeA(1.0F, FLT_MAX, 0.0F, line.code.c_str()).x);
-    constexpr float spacing = 1.3F, largest = 3.0F;
-    const float margin = px(12.0F), rows = static_cast<float>(lines.size()) * spacing;
+    constexpr float spacing = 1.15F, largest = 3.0F;
+    const float margin = px(8.0F), rows = static_cast<float>(lines.size()) * spacing;
     const float size = std::min(
         {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize});
     ImDrawList* const draw = ImGui::GetWindowDrawList();

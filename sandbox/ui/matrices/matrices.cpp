@@ -284,6 +284,23 @@ bool folded_heading(std::size_t number) {
     return is_clicked;
 }
 
+/// Returns the factor that lets the listed matrices fill the column.
+float growth_of(std::span<const std::string> listed, bool has_symbols, float padding, const Session& session) {
+    float fixed = 0.0F, matrices = 0.0F;
+    const float matrix = widgets::MatrixHeight(has_symbols);
+    for (const std::string& name : listed) {
+        const bool is_matrix = name != "follow" && name != "display";
+        matrices += is_matrix ? matrix : 0.0F;
+        fixed += 2.0F * padding + ImGui::GetStyle().ItemSpacing.y +
+                 (is_matrix          ? matrix_heights()[has_symbols ? 2 : 1] - matrix
+                  : name == "follow" ? followed_point_height(session)
+                                     : px(200.0F));
+    }
+    constexpr float largest = 1.4F;
+    if (matrices == 0.0F) return 1.0F;
+    return std::clamp((ImGui::GetContentRegionAvail().y - fixed) / matrices, 1.0F, largest);
+}
+
 /// Returns what a point is followed through: the camera, unless S or R is shown or no matrix at all.
 PointNumbers point_numbers(std::span<const std::string> matrices) {
     const auto has = [matrices](const char* name) { return is_named(matrices, name); };
@@ -365,8 +382,10 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     const float with_symbols = matrix_heights().back() + 2.0F * px(4.0F);
     const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * with_symbols,
                        &choice.pastes};
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                        {columns > 1 ? px(8.0F) : 0.0F, shown.has_symbols ? px(4.0F) : 0.0F});
+    const float padding = shown.has_symbols ? px(4.0F) : 0.0F;
+    if (widgets::CurrentContext().is_on_stage && columns == 1)
+        widgets::CurrentContext().matrix_growth = growth_of(listed, shown.has_symbols, padding, session);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {columns > 1 ? px(8.0F) : 0.0F, padding});
     if (ImGui::BeginTable("listed", columns, ImGuiTableFlags_SizingStretchSame, {width, 0.0F})) {
         for (const std::string& name : listed) {
             ImGui::TableNextColumn();
@@ -383,6 +402,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
+    widgets::CurrentContext().matrix_growth = 1.0F;
     choice.shows_camera = has("V") ? shows_camera : !shows_camera;
 }
 

@@ -113,8 +113,12 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     }
     const bool has_matrices =
         telling.matrices > 0 && !arrangement.matrices_folded && arrangement.maximized != ViewName::matrices;
+    // Without views, matrices fill the column.
     if (has_matrices)
-        parts.push_back({&layout.matrices, {430.0F, telling.short_matrices}, telling.tall_matrices, false});
+        parts.push_back({&layout.matrices,
+                         {430.0F, telling.short_matrices},
+                         parts.empty() ? endless : telling.tall_matrices,
+                         false});
     if (telling.control_rows > 0 && !arrangement.panel_folded) {
         const float height = height_of_controls(telling, 1.0F);
         const float width = telling.has_vectors ? width_of_vectors : arrangement.panel_width;

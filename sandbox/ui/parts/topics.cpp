@@ -46,7 +46,6 @@ ImVec2 least_size_on_stage(Topic topic) {
         case Topic::passes:
         case Topic::shadow_derivation:
         case Topic::lecture_code:
-        case Topic::display_code:
         case Topic::cells:
         case Topic::pixel:
             return {440.0F, 150.0F};
@@ -56,6 +55,8 @@ ImVec2 least_size_on_stage(Topic topic) {
             return {440.0F, 320.0F};
         case Topic::fighting:
             return {440.0F, 185.0F};
+        case Topic::display_code:
+            return {440.0F, 230.0F};
         case Topic::codes:
             return {400.0F, 180.0F};
         case Topic::precision:

@@ -74,9 +74,8 @@ void header_note(const char* text, float right) {
 }
 
 void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px) {
-    const ImU32 plate = (palette().view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
     draw->AddRectFilled({rect.min.x - margin_px.x, rect.min.y - margin_px.y},
-                        {rect.max.x + margin_px.x, rect.max.y + margin_px.y}, plate, px(4.0F));
+                        {rect.max.x + margin_px.x, rect.max.y + margin_px.y}, palette().view_ground, px(4.0F));
 }
 
 Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries) {

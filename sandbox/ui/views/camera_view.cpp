@@ -142,8 +142,8 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const bool compares =
         has_button && session.params.view.beside.shows == Beside::nothing && width - fix - compare > px(200.0F);
     const float button = fix + (compares ? compare : 0.0F);
-    const char* sentence = problem.sentence.c_str();
-    const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
+    const std::string sentence = widgets::BrokenAtBlanks(problem.sentence, width - button, *font);
+    const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, sentence.c_str());
     const ImVec2 at(rect.min.x + 2.0F * margin, top), size(sign + text.x + button, text.y);
     const float next = at.y + size.y + px(12.0F);
     if (width < px(160.0F) || next > rect.max.y) return top;
@@ -151,7 +151,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const widgets::Tone tone = tone_of(problem.kind);
     draw_plate(draw, {at, {at.x + size.x, at.y + size.y}}, {margin, px(5.0F)});
     widgets::DrawSign(draw, at, font->FontSize, tone);
-    draw->AddText(font, font->FontSize, {at.x + sign, at.y}, widgets::ColorOf(tone), sentence, nullptr, width - button);
+    draw->AddText(font, font->FontSize, {at.x + sign, at.y}, widgets::ColorOf(tone), sentence.c_str());
     if (!has_button) return next;
     const ImVec2 buttons(at.x + sign + text.x + px(10.0F), at.y - px(3.0F));
     ImGui::SetCursorScreenPos(buttons);

@@ -1,0 +1,230 @@
+// The stage, measured on the pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts
+// with what is behind it, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
+// (ui/letters.h), colors from the picture; neither knows the layout. VIEWING_LONG_TESTS=1 measures every step, asked
+// and revealed, in every room, and prints the distributions.
+#include <array>
+#include <cctype>
+#include <iostream>
+#include <map>
+
+#include "app/resting_window.h"
+#include "gl/gl_test.h"
+#include "lesson/lesson.h"
+#include "ui/letters.h"
+
+namespace viewing {
+namespace {
+
+using test::Letter;
+
+/// Relative luminance of WCAG 2.1, of an sRGB color from 0 to 255.
+double luminance(const glm::dvec3& color) {
+    const auto linear = [](double value) {
+        value /= 255.0;
+        return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+/// The contrast ratio of WCAG 2.1: 1 for equal colors, 21 for black on white.
+double contrast(const glm::dvec3& a, const glm::dvec3& b) {
+    const double first = luminance(a), second = luminance(b);
+    return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+struct Box {
+    int left, top, right, bottom;  ///< pixels; right and bottom are outside
+};
+
+/// The part of a letter's ink that is on the screen.
+Box box_of(const Letter& letter, const Image& image) {
+    const auto inside = [](float value, int end) { return std::clamp(static_cast<int>(value), 0, end); };
+    return {inside(std::max(letter.min.x, letter.clip.x), image.width),
+            inside(std::max(letter.min.y, letter.clip.y), image.height),
+            inside(std::ceil(std::min(letter.max.x, letter.clip.z)), image.width),
+            inside(std::ceil(std::min(letter.max.y, letter.clip.w)), image.height)};
+}
+
+/// The color behind a letter: the most frequent one on the frame of one pixel around its ink.
+glm::dvec3 ground_of(const Box& box, const Image& image) {
+    std::map<std::array<int, 3>, int> counts;
+    for (int y = std::max(box.top - 1, 0); y < std::min(box.bottom + 1, image.height); ++y)
+        for (int x = std::max(box.left - 1, 0); x < std::min(box.right + 1, image.width); ++x) {
+            if (x >= box.left && x < box.right && y >= box.top && y < box.bottom) continue;
+            const testing::Rgb color = testing::rgb_at(image, {x, y});
+            ++counts[{color.r, color.g, color.b}];
+        }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() ? glm::dvec3(0.0) : glm::dvec3(most->first[0], most->first[1], most->first[2]);
+}
+
+struct Legible {
+    double contrast;  ///< of the letter's color, mixed with what is behind it by its opacity
+    double drawn;     ///< the share of the way from the ground to that color that its most inked pixel has gone
+    double size;      ///< of the type, in heights of the window
+};
+
+std::optional<Legible> measured(const Letter& letter, const Image& image) {
+    const Box box = box_of(letter, image);
+    if (box.right - box.left < 2 || box.bottom - box.top < 3) return std::nullopt;
+    const glm::dvec3 ground = ground_of(box, image);
+    const ImU32 packed = letter.color;
+    const glm::dvec3 color((packed >> IM_COL32_R_SHIFT) & 0xFFU, (packed >> IM_COL32_G_SHIFT) & 0xFFU,
+                           (packed >> IM_COL32_B_SHIFT) & 0xFFU);
+    const glm::dvec3 ink = glm::mix(ground, color, static_cast<double>(packed >> IM_COL32_A_SHIFT) / 255.0);
+    const glm::dvec3 way = ink - ground;
+    double drawn = 0.0;
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x)
+            drawn = std::max(drawn, glm::dot(glm::dvec3(testing::rgb_at(image, {x, y})) - ground, way) /
+                                        std::max(glm::dot(way, way), 1.0));
+    return Legible{contrast(ink, ground), drawn, letter.line_height / static_cast<float>(image.height)};
+}
+
+/// The area of the largest rectangle without any mark, outside `main`, relative to the area above `bottom`.
+double largest_empty_share(const Image& image, const Rect& main, int bottom) {
+    constexpr int cell = 8;
+    const auto is_plain = [&](int left, int top) {
+        const testing::Rgb first = testing::rgb_at(image, {left, top});
+        for (int y = top; y < top + cell; ++y)
+            for (int x = left; x < left + cell; ++x)
+                if (testing::rgb_at(image, {x, y}) != first) return false;
+        return !main.contains({static_cast<float>(left + cell / 2), static_cast<float>(top + cell / 2)});
+    };
+    const int columns = image.width / cell, rows = bottom / cell;
+    std::vector<int> heights(static_cast<std::size_t>(columns));  // plain cells upward from the current row
+    int largest = 0;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            int& height = heights[static_cast<std::size_t>(column)];
+            height = is_plain(column * cell, row * cell) ? height + 1 : 0;
+        }
+        for (int left = 0; left < columns; ++left) {
+            int height = rows;
+            for (int right = left; right < columns && height > 0; ++right) {
+                height = std::min(height, heights[static_cast<std::size_t>(right)]);
+                largest = std::max(largest, height * (right - left + 1));
+            }
+        }
+    }
+    return static_cast<double>(largest) / std::max(columns * rows, 1);
+}
+
+double area(const Rect& rect) {
+    return rect.empty() ? 0.0 : static_cast<double>(rect.width()) * static_cast<double>(rect.height());
+}
+
+const Rect& main_view(const Layout& layout) {
+    const Rect* main = &layout.camera;
+    for (const Rect* other : {&layout.lower_left, &layout.lower_right, &layout.matrices})
+        if (area(*other) > area(*main)) main = other;
+    return *main;
+}
+
+/// A hall: its projector, its theme and its language.
+struct Hall {
+    glm::ivec2 size_px;
+    Theme theme;
+    Language language;
+};
+const std::array<Hall, 4> halls = {{{{1920, 1080}, Theme::dark, Language::en},
+                                    {{1024, 768}, Theme::dark, Language::ko},
+                                    {{1280, 720}, Theme::projector, Language::ko},
+                                    {{1024, 768}, Theme::projector, Language::en}}};
+
+/// What was measured in one or more pictures.
+struct Measured {
+    std::vector<double> contrasts, sizes;         ///< of each letter; sizes in heights of the window
+    std::vector<double> empty_parts, main_views;  ///< of each picture, relative to the area above the text
+    std::vector<std::string> pale, missing;       ///< letters below the least contrast; letters that left no ink
+
+    void add(const Letter& letter, const std::string& where, const Image& image) {
+        const bool is_word = letter.character >= 0x80 || std::isalnum(static_cast<int>(letter.character)) != 0;
+        const bool is_disabled = (letter.color >> IM_COL32_A_SHIFT) <= 153U;  // those may be pale, as in WCAG
+        const std::optional<Legible> legible = measured(letter, image);
+        if (!is_word || is_disabled || !legible) return;
+        contrasts.push_back(legible->contrast);
+        sizes.push_back(legible->size);
+        const std::string what = where + ", \"" + test::utf8(letter.character) + "\" at " +
+                                 std::to_string(static_cast<int>(letter.min.x)) + ", " +
+                                 std::to_string(static_cast<int>(letter.min.y)) + ": ";
+        // A glyph thinner than a pixel never reaches its color.
+        constexpr double least_contrast = 4.4, least_drawn = 0.3;
+        if (legible->contrast < least_contrast) pale.push_back(what + std::to_string(legible->contrast));
+        if (legible->drawn < least_drawn) missing.push_back(what + std::to_string(legible->drawn));
+    }
+};
+
+/// Returns the value below which `share` of the values are.
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+class LegibleSlowTest : public testing::GlTest {
+protected:
+    /// Draws a step in a hall and adds its letters and areas.
+    static void measure(Measured& all, const Lesson& lesson, std::size_t step, bool is_revealed, const Hall& hall) {
+        LoadedState start = lesson.steps[step].start;
+        start.params.ui.theme = hall.theme;
+        start.params.ui.language = hall.language;
+        const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        PictureRequest request{.view = PictureView::window, .size_px = hall.size_px};
+        request.lesson = std::make_shared<LessonPicture>(LessonPicture{lesson, step, is_revealed, true});
+        RestingWindow window(renderer(), start, *scene);
+        const Status rested = window.rest(request);
+        ASSERT_TRUE(rested) << rested.error();
+        const Image image = window.read();
+        const std::string where = lesson.id + ", step " + std::to_string(step + 1) + (is_revealed ? ", revealed" : "") +
+                                  ", " + std::to_string(hall.size_px.x) + "×" + std::to_string(hall.size_px.y);
+        const test::Page page(ImGui::GetIO().Fonts->Fonts);
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            for (const Letter& letter : page.letters(*data.CmdLists[i])) all.add(letter, where, image);
+        const Layout layout = window.layout();
+        const Rect& main = main_view(layout);
+        const float bottom = layout.strip.min.y;
+        all.empty_parts.push_back(largest_empty_share(image, main, static_cast<int>(bottom)));
+        all.main_views.push_back(area(main) / static_cast<double>(bottom * layout.strip.width()));
+    }
+
+    static void expect_legible(const Measured& all) {
+        // Text fades where a list scrolls on, and a frame may cross a letter.
+        EXPECT_LE(all.pale.size(), all.contrasts.size() / 500) << all.pale.front();
+        EXPECT_LE(all.missing.size(), all.contrasts.size() / 200) << all.missing.front();
+        constexpr double least_size = 1.0 / 42.0, least_index = 0.77 / 41.0;
+        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "smaller than an index";
+        EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "more than indices are small";
+    }
+};
+
+/// Each hall measures every eleventh picture, so that all lessons have their turn.
+TEST_F(LegibleSlowTest, TypeOnStage) {
+    const bool is_long = std::getenv("VIEWING_LONG_TESTS") != nullptr;
+    const std::size_t stride = is_long ? 1 : 11 * halls.size();
+    for (std::size_t h = 0; h < halls.size(); ++h) {
+        Measured all;
+        std::size_t picture = is_long ? 0 : 11 * h;
+        for (const LessonFile& file : lessons()) {
+            const Result<Lesson> lesson = load_lesson(file.path.string());
+            ASSERT_TRUE(lesson) << lesson.error();
+            for (std::size_t step = 0; step < lesson->steps.size(); ++step)
+                for (const bool is_revealed : {false, true})
+                    if (picture++ % stride == 0) measure(all, *lesson, step, is_revealed, halls[h]);
+        }
+        expect_legible(all);
+        EXPECT_GE(all.empty_parts.size(), is_long ? 200U : 4U);
+        for (const double share : {0.0, 0.01, 0.05, 0.5, 1.0})
+            std::cout << halls[h].size_px.x << "×" << halls[h].size_px.y << ", quantile " << share << ": contrast "
+                      << quantile(all.contrasts, share) << ", type 1/" << 1.0 / quantile(all.sizes, share)
+                      << ", largest empty part " << quantile(all.empty_parts, share) << ", main view "
+                      << quantile(all.main_views, share) << "\n";
+    }
+}
+
+}  // namespace
+}  // namespace viewing
