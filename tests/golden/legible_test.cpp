@@ -10,6 +10,7 @@
 #include "app/resting_window.h"
 #include "gl/gl_test.h"
 #include "lesson/lesson.h"
+#include "state/presets.h"
 #include "ui/letters.h"
 
 namespace viewing {
@@ -224,6 +225,36 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
                       << ", largest empty part " << quantile(all.empty_parts, share) << ", main view "
                       << quantile(all.main_views, share) << "\n";
     }
+}
+
+/// All type of the free window is on one scale of five sizes, indices included, and no digit is below 9 pixels.
+/// Measures every eighth preset, or all with VIEWING_LONG_TESTS.
+TEST_F(LegibleSlowTest, TypeInTheWindow) {
+    std::map<long, std::string> examples;  // by size in pixels
+    const std::size_t stride = std::getenv("VIEWING_LONG_TESTS") ? 1 : 8;
+    const std::vector<NamedFile> all_presets = presets();
+    for (std::size_t i = 0; i < all_presets.size(); i += stride) {
+        const NamedFile& preset = all_presets[i];
+        if (preset.sets_looks) continue;
+        const Result<LoadedState> state = load_state(preset.path.string());
+        ASSERT_TRUE(state) << state.error();
+        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        RestingWindow window(renderer(), *state, *scene);
+        const Status rested = window.rest({.view = PictureView::window, .size_px = {1280, 720}});
+        ASSERT_TRUE(rested) << rested.error();
+        const test::Page page(ImGui::GetIO().Fonts->Fonts);
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int list = 0; list < data.CmdListsCount; ++list)
+            for (const Letter& letter : page.letters(*data.CmdLists[list]))
+                examples.try_emplace(
+                    std::lround(letter.line_height),
+                    preset.name + ", \"" + test::utf8(letter.character) + "\" in " + data.CmdLists[list]->_OwnerName);
+    }
+    std::string all;
+    for (const auto& [size_px, example] : examples) all += std::to_string(size_px) + " px: " + example + "\n";
+    EXPECT_LE(examples.size(), 5U) << all;
+    EXPECT_GE(examples.begin()->first, 9) << all;
 }
 
 }  // namespace

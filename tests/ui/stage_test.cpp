@@ -76,6 +76,24 @@ protected:
     }
 };
 
+/// Before an audience, a wrong picture is explained only where the step offers a control of that group.
+TEST_F(StageTest, AStepTellsOnlyWhatItIsAbout) {
+    params.shadow.stencil_once = false;
+    desk.workbench.presenter.begin();
+    const auto tells_with = [&](const char* control) {
+        params.view.layout.controls = {control};
+        desk.settle();
+        ui.frames(3);
+        return draws("blended separately");
+    };
+    EXPECT_TRUE(tells_with("shadow.opacity"));
+    EXPECT_FALSE(tells_with("camera.yaw"));
+    EXPECT_FALSE(tells_with("depth.test"));
+    params.view.layout.controls.clear();
+    desk.settle();
+    EXPECT_TRUE(draws("blended separately")) << "a stage without limits tells all that is wrong";
+}
+
 TEST_F(StageTest, WithoutALessonNothingIsCoveredOrFramed) {
     EXPECT_TRUE(desk.workbench.widgets.targets.empty());
     EXPECT_FALSE(ui.has("highlight"));

@@ -18,6 +18,8 @@ namespace {
 
 enum class Detail { dots, boxes, text };
 
+constexpr float least_type = 9.0F;  ///< design pixels; smaller digits cannot be read
+
 class TreePicture {
 public:
     TreePicture(ImDrawList* draw, const TreeCamera& camera, std::span<const TreeNode> nodes,
@@ -193,7 +195,7 @@ private:
         ImFont* const large = CurrentContext().is_on_stage ? fonts.matrix : fonts.number;
         Face face = FaceOf(camera_.zoom >= 1.2 ? large : fonts.small_number);
         const float room = 2.0F * half_.x - Px(4), wanted = face.Measure(label).x;
-        if (wanted > room) face.size = std::max(std::floor(face.size * room / wanted), Px(8));
+        if (wanted > room) face.size = std::max(std::floor(face.size * room / wanted), Px(least_type));
         const float width = face.Measure(label).x;
         if (width > room + Px(3)) return;
         face.Draw(draw_, ImVec2(std::floor(center.x - 0.5F * width), std::floor(center.y - 0.5F * face.size)),
@@ -211,16 +213,17 @@ private:
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
         const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
         const float share = std::min(small, room / face.Measure(digits).x);
-        face.size = std::max(std::floor(face.size * share), Px(8));
+        face.size = std::max(std::floor(face.size * share), Px(least_type));
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;
-        const ImVec2 at(std::floor(left), std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1)));
+        const float above = std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1));
+        const ImVec2 at(std::floor(left), std::max(above, draw_->GetClipRectMin().y - Px(2)));
         face.Draw(draw_, at, Shown(node == current_ ? palette_.accent : palette_.quiet), digits);
     }
 
     /// Draws the traversal number beside the box instead, as large as the label if it fits.
     void DrawMarkBeside(int node, ImVec2 center, Face face, const std::string& digits, bool leans_right) {
         const float gap = Px(4), room = 0.5F * camera_.Pitch() - half_.x - 1.5F * gap;
-        face.size = std::max(std::floor(face.size * std::min(1.0F, room / face.Measure(digits).x)), Px(8));
+        face.size = std::max(std::floor(face.size * std::min(1.0F, room / face.Measure(digits).x)), Px(least_type));
         const float width = face.Measure(digits).x;
         const float left = leans_right ? center.x + half_.x + gap : center.x - half_.x - gap - width;
         face.Draw(draw_, ImVec2(std::floor(left), std::floor(center.y - 0.5F * face.size)),

@@ -176,12 +176,24 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     return next;
 }
 
+/// Whether the problem or its fix belongs to the same group of settings as a control that is offered, such as "depth".
+/// True for all problems if the controls are not limited.
+bool is_about(const Problem& problem, const std::vector<std::string>& controls) {
+    const auto group_of = [](std::string_view path) { return path.substr(0, path.find_first_of(".=[")); };
+    return controls.empty() || std::any_of(controls.begin(), controls.end(), [&](const std::string& path) {
+               return group_of(path) == problem.group || group_of(path) == group_of(problem.mended_by);
+           });
+}
+
 /// Returns the problems to tell over the picture: the worst kind first and, within a kind, first those that a button
-/// fixes. On stage, the others would compete with the lesson's own sentences: only a wrong picture is explained.
-std::vector<const Problem*> told_problems(const std::vector<Problem>& problems) {
+/// fixes. On stage, sentences would compete with the lesson's own: only a wrong picture is explained, and only where it
+/// is about what the step lets the room change.
+std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, const Params& params) {
     std::vector<const Problem*> told;
     for (const Problem& problem : problems)
-        if (problem.kind == ProblemKind::wrong || !widgets::HasPlainTitles()) told.push_back(&problem);
+        if (!widgets::HasPlainTitles() ||
+            (problem.kind == ProblemKind::wrong && is_about(problem, params.view.layout.controls)))
+            told.push_back(&problem);
     const auto rank = [](const Problem* problem) { return std::pair(problem->kind, problem->mended_by.empty()); };
     std::stable_sort(told.begin(), told.end(),
                      [&](const Problem* one, const Problem* other) { return rank(one) < rank(other); });
@@ -194,7 +206,7 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     constexpr std::size_t most = 3;
     const float first = rect.min.y + px(15.0F);
     if (widgets::IsCovered("sentences")) return {};
-    const std::vector<const Problem*> told_ones = told_problems(problems);
+    const std::vector<const Problem*> told_ones = told_problems(problems, session.params);
     bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("all sentences"), false);
     const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
     // Opened, the sentences leave room for the button that closes them.
