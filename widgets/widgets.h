@@ -345,7 +345,7 @@ struct MatrixStyle {
     std::span<const MatrixCell> cells = {};  ///< 16, or empty
     std::span<const LetterRole> roles = {};
     bool editable = false;                 ///< makes each entry a Number
-    bool overridden = false;               ///< entered by hand: brackets in the trouble color, no symbols
+    bool overridden = false;               ///< entered by hand: brackets in the trouble color
     const glm::dmat4* defaults = nullptr;  ///< a right-click resets an entry to its value here; null: the identity
     const char* target = nullptr;          ///< its name as in targets.h, "matrix:V"; null: none
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
