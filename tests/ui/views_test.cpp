@@ -335,8 +335,74 @@ TEST_F(WheelTest, WithCtrlChangesOnlyTheSpeed) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ViewsTest, MiddleAndRightDragMoveThePictureWithThePointer) {
+TEST_F(ViewsTest, FrameAllShowsTheLightUnlessItIsFarAway) {
+    const auto is_shown = [&](const glm::dvec3& point) {
+        const ImVec2 at = desk.in_camera_view(point);
+        const Rect rect = desk.layout().camera;
+        return at.x > rect.min.x && at.x < rect.max.x && at.y > rect.min.y && at.y < rect.max.y;
+    };
+    params.lights.front().position = {-9.0, 11.0, 4.0, 1.0};
+    desk.settle();
+    EXPECT_FALSE(is_shown(light()));
+    desk.press(Key::g);
+    desk.settle();
+    EXPECT_TRUE(is_shown(light()));
+    EXPECT_TRUE(is_shown({4.0, 0.0, 4.0})) << "a corner of the floor";
+    const glm::dvec3 near_by = params.camera.position;
+    params.lights.front().position = {-900.0, 1100.0, 400.0, 1.0};
+    desk.settle();
+    desk.press(Key::g);
+    desk.settle();
+    EXPECT_LT(glm::length(params.camera.position), glm::length(near_by)) << "the scene would be a speck";
+}
+
+TEST_F(ViewsTest, TheFirstDragInFlyKeepsTheHorizon) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 corner{rect.min.x + 12.0F, rect.max.y - 80.0F};
+    for (const int button : {0, 1}) {
+        const Params before = params;
+        desk.drag_from(corner, 120.0F, -70.0F, 5, button);
+        EXPECT_EQ(differing_fields(before, params), (Paths{"camera.yaw", "camera.pitch"})) << "button " << button;
+        EXPECT_LT(params.camera.yaw, before.camera.yaw) << "a drag to the right turns right";
+        EXPECT_GT(params.camera.pitch, before.camera.pitch);
+        desk.undo();
+    }
+    desk.workbench.views.mouse.keeps_horizon = false;
+    desk.drag_from(corner, 120.0F, -70.0F);
+    EXPECT_GT(std::abs(params.camera.roll), 0.1) << "about the camera's own axes";
+}
+
+TEST_F(ViewsTest, SensitivityAndInvertedYChangeADrag) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 corner{rect.min.x + 12.0F, rect.max.y - 80.0F};
+    const CameraParams start = params.camera;
+    desk.drag_from(corner, 40.0F, -30.0F);
+    const double yaw = params.camera.yaw - start.yaw, pitch = params.camera.pitch - start.pitch;
+    desk.undo();
+    desk.workbench.views.mouse.sensitivity = 2.0;
+    desk.workbench.views.mouse.inverts_y = true;
+    desk.drag_from(corner, 40.0F, -30.0F);
+    EXPECT_NEAR(params.camera.yaw - start.yaw, 2.0 * yaw, 1e-9);
+    EXPECT_NEAR(params.camera.pitch - start.pitch, -2.0 * pitch, 1e-9);
+}
+
+TEST_F(ViewsTest, MiddleDragOrbitsAboutThePointThere) {
+    const glm::dvec3 corner{1.0, 0.0, 1.0};
+    params.follow = std::nullopt;
+    const ImVec2 from = desk.in_camera_view({0.0, 0.0, 2.5});  // on the floor, in front of the objects
+    const Params before = params;
+    desk.drag_from(from, 70.0F, 20.0F, 5, 2);
+    EXPECT_EQ(differing_fields(before, params), (Paths{"camera.position", "camera.yaw", "camera.pitch"}));
+    desk.settle();
+    const ImVec2 after = desk.in_camera_view({0.0, 0.0, 2.5});
+    EXPECT_NEAR(after.x, from.x, 1.5F) << "the center stays in place in the picture";
+    EXPECT_NEAR(after.y, from.y, 1.5F);
+    EXPECT_NE(desk.in_camera_view(corner).x, from.x);
+}
+
+TEST_F(ViewsTest, MiddleAndRightDragMoveThePictureWithThePointerIfTheyPan) {
     for (const int button : {1, 2}) {
+        desk.workbench.views.mouse.right_pans = desk.workbench.views.mouse.middle_pans = true;
         const ImVec2 from = desk.in_camera_view({1.4, 1.3, 0.0});  // on the blue box, or near it
         const Params before = params;
         desk.drag_from(from, 60.0F, 30.0F, 5, button);
@@ -446,6 +512,83 @@ TEST_F(ObserverHandles, MoveNearAndFarAlongTheView) {
     EXPECT_EQ(differing_fields(before, params), Paths{"projection.far"});
     EXPECT_LT(params.projection.far, 11.0);
     EXPECT_GT(params.projection.far, 4.0);
+}
+
+TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
+    params.projection.type = ProjectionType::frustum;
+    params.projection.left = params.projection.bottom = -1.5;
+    params.projection.right = params.projection.top = 1.0;
+    params.projection.near = 4.0;
+    desk.settle();
+    const Params before = params;
+    static constexpr const char* paths[] = {"projection.bottom", "projection.right", "projection.top",
+                                            "projection.left"};
+    double ProjectionParams::*const edges[] = {&ProjectionParams::bottom, &ProjectionParams::right,
+                                               &ProjectionParams::top, &ProjectionParams::left};
+    for (const ProjectionType type : {ProjectionType::frustum, ProjectionType::orthographic_window})
+        for (std::size_t edge = 0; edge < 4; ++edge) {
+            params = before;
+            params.projection.type = type;
+            desk.settle();
+            const Params start = params;
+            const ImVec2 middle = desk.in_observer_view(places().near[4]);
+            const ImVec2 from = desk.in_observer_view(places().near[edge]);
+            drag(places().near[edge], 0.4F * (from.x - middle.x), 0.4F * (from.y - middle.y));
+            EXPECT_EQ(differing_fields(start, params), Paths{paths[edge]});
+            // 0.4 of half the window's size of 2.5, but for the perspective of the observer.
+            const double moved = params.projection.*edges[edge] - start.projection.*edges[edge];
+            EXPECT_NEAR(std::abs(moved), 0.5, 0.15) << paths[edge];
+            EXPECT_EQ(moved > 0.0, start.projection.*edges[edge] > 0.0) << "away from the middle";
+            desk.undo();
+            EXPECT_EQ(params, start);
+        }
+    // Past the opposite edge, it stops before it.
+    params = before;
+    desk.settle();
+    const ImVec2 left = desk.in_observer_view(places().near[3]), right = desk.in_observer_view(places().near[1]);
+    drag(places().near[3], 2.0F * (right.x - left.x), 2.0F * (right.y - left.y));
+    EXPECT_LT(params.projection.left, params.projection.right);
+    EXPECT_GT(params.projection.left, 0.9);
+    EXPECT_EQ(params.projection.right, before.projection.right);
+}
+
+TEST_F(ViewsTest, TheFollowedPointIsDragged) {
+    params.follow = Follow{.object = "", .point = glm::dvec3(1.5, 1.2, 1.5)};
+    desk.settle();
+    const Params before = params;
+    const ImVec2 from = desk.in_camera_view(*params.follow->point);
+    desk.drag_from(from, 50.0F, -30.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"follow"});
+    expect_near(desk.in_camera_view(*params.follow->point), {from.x + 50.0F, from.y - 30.0F}, 0.5F);
+    desk.undo();
+    EXPECT_EQ(params, before);
+    const ImVec2 outside = desk.in_observer_view(*params.follow->point);
+    desk.drag_from(outside, 20.0F, 10.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"follow"});
+    expect_near(desk.in_observer_view(*params.follow->point), {outside.x + 20.0F, outside.y + 10.0F}, 0.5F);
+}
+
+TEST_F(ViewsTest, AVertexBecomesAPointOfItsOwnByTypingOrDragging) {
+    const glm::dvec3 vertex = pick_small_box();
+    ASSERT_TRUE(params.follow && !params.follow->point);
+    desk.click("matrices/Type p");
+    ASSERT_TRUE(params.follow && params.follow->point);
+    EXPECT_LT(glm::distance(*params.follow->point, vertex), 1e-9);
+    desk.enter("matrices/p/x", "-1.25");
+    EXPECT_EQ(params.follow->point->x, -1.25);
+    desk.click("matrices/Clear");
+    EXPECT_FALSE(params.follow);
+    pick_small_box();
+    desk.drag_from(desk.in_camera_view(vertex), 30.0F, 0.0F);
+    ASSERT_TRUE(params.follow && params.follow->point);
+    EXPECT_GT(glm::distance(*params.follow->point, vertex), 0.01);
+}
+
+TEST_F(ViewsTest, AClickOnTheFollowedVertexKeepsIt) {
+    const glm::dvec3 vertex = pick_small_box();
+    desk.click_at(desk.in_camera_view(vertex));
+    ASSERT_TRUE(params.follow && !params.follow->point) << "a click is no drag";
+    EXPECT_EQ(params.follow->object, "small box");
 }
 
 /// Returns the color drawn last over a place of the window; 0 if there is none.
