@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/cleared_code.h"
 #include "frame/depth/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
@@ -138,10 +139,16 @@ void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect)
 }
 
 /// Reports the effects of mistakes on P and its picture.
-void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                              const Scene& scene) {
     Sayer tell(problems, "projection");
     const Lens lens = params.lens();
-    if (params.slips.degrees_as_radians && !lens.orthographic && !lens.window) {
+    Params right = params;
+    right.slips.degrees_as_radians = false;
+    const glm::dmat4 right_clip = clip_from_view(right.lens(), derived.aspect) * derived.view_from_world;
+    const bool shows =
+        shows_anything(derived.clip_from_world, derived, scene) || shows_anything(right_clip, derived, scene);
+    if (shows && params.slips.degrees_as_radians && !lens.orthographic && !lens.window) {
         const std::string fovy = figures(params.projection.fovy, 4);
         const double c = derived.clip_from_view[1][1];
         tell.broken(
@@ -197,7 +204,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     const std::vector<SeenImage> images = seen_images(derived, scene, frame);
     find_view_problems(problems, params, derived, scene, images);
     find_slips(problems, params, scene);
-    find_projection_problems(problems, params, derived);
+    find_projection_problems(problems, params, derived, scene);
     find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
@@ -207,9 +214,11 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     // patch is drawn nearer than the depths of the previous frame.
     const bool hides_itself =
         hides_next_frame(params.depth) && (params.shadow.clip_to_receiver || !params.shadow.enabled);
-    if (params.visibility.method == VisibilityMethod::depth_buffer && (rejects_all(params.depth) || hides_itself) &&
-        !params.reflection.after_objects)
-        std::erase_if(problems, [](const Problem& problem) { return problem.kind != ProblemKind::worth_knowing; });
+    if (params.visibility.method == VisibilityMethod::depth_buffer && (rejects_all(params.depth) || hides_itself))
+        std::erase_if(problems, [&](const Problem& problem) {
+            const bool is_untested = params.reflection.after_objects && problem.group == "reflection";
+            return problem.kind != ProblemKind::worth_knowing && !is_untested;
+        });
     else
         find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene, images);

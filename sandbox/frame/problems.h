@@ -39,7 +39,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene, const std::vector<SeenImage>& images);
 
-/// Adds a problem if culling removes the sides that face the eye.
+/// Adds a problem if culling removes the sides that face the eye, or a BSP tree cuts too little.
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 

@@ -51,11 +51,14 @@ constexpr Unsaid unsaid[] = {
     {"mirrors-facing", "reflection.side_of_eye=false", "only images of images are seen from behind"},
     {"front-faces-culled", "reflection.stencil=false",
      "with few bits, depth rounds alike where image and mirror touch"},
+    {"depth-reversed-not-cleared", "depth.func=gequal", "which of two equal depths wins"},
+    {"mirrors-facing", "shadow.clip_at_light=false",
+     "with S filled by rows, another w decides what is beyond the light"},
     {"mirror-plus-2ab", "reflection.stencil=false", "the image leaves the mirror inside a triangle"},
 };
 
 /// Beginnings of sentences about the drawing order. A picture may happen not to depend on that order.
-constexpr std::string_view by_chance[] = {"GL_ALWAYS", "GL_NOTEQUAL", "the shadow writes its depth",
+constexpr std::string_view by_chance[] = {"GL_ALWAYS", "GL_NOTEQUAL", "depth mask off", "the shadow writes its depth",
                                           "the mask writes the mirror's own depth"};
 
 bool is_by_chance(const std::string& sentence) {

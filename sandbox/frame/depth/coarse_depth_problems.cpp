@@ -112,12 +112,31 @@ std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& de
     return found;
 }
 
+/// Reports a polygon offset that moves coplanar decals by less than one code. Needs the size of a unit, which the
+/// driver decides.
+void say_small_offset(Sayer& tell, const Params& params, const Derived& derived, std::span<const FlatPair> pairs) {
+    const DepthParams& depth = params.depth;
+    const std::optional<double>& unit = derived.stored_depth.unit_codes;
+    if (!unit || derived.stored_depth.precision.is_float || depth.decals != DecalMethod::offset) return;
+    const double codes = std::abs(depth.offset.units) * *unit;
+    const bool is_there = std::any_of(pairs.begin(), pairs.end(),
+                                      [](const FlatPair& pair) { return pair.has_one_decal() && pair.gap() == 0.0; });
+    tell.broken(
+        is_there && depth.offset.factor == 0.0 && codes > 0.0 && codes < 1.0,
+        sentence("depth.offset_too_small",
+                 "{units} offset units are {codes} of a depth code on this driver: where rounding removes it, a "
+                 "decal fights with the surface below",
+                 "units"_a = figures(depth.offset.units, 3), "codes"_a = figures(codes, 2)),
+        "depth.offset.units=" + plain_number(std::copysign(1.0, depth.offset.units) / *unit * 1.5));
+}
+
 /// Reports nearly coplanar surfaces that fight, by the pair whose gap is the smallest part of the one that is needed.
 void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     if (!wants_nearer(depth) || rejects_all(depth) || !depth.write || !is_cleared_to_farthest(depth)) return;
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
     if (pairs.empty() || has_bent_depth(depth)) return;
+    say_small_offset(tell, params, derived, pairs);
     const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
     if (fighting.empty()) return;
     const FightingPair& worst =

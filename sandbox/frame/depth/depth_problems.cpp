@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/cleared_code.h"
 #include "frame/depth/decals.h"
 #include "frame/depth/depth_switches.h"
 #include "frame/depth/fighting.h"
@@ -14,15 +15,6 @@
 
 namespace viewing {
 namespace {
-
-bool shows_anything(const Derived& derived, const Scene& scene) {
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
-    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return may_reach(object, sides); }) ||
-           std::any_of(derived.planes.begin(), derived.planes.end(),
-                       [&](const DerivedPlane& plane) { return is_in_view(plane.patch, derived.clip_from_world); });
-}
 
 /// The extent of a flat object in the picture and in depth.
 struct FlatExtent {
@@ -59,18 +51,13 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-/// Returns the eye distance beyond which depth is stored as the code of the cleared buffer.
-double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
-    const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
-    const double half = 0.5 * code_width(precision_of(depth.format), farthest);
-    return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
-}
-
 /// Returns the setting that replaces a depth function that lets nothing pass; "" if the clear value lets nothing pass
 /// either. With so few bits that everything has the code of the cleared buffer, GL_LESS lets nothing pass.
 std::string usual_func(const Params& params, const Derived& derived, const Scene& scene) {
     if (clears_to_nearest(params.depth)) return "";
-    const double start = start_of_cleared_code(params.depth, params.lens());
+    Params with_less = params;
+    with_less.depth.func = CompareFunc::less;
+    const double start = start_of_cleared_code(with_less);
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
     const bool is_less_enough =
         std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
@@ -164,7 +151,8 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
 }
 
 void say_clears(Sayer& tell, const DepthParams& depth) {
-    const bool compares = wants_nearer(depth) || (depth.tests() && depth.func == CompareFunc::notequal);
+    const bool refuses_ties = depth.func == CompareFunc::notequal || depth.func == CompareFunc::greater;
+    const bool compares = wants_nearer(depth) || (depth.tests() && refuses_ties);
     if (!compares || rejects_all(depth) || !depth.write) return;
     tell.broken(
         !depth.clear,
@@ -183,7 +171,7 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
     const DepthParams& depth = params.depth;
     const bool refuses_ties = depth.tests() && depth.func == CompareFunc::less;
     if (!refuses_ties || !is_cleared_to_farthest(depth) || has_bent_depth(depth)) return;
-    const double start = start_of_cleared_code(depth, params.lens());
+    const double start = start_of_cleared_code(params);
     // This close to far, surfaces are clipped and rounding decides.
     if (start > params.projection.far * (1.0 - 1e-3)) return;
     if (objects_at_most(scene, glm::transpose(derived.view_from_world)[2], -start).empty()) return;
@@ -299,7 +287,9 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
                          const Scene& scene, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
-    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(derived, scene)) return;
+    if (params.visibility.method != VisibilityMethod::depth_buffer ||
+        !shows_anything(derived.clip_from_world, derived, scene))
+        return;
     say_tests(tell, params, derived, scene);
     say_clears(tell, params.depth);
     say_clear_value(tell, params, derived, scene);

@@ -52,8 +52,8 @@ inline bool rejects_all(const DepthParams& depth) {
 
 /// Returns whether the depths of the previous, equal frame stay and hide this frame altogether.
 inline bool hides_next_frame(const DepthParams& depth) {
-    return depth.tests() && depth.func == CompareFunc::less && depth.write &&
-           !(depth.clear && depth.write_while_clearing);
+    const bool refuses_ties = depth.func == CompareFunc::less || depth.func == CompareFunc::greater;
+    return depth.tests() && refuses_ties && depth.write && !(depth.clear && depth.write_while_clearing);
 }
 
 /// Returns how many switches, each by itself, let the last fragment drawn win.

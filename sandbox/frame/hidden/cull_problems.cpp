@@ -1,6 +1,7 @@
-// Reports that culling removes the sides that face the eye. Part of problems.h.
+// Reports that culling removes the sides that face the eye, and a BSP tree that cuts too little. Part of problems.h.
 #include "frame/object_reach.h"
 #include "frame/say.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -11,13 +12,31 @@ bool is_mirrored(const SceneObject& object) {
     return glm::determinant(glm::dmat3(object.world_from_model)) < 0.0;
 }
 
+/// Reports an epsilon of the BSP tree that is wide enough to be seen.
+void say_epsilon(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    if (params.visibility.method != VisibilityMethod::bsp || scene.objects.empty()) return;
+    const double epsilon =
+        params.visibility.epsilon * glm::length(scene.bounds_world.max - scene.bounds_world.min);  // world units
+    const glm::dvec4 center(0.5 * (scene.bounds_world.min + scene.bounds_world.max), 1.0);
+    const double z = std::max(-(derived.view_from_world * center).z, params.lens().near);
+    const double share = epsilon / picture_height(params.lens(), z);
+    tell.broken(
+        share > visible_share / 5.0,
+        sentence("visibility.epsilon",
+                 "epsilon = {epsilon} is {percent} of the picture's height: polygons that cross a plane by less "
+                 "are not cut and may be drawn in the wrong order",
+                 "epsilon"_a = figures(params.visibility.epsilon, 2), "percent"_a = percent(share)),
+        "visibility.epsilon");
+}
+
 }  // namespace
 
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene) {
     const CullParams& cull = params.cull;
-    if (!cull.enabled) return;
     Sayer tell(problems, "visibility");
+    say_epsilon(tell, params, derived, scene);
+    if (!cull.enabled) return;
     if (cull.face == CullFace::front_and_back)
         return tell.broken(
             true,

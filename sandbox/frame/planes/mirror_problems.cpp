@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/cleared_code.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
@@ -19,7 +20,9 @@ std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) 
     std::vector<Mirror> mirrors;
     for (const DerivedPlane& plane : drawn_planes(params, derived))
         if (const double side = plane.eye_side; plane.mirrors && side != 0.0)
-            mirrors.push_back({plane, side, is_in_view(plane.patch, derived.clip_from_world)});
+            mirrors.push_back({plane, side,
+                               params.reflection.stencil ? may_show(plane.patch, params, derived)
+                                                         : is_in_view(plane.patch, derived.clip_from_world)});
     const bool sees_any =
         std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_in_view; });
     return sees_any ? mirrors : std::vector<Mirror>{};
@@ -56,16 +59,20 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
-/// Returns whether a mirror shows the part of a patch that is behind it, unless that is clipped.
-bool shows_behind(const Mirror& mirror, const DerivedPlane& other, const Derived& derived) {
+/// Returns forms that are positive where a mirror shows a point that is behind it, unless that is clipped.
+std::vector<glm::dvec4> forms_behind(const Params& params, const Derived& derived, const Mirror& mirror) {
     const glm::dmat4& mirrored = mirror.plane.mirrored_world_from_world;
     const glm::dmat4 on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
     const glm::dmat4 clip = glm::transpose(derived.clip_from_world * mirrored);
-    std::vector<glm::dvec4> forms = {-mirror.towards_eye(), glm::transpose(on_mirror)[3], clip[3] + clip[2]};
+    glm::dvec4 behind = -mirror.towards_eye();
+    behind.w -= standing;
+    std::vector<glm::dvec4> forms = {behind, clip[3] + clip[2]};
     for (int axis = 0; axis < 2; ++axis)
         for (const double side : {-1.0, 1.0}) forms.push_back(clip[3] + side * clip[axis]);
+    if (!params.reflection.stencil) return forms;
+    forms.push_back(glm::transpose(on_mirror)[3]);
     for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
-    return may_reach(other.patch, forms);
+    return forms;
 }
 
 /// Reports other planes' patches behind a mirror, which shows them if nothing is clipped.
@@ -75,7 +82,8 @@ void say_patches_behind(Sayer& tell, const Params& params, const Derived& derive
     for (const Mirror& mirror : mirrors) {
         std::vector<std::size_t> behind;
         for (std::size_t other = 0; other < planes.size(); ++other)
-            if (&planes[other] != &mirror.plane && mirror.is_in_view && shows_behind(mirror, planes[other], derived))
+            if (&planes[other] != &mirror.plane && mirror.is_in_view &&
+                may_reach(planes[other].patch, forms_behind(params, derived, mirror)))
                 behind.push_back(other);
         if (!behind.empty())
             return tell.broken(
@@ -118,23 +126,30 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
     if (reflection.clip != MirrorClip::none) return;
     say_patches_behind(tell, params, derived, mirrors);
     for (const Mirror& mirror : mirrors) {
-        const std::string across = objects_across(scene, mirror.towards_eye(), -standing);
+        const std::vector<glm::dvec4> forms = forms_behind(params, derived, mirror);
+        const bool is_single = mirrors.size() == 1;  // otherwise, images of images show it
+        std::vector<std::string> across, behind;
+        for (const SceneObject& object : scene.objects) {
+            if (is_single && !may_reach(object, forms)) continue;
+            const glm::dvec4 in_front = mirror.towards_eye() + glm::dvec4(0.0, 0.0, 0.0, standing);
+            const glm::dvec4 beyond = -mirror.towards_eye() - glm::dvec4(0.0, 0.0, 0.0, standing);
+            if (!may_reach(object, {&beyond, 1})) continue;
+            (may_reach(object, {&in_front, 1}) ? across : behind).push_back(object_text(object.description.name));
+        }
         if (!across.empty())
-            return tell.broken(
-                true,
-                sentence("reflection.object_across",
-                         "the mirror's plane cuts {objects}: the part behind it is mirrored too, and its "
-                         "image sticks out of the mirror",
-                         "objects"_a = across),
-                "reflection.clip");
-        const std::string behind = objects_at_most(scene, mirror.towards_eye(), -standing);
+            return tell.broken(true,
+                               sentence("reflection.object_across",
+                                        "the mirror's plane cuts {objects}: the part behind it is mirrored too, and "
+                                        "its image sticks out of the mirror",
+                                        "objects"_a = joined(across)),
+                               "reflection.clip");
         if (!behind.empty())
             return tell.broken(
                 true,
                 sentence(
                     "reflection.object_behind",
                     "{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
-                    "objects"_a = behind),
+                    "objects"_a = joined(behind)),
                 "reflection.clip");
     }
 }
@@ -167,8 +182,13 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     };
     const bool is_distorted = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
                               params.mirror_picture_scale() != 1.0;
+    // A patch that depth hides does not mark the stencil either.
+    const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return !may_show(mirror.plane.patch, params, derived);
+    });
     tell.broken(
-        !reflection.stencil && (is_distorted || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
+        !reflection.stencil &&
+            (is_distorted || is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
         sentence("reflection.beyond_edge",
                  "R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
                  "beyond the mirror's edge"),
@@ -275,7 +295,7 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
 
 /// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-                const Scene& scene) {
+                const Scene& scene, bool shows_images) {
     const ReflectionParams& reflection = params.reflection;
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
     tell.broken(!reflection.flip_winding && (culls || params.view.shows == Shows::facing),
@@ -291,7 +311,7 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
         return mask_hides(params, derived, mirror, scene);
     });
     tell.broken(
-        !reflection.reflect_light && !is_hidden,
+        !reflection.reflect_light && !is_hidden && shows_images,
         sentence("reflection.light_not_mirrored",
                  "the light is not mirrored with the scene: the image is lit from the light's position, not from "
                  "that of the light's image"),
@@ -323,7 +343,7 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
 
 /// Reports missing shadows in the mirror image.
 void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
-    if (params.reflection.shadows || !params.shadow.enabled) return;
+    if (params.reflection.shadows || !params.shadow.enabled || !params.reflection.stencil) return;
     const auto shows_receiver = [&](const Mirror& mirror) {
         const auto planes = drawn_planes(params, derived);
         return std::any_of(planes.begin(), planes.end(), [&](const DerivedPlane& plane) {
@@ -353,7 +373,12 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, mirrors, scene);
     say_slips(tell, params, derived, mirrors);
-    say_images(tell, params, derived, mirrors, scene);
+    const std::vector<SeenImage> images = seen_images(derived, scene, frame);
+    const bool is_usual =
+        params.reflection.side_of_eye && !params.reflection.printed_by_rows && params.slips == SlipParams{};
+    const bool shows_images =
+        !is_usual || std::any_of(images.begin(), images.end(), [](const SeenImage& image) { return image.is_shown; });
+    say_images(tell, params, derived, mirrors, scene, shows_images);
     find_bounce_problems(problems, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "frame/cleared_code.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"
@@ -28,7 +29,29 @@ struct Thrown {
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
-std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived) {
+/// Returns whether part of a shadow may be in the picture, on a patch that is drawn. A negative w that nothing corrects
+/// is judged as if it were positive.
+bool may_be_seen(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
+                 const CastShadow& cast) {
+    if (params.shadow.clip_to_receiver && !may_show(plane.patch, params, derived)) return false;
+    const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0;
+    const bool is_forced = params.shadow.sign == ShadowSign::forced && !params.shadow.clip_at_light;
+    if (cast.by_hand || is_forced) return true;
+    // If S is filled by rows, the right shadow may be seen instead.
+    const glm::dmat4 landed =
+        side * (cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world);
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * landed);
+    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3], clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1],
+                                     clip[3] - clip[1]};
+    if (params.shadow.clip_casters) forms.push_back(side * plane.unit_plane);
+    if (params.shadow.clip_to_receiver)
+        for (const glm::dvec4& edge : forms_of_edges(landed, plane.patch)) forms.push_back(edge);
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return may_reach(object, forms); });
+}
+
+/// Returns the shadows that may be in the picture, directly or, with mirrors, in one.
+std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived, const Scene& scene) {
     std::vector<Thrown> thrown;
     if (!params.shadow.enabled) return thrown;
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
@@ -36,6 +59,8 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived)
         const std::vector<CastShadow>& shadows = planes[plane].shadows;
         for (std::size_t light = 0; light < shadows.size(); ++light) {
             if (!planes[plane].receives_shadow || !shadows[light].reaches(planes[plane].eye_side)) continue;
+            const bool is_mirrored = params.reflection.enabled && params.reflection.shadows && planes.size() > 1;
+            if (!is_mirrored && !may_be_seen(params, derived, scene, planes[plane], shadows[light])) continue;
             thrown.push_back({planes[plane], shadows[light], light_name(light, shadows.size()),
                               planes_name(std::array{plane}, planes.size())});
         }
@@ -223,7 +248,7 @@ void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
 
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene) {
-    const std::vector<Thrown> thrown = thrown_shadows(params, derived);
+    const std::vector<Thrown> thrown = thrown_shadows(params, derived, scene);
     if (thrown.empty() || !shows_effects(params)) return;
     const ShadowParams& shadow = params.shadow;
     Sayer tell(problems, "shadow");
@@ -231,10 +256,11 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
-            !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                return lands_beyond(scene, {one.cast.sign * one.cast.shadowed_world_from_world, derived.clip_from_world,
-                                            one.towards_light(), one.plane.patch});
-            });
+            !shadow.clip_to_receiver &&
+            (previous_frame_hides(params) || std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
+                 return lands_beyond(scene, {one.cast.sign * one.cast.shadowed_world_from_world,
+                                             derived.clip_from_world, one.towards_light(), one.plane.patch});
+             }));
         tell.broken(
             beyond_edge,
             sentence("shadow.beyond_edge",

@@ -133,11 +133,12 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"shadow.clip_at_light=false", "light.position=[2.6,1,2.2,1]"},
         {"shadow.offset_factor=1", "shadow.offset_units=1"},
         {"slips.shadow_by_rows=true"},
-        {"slips.shadow_by_rows=true", "light.position=[1,0,1,1]", "plane.equation=[0,1,0,1]"},
+        {"slips.shadow_by_rows=true", "light.position=[0,4,0,1]", "plane.equation=[0,0,1,3]"},
         {"shadow.own_stencil=false", back_wall, second_light, "depth.test=false"},
         {"reflection.clip=oblique"},
         {"reflection.clip=oblique", "projection.near=1", "projection.far=15", "depth.format=d32f",
          "plane.equation=[0.3,0,0.5,0]"},
+        {"reflection.fovy=20"},
         {"reflection.clip=none", back_wall},
         {"reflection.clip=oblique", "reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
         {"reflection.clip=none", "reflection.stencil=false", "plane.equation=[0,1,0,-1]"},
@@ -197,6 +198,12 @@ void add_others(std::vector<Problem>& shown) {
                                testing::object("blue", quad_mesh(), {0, 1 + gap, 0})}),
             usual);
     add({}, testing::scene_of({testing::object("sheet", box_mesh(), {0, 0, 0}, {1, 0, 1})}), usual);
+    Viewport measured = usual;
+    measured.stored_depth = StoredDepth{DepthPrecision{24, false}, 2.0};
+    SceneObject poster = testing::object("poster", quad_mesh(), {0, 1, 0});
+    poster.description.decal = true;
+    add({"depth.offset.units=-0.25"}, testing::scene_of({testing::object("wall", quad_mesh(), {0, 1, 0}), poster}),
+        measured);
     SceneObject decal = testing::object("decal", quad_mesh(), {0, 1, 0});
     decal.description.decal = true;
     add({"depth.decals=stencil"}, testing::scene_of({decal}), usual);

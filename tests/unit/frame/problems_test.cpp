@@ -35,6 +35,9 @@ Scene crossing_scene() {
 Scene buried_scene() {
     return scene_of({object("box", box_mesh(), {0, 1, 0}), object("buried", box_mesh(), {2, -3, 0})});
 }
+Scene just_buried_scene() {
+    return scene_of({object("box", box_mesh(), {0, 1, 0}), object("buried", box_mesh(), {1.5, -1.2, 0}, {1, 0.5, 1})});
+}
 Scene high_scene() {
     return scene_of({object("box", box_mesh(), {0, 1, 0}), object("tower", box_mesh(), {-1, 5, 0})});
 }
@@ -241,7 +244,13 @@ const std::vector<Case>& cases() {
          box_scene,
          {"reflection.stencil=false", "plane.extent=1.2"},
          {"plane.extent=1.2"}},
-        {"reflection", "buried behind the mirror", buried_scene, {"reflection.clip=none"}, {}},
+        {"reflection", "buried behind the mirror", just_buried_scene, {"reflection.clip=none"}, {}},
+        {"reflection",  // deeper, its image is so high above the mirror that no line of sight to it meets the mirror
+         "buried behind the mirror",
+         just_buried_scene,
+         {"reflection.clip=none"},
+         {"reflection.clip=none"},
+         buried_scene},
         {"reflection",
          "the mirror's plane cuts sunk",
          crossing_scene,

@@ -1,0 +1,56 @@
+#include "frame/cleared_code.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "frame/depth/depth_switches.h"
+#include "frame/object_reach.h"
+
+namespace viewing {
+namespace {
+
+/// Returns forms that are positive inside the picture's four sides.
+std::array<glm::dvec4, 4> sides_of_picture(const glm::dmat4& clip_from_world) {
+    const glm::dmat4 rows = glm::transpose(clip_from_world);
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
+}
+
+}  // namespace
+
+double start_of_cleared_code(const Params& params) {
+    const DepthParams& depth = params.depth;
+    const bool refuses_ties =
+        params.visibility.method == VisibilityMethod::depth_buffer && depth.tests() && depth.func == CompareFunc::less;
+    if (!refuses_ties || !is_cleared_to_farthest(depth) || has_bent_depth(depth))
+        return std::numeric_limits<double>::infinity();
+    const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
+    const double half = 0.5 * code_width(precision_of(depth.format), farthest);
+    return distance_of_window_depth(params.lens(), depth.mapping, std::abs(farthest - half));
+}
+
+bool previous_frame_hides(const Params& params) {
+    return params.visibility.method == VisibilityMethod::depth_buffer && hides_next_frame(params.depth);
+}
+
+bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived) {
+    const std::array<glm::dvec4, 4> sides = sides_of_picture(derived.clip_from_world);
+    std::vector<glm::dvec4> forms(sides.begin(), sides.end());
+    const glm::dvec4 towards_eye = glm::transpose(derived.view_from_world)[2];  // minus the eye distance
+    const double start = std::min(start_of_cleared_code(params), params.projection.far);
+    if (std::isfinite(start)) forms.push_back(towards_eye + glm::dvec4(0.0, 0.0, 0.0, start));
+    forms.push_back(-towards_eye - glm::dvec4(0.0, 0.0, 0.0, params.projection.near));
+    return may_reach(patch, forms);
+}
+
+bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene) {
+    const std::array<glm::dvec4, 4> sides = sides_of_picture(clip_from_world);
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return may_reach(object, sides); }) ||
+           std::any_of(derived.planes.begin(), derived.planes.end(),
+                       [&](const DerivedPlane& plane) { return may_reach(plane.patch, sides); });
+}
+
+}  // namespace viewing

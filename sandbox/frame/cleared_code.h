@@ -1,0 +1,22 @@
+// The distance from which surfaces get the depth code of the cleared buffer, so that GL_LESS rejects them. Pure.
+#pragma once
+
+#include "frame/derive.h"
+#include "state/scene.h"
+
+namespace viewing {
+
+/// Returns the eye distance beyond which depth has the code of the cleared buffer and GL_LESS rejects everything;
+/// infinite if it rejects nothing for that reason.
+double start_of_cleared_code(const Params& params);
+
+/// Returns whether the depths of the previous, equal frame stay and hide this frame: hides_next_frame().
+bool previous_frame_hides(const Params& params);
+
+/// Returns whether part of a patch is in the picture, between near and far, and nearer than that distance.
+bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived);
+
+/// Returns whether anything may be in the picture: part of an object or of a patch, at any distance.
+bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene);
+
+}  // namespace viewing
