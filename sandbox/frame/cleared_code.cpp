@@ -45,6 +45,15 @@ bool may_show(const PlanePatch& patch, const Params& params, const Derived& deri
     return may_reach(patch, forms);
 }
 
+bool loses_part(const PlanePatch& patch, const Params& params, const Derived& derived) {
+    const double start = start_of_cleared_code(params);
+    if (!(start < params.projection.far)) return false;
+    Params beyond = params;
+    beyond.projection.near = std::max(start, params.projection.near);
+    beyond.depth.test = false;  // no code counts
+    return may_show(patch, beyond, derived);
+}
+
 bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene) {
     const std::array<glm::dvec4, 4> sides = sides_of_picture(clip_from_world);
     return std::any_of(scene.objects.begin(), scene.objects.end(),

@@ -16,6 +16,9 @@ bool previous_frame_hides(const Params& params);
 /// Returns whether part of a patch is in the picture, between near and far, and nearer than that distance.
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived);
 
+/// Returns whether part of a patch is in the picture, between near and far, but beyond that distance.
+bool loses_part(const PlanePatch& patch, const Params& params, const Derived& derived);
+
 /// Returns whether anything may be in the picture: part of an object or of a patch, at any distance.
 bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene);
 

@@ -182,9 +182,9 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     };
     const bool is_distorted = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
                               params.mirror_picture_scale() != 1.0;
-    // A patch that depth hides does not mark the stencil either.
+    // Where depth hides the patch, it does not mark the stencil either.
     const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return !may_show(mirror.plane.patch, params, derived);
+        return loses_part(mirror.plane.patch, params, derived);
     });
     tell.broken(
         !reflection.stencil &&
