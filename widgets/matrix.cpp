@@ -112,21 +112,20 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     const float room = cell_width - 2.0F * inset, growth = CurrentContext().matrix_growth;
     number.size = GrownSize(number, growth, room, ColumnsOf(value, style.decimals));
     symbol.size *= growth;
-    const bool has_symbols = FitSymbols(style, room, symbol);
-    symbols = has_symbols && !style.overridden;
+    symbols = FitSymbols(style, room, symbol);
 
     const float digit = number.font->GetCharAdvance('0') * number.size / number.font->FontSize;
     columns = std::max(1, static_cast<int>(room / digit + 0.01F));
     decimals = FitDecimals(value, style.decimals, columns);
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
-    // Reserve the same height whether or not the symbols are shown, so that it stays the same when editing starts.
-    // Without the symbols that it has elsewhere, a matrix also gives up the space around its numbers.
+    // The height stays the same when editing starts. Without the symbols that it has elsewhere, a matrix also gives up
+    // the space around its numbers.
     const bool hides_symbols =
         !style.cells.empty() && std::all_of(style.cells.begin(), style.cells.end(),
                                             [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
     const float usual = inner::FaceOf(CurrentContext().fonts.matrix).size, small = symbol.size / growth;
-    const float shown_height = growth * ShownHeight(usual, hides_symbols, has_symbols ? small : 0.0F);
+    const float shown_height = growth * ShownHeight(usual, hides_symbols, symbols ? small : 0.0F);
     cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
 
@@ -217,7 +216,7 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
         const std::string title = say("row {row}, column {column}", "row"_a = cell / 4 + 1, "column"_a = cell % 4 + 1);
         ImGui::TextUnformatted(title.c_str());
     }
-    if (!style.overridden && !style.cells.empty() && *style.cells[static_cast<std::size_t>(cell)].symbol) {
+    if (!style.cells.empty() && *style.cells[static_cast<std::size_t>(cell)].symbol) {
         const inner::FormulaLayout layout(style.cells[static_cast<std::size_t>(cell)].symbol, style.roles,
                                           context.palette.text, inner::FaceOf(nullptr));
         layout.Draw(ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos());

@@ -27,6 +27,7 @@ struct Targets {
         std::string name;
         const ImDrawList* window;
         ImVec2 min, max;
+        ImVec2 clip_min;  ///< of the area that it is in: a window may draw several views
     };
     std::vector<Found> found;
 

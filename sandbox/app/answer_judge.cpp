@@ -6,6 +6,7 @@
 #include "lesson/allowed.h"
 #include "lesson/filled_text.h"
 #include "lesson/progress.h"
+#include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
 
@@ -55,6 +56,7 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         run->take_reveal(
             filled_or_same(run->step().reveal.say, with_constants(run->step().ask, numbers.surroundings())));
     }
+    if (run) show_products(*run, session);
     const bool has_model = run && run->is_revealed() && show_model(*run, session, moment.may_wait);
     if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) {
         give_up();
@@ -104,6 +106,18 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         });
     }
     return true;
+}
+
+void AnswerJudge::show_products(LessonRun& run, const Session& session) {
+    const Ask& ask = run.step().ask;
+    if (ask.factors.empty() || session.loading_fraction()) return;
+    LessonRun::Products& known = run.products();
+    if (known.at == session.params && known.items == run.shown_items()) return;
+    LessonNumbers numbers(session.params, run.step().start.params, session.scene(), nullptr);
+    const Result<std::vector<glm::dmat4>> products =
+        products_of(ask, run.shown_items(), with_constants(ask, numbers.surroundings()));
+    if (!products) run.tell_trouble(products.error());
+    known = {session.params, run.shown_items(), products ? *products : std::vector<glm::dmat4>()};
 }
 
 bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {

@@ -42,6 +42,8 @@ private:
     /// Computes the right answer of a typed question that has been revealed, in the background if it is measured.
     /// Returns whether it has just become known.
     bool show_model(LessonRun& run, Session& session, bool may_wait);
+    /// Computes the products of a question's tiles for the present state.
+    static void show_products(LessonRun& run, const Session& session);
     /// Drops the judgment in progress, so that the next check starts a new one.
     void give_up();
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);

@@ -75,6 +75,7 @@ Status WindowMemory::follow(const Requests& requests, Workbench& workbench, bool
     if (requests.chosen_theme) now.theme = requests.chosen_theme;
     if (requests.chosen_language) now.language = requests.chosen_language;
     if (requests.chosen_scale) now.scale = requests.chosen_scale;
+    now.mouse = workbench.views.mouse;
     now.lessons = workbench.progress;
     now.lesson = workbench.last_lesson;
     now.recent = workbench.recent;
@@ -96,6 +97,7 @@ void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
     workbench.progress = remembered_.lessons;
     workbench.last_lesson = remembered_.lesson;
     workbench.recent = remembered_.recent;
+    workbench.views.mouse = remembered_.mouse;
     if (!keeps_answers) return;
     const std::filesystem::path file = remembered_file();
     workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);

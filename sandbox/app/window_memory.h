@@ -1,5 +1,5 @@
-// Remembers theme, scale, language and the window's place for the next run. Read state/person/remembered.h for the
-// file.
+// Remembers theme, scale, language, the habits of the mouse and the window's place for the next run. Read
+// state/person/remembered.h for the file.
 #pragma once
 
 #include <filesystem>

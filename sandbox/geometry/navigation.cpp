@@ -12,7 +12,7 @@ using Vec3 = glm::dvec3;
 
 constexpr double max_step_s = 0.25, max_substep_s = 1.0 / 240.0;
 constexpr double slow_factor = 0.25;
-constexpr double max_orbit_pitch_deg = 89.9, min_orbit_distance = 0.01;
+constexpr double max_level_pitch_deg = 89.9, min_orbit_distance = 0.01;
 constexpr double orbit_zoom_length = 2.5;  // moving forward by this length divides the eye's distance by e = 2.718
 constexpr double rest_fraction = 1e-3;     // motion at or below this fraction of the full rate counts as rest
 
@@ -91,6 +91,15 @@ Vec3 approach(Vec3& rate, const Vec3& wanted, double full_rate, double smoothing
     return path;
 }
 
+/// Returns `angles` after a rotation of yaw about the world's y axis and of pitch about the camera's level right axis;
+/// roll stays. The pitch stops at ±89.9°; a camera already beyond that is not forced back, but cannot go farther.
+Angles turned_level(Angles angles, const Vec3& turn) {
+    if (turn.y != 0.0) angles.yaw_deg = wrapped(angles.yaw_deg + turn.y);
+    const double limit = std::max(max_level_pitch_deg, std::abs(angles.pitch_deg));
+    angles.pitch_deg = std::clamp(angles.pitch_deg + turn.x, -limit, limit);
+    return angles;
+}
+
 Pose fly(Pose pose, const Vec3& path, const Vec3& turn) {
     const Angles halfway = turned_about_own_axes(pose.angles, turn * 0.5);
     pose.position += glm::dmat3(rotation_from_angles(halfway)) * Vec3(path.x, path.y, -path.z);
@@ -111,10 +120,10 @@ Pose walk(Pose pose, const Vec3& path, const Vec3& turn, const MotionSlips& slip
     return pose;
 }
 
-/// Rotates the whole camera about the target so that it ends up at `angles`.
-void carry_about_target(Pose& pose, const Angles& angles) {
+/// Rotates the whole camera about a center so that it ends up at `angles`.
+void carry_about(const Vec3& center, Pose& pose, const Angles& angles) {
     const glm::dmat3 before(rotation_from_angles(pose.angles)), after(rotation_from_angles(angles));
-    pose.position = pose.target + after * (glm::transpose(before) * (pose.position - pose.target));
+    pose.position = center + after * (glm::transpose(before) * (pose.position - center));
     pose.angles = angles;
 }
 
@@ -136,14 +145,9 @@ void orbit_turn(Pose& pose, Motion& motion, const Vec3& turn, const MotionSlips&
     if (slips.pole_flip) {
         orbit_without_limit(pose, motion, turn);
     } else if (slips.creeping_roll) {
-        carry_about_target(pose, turned_about_own_axes(pose.angles, turn));
+        carry_about(pose.target, pose, turned_about_own_axes(pose.angles, turn));
     } else {
-        Angles angles = pose.angles;
-        angles.yaw_deg = wrapped(angles.yaw_deg + turn.y);
-        // A camera already beyond the limit is not forced back, but cannot go farther.
-        const double limit = std::max(max_orbit_pitch_deg, std::abs(angles.pitch_deg));
-        angles.pitch_deg = std::clamp(angles.pitch_deg + turn.x, -limit, limit);
-        carry_about_target(pose, angles);
+        carry_about(pose.target, pose, turned_level(pose.angles, turn));
     }
 }
 
@@ -183,7 +187,7 @@ Pose moved(Pose pose, Motion& motion, const Vec3& path, const Vec3& turn, Naviga
 
 bool MotionInput::idle() const {
     return move == Vec3(0.0) && yaw == 0.0 && pitch == 0.0 && roll == 0.0 && look_deg == glm::dvec2(0.0) &&
-           pan == glm::dvec2(0.0) && dolly == 0.0 && zoom == 1.0;
+           orbit_deg == glm::dvec2(0.0) && pan == glm::dvec2(0.0) && dolly == 0.0 && zoom == 1.0;
 }
 
 bool Motion::at_rest() const {
@@ -195,10 +199,17 @@ Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation
     keep_available(motion.velocity, motion.turn_rate_deg, mode, slips);
     motion.past_pole = motion.past_pole && mode == Navigation::orbit && slips.pole_flip;
 
-    Vec3 dragged(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
+    const bool flies = mode == Navigation::fly;
+    const glm::dvec2 look_deg = flies ? input.look_deg : input.look_deg + input.orbit_deg;
+    Vec3 dragged(0.0), look(look_deg.y, look_deg.x, 0.0);
     if (mode != Navigation::orbit) dragged = Vec3(input.pan, input.dolly);
     keep_available(dragged, look, mode, slips);
-    Pose result = moved(pose, motion, dragged, look, mode, slips);
+    const bool is_level = flies && input.keeps_horizon;
+    Pose result = moved(pose, motion, dragged, is_level ? Vec3(0.0) : look, mode, slips);
+    if (is_level) result.angles = turned_level(result.angles, look);
+    if (flies && input.orbit_deg != glm::dvec2(0.0))
+        carry_about(input.orbit_center, result,
+                    turned_level(result.angles, Vec3(input.orbit_deg.y, input.orbit_deg.x, 0.0)));
     if (mode == Navigation::orbit) {
         zoom(result, input.zoom);
         pan(result, input.pan);
@@ -239,11 +250,12 @@ MovingFreedoms asked_freedoms(const MotionInput& input) {
 MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode) {
     const MovingFreedoms can = available_freedoms(mode);
     const bool is_moved_forward = mode == Navigation::orbit ? input.zoom != 1.0 : input.dolly != 0.0;
+    const glm::dvec2 orbit_deg = input.orbit_deg, carried_deg = mode == Navigation::fly ? orbit_deg : glm::dvec2(0.0);
     return {.forward = can.forward && (motion.velocity.z != 0.0 || is_moved_forward),
-            .strafe = can.strafe && (motion.velocity.x != 0.0 || input.pan.x != 0.0),
-            .lift = can.lift && (motion.velocity.y != 0.0 || input.pan.y != 0.0),
-            .yaw = can.yaw && (motion.turn_rate_deg.y != 0.0 || input.look_deg.x != 0.0),
-            .pitch = can.pitch && (motion.turn_rate_deg.x != 0.0 || input.look_deg.y != 0.0),
+            .strafe = can.strafe && (motion.velocity.x != 0.0 || input.pan.x != 0.0 || carried_deg.x != 0.0),
+            .lift = can.lift && (motion.velocity.y != 0.0 || input.pan.y != 0.0 || carried_deg.y != 0.0),
+            .yaw = can.yaw && (motion.turn_rate_deg.y != 0.0 || input.look_deg.x != 0.0 || orbit_deg.x != 0.0),
+            .pitch = can.pitch && (motion.turn_rate_deg.x != 0.0 || input.look_deg.y != 0.0 || orbit_deg.y != 0.0),
             .roll = can.roll && motion.turn_rate_deg.z != 0.0};
 }
 

@@ -17,6 +17,11 @@ struct MotionInput {
     glm::dvec3 move{0.0};                       ///< held keys: right, up, forward, each −1 … 1
     double yaw = 0.0, pitch = 0.0, roll = 0.0;  ///< held keys: −1 … 1, positive turns left, looks up, leans left
     glm::dvec2 look_deg{0.0};                   ///< mouse: yaw (left positive), pitch (up positive); not smoothed
+    bool keeps_horizon =
+        false;                  ///< fly: look_deg turns yaw about world y and pitch about the camera's level right axis
+    glm::dvec2 orbit_deg{0.0};  ///< mouse, like look_deg: in fly, carries the camera about orbit_center, with a level
+                                ///< horizon; in orbit and walk, the same as look_deg
+    glm::dvec3 orbit_center{0.0};  ///< world
     glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (in orbit, also of the target) to the right and up, in
                           ///< world units; not smoothed
     double dolly = 0.0;   ///< fly, walk: distance forward, world units; not smoothed

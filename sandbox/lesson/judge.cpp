@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lesson/other_plane.h"
+#include "lesson/other_row.h"
 #include "lesson/progress.h"
 
 namespace viewing {
@@ -47,15 +47,22 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
     return factor && are_all(close_entries(typed, right, *factor, tolerance_of(ask, right)));
 }
 
-/// Returns which entries are right. If any factor is allowed, takes the one with the most right entries.
-std::vector<bool> right_entries(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
+/// Returns the factor with which the most entries are right, or 1 if none is allowed. A factor other than 1 must fit
+/// two entries that are not 0, since any number fits some factor.
+double best_factor(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
     const double tolerance = tolerance_of(ask, right);
-    std::vector<bool> best = close_entries(typed, right, 1.0, tolerance);
+    const auto fitting = [&](double factor) {
+        const std::vector<bool> close = close_entries(typed, right, factor, tolerance);
+        return std::count(close.begin(), close.end(), true);
+    };
+    double best = 1.0;
     for (std::size_t i = 0; ask.up_to_factor && i < typed.size(); ++i) {
         if (typed[i] == 0.0 || right[i] == 0.0) continue;
-        std::vector<bool> close = close_entries(typed, right, right[i] / typed[i], tolerance);
-        if (std::count(close.begin(), close.end(), true) > std::count(best.begin(), best.end(), true))
-            best = std::move(close);
+        const double factor = right[i] / typed[i];
+        const std::vector<bool> close = close_entries(typed, right, factor, tolerance);
+        int telling = 0;
+        for (std::size_t j = 0; j < typed.size(); ++j) telling += close[j] && right[j] != 0.0 ? 1 : 0;
+        if (telling >= 2 && fitting(factor) > fitting(best)) best = factor;
     }
     return best;
 }
@@ -70,7 +77,7 @@ void tell_near_numbers(const Ask& ask, const std::vector<double>& typed, const s
         verdict.near = Near::factor;
         return;
     }
-    const std::vector<bool> close = right_entries(typed, right, ask);
+    const std::vector<bool> close = close_entries(typed, right, best_factor(typed, right, ask), tolerance);
     const std::vector<bool> opposite = close_entries(typed, right, -1.0, tolerance);
     bool are_signs = true;
     std::vector<int> wrong_rows, right_rows;
@@ -104,6 +111,14 @@ void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& ver
             if (holds_all(expected, items)) verdict.near = Near::incomplete;
             if (holds_all(items, expected)) verdict.near = Near::too_many;
         }
+        if (verdict.near != Near::nothing) return;
+        const std::vector<int>& expected = ask.expected_items.front();
+        const auto right = static_cast<int>(std::count_if(items.begin(), items.end(), [&](int one) {
+            return std::find(expected.begin(), expected.end(), one) != expected.end();
+        }));
+        if (right == 0) return;
+        verdict.near = Near::some_items;
+        verdict.places = {right};
         return;
     }
     int most = 0;
@@ -207,15 +222,18 @@ Result<Verdict> judged(const Ask& ask, const Answer& answer, const Surroundings&
     }
     Verdict unknown;
     if (has_items(ask.kind)) tell_near_items(ask, answer.items, unknown);
-    if (is_typed(ask.kind))
-        if (const Result<Answer> model = model_answer(ask, surroundings))
-            tell_near_numbers(ask, answer.numbers, model->numbers, unknown);
-    if (ask.kind == AskKind::matrix && unknown.near == Near::right_parts)
-        if (const std::optional<OtherPlane> other =
-                other_plane(answer.numbers, unknown.places, ask.expect, surroundings)) {
-            unknown.other_row = other->row;
-            unknown.other_plane = {other->plane.x, other->plane.y, other->plane.z, other->plane.w};
-        }
+    const Result<Answer> model = is_typed(ask.kind) ? model_answer(ask, surroundings) : Answer{};
+    if (!is_typed(ask.kind) || !model || model->numbers.size() != answer.numbers.size()) return unknown;
+    tell_near_numbers(ask, answer.numbers, model->numbers, unknown);
+    if (ask.kind != AskKind::matrix || (unknown.near != Near::right_parts && unknown.near != Near::nothing))
+        return unknown;
+    std::vector<double> numbers = answer.numbers;
+    for (double& number : numbers) number *= best_factor(answer.numbers, model->numbers, ask);
+    if (const std::optional<OtherRow> other = other_row(numbers, unknown.places, ask.expect, surroundings)) {
+        unknown.other_row = other->row;
+        std::vector<double>& found = other->is_light ? unknown.other_light : unknown.other_plane;
+        for (int i = 0; i < 4; ++i) found.push_back(other->numbers[i]);
+    }
     return unknown;
 }
 

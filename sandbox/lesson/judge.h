@@ -16,6 +16,7 @@ enum class Near {
     sign,         ///< only the signs at the places are wrong
     right_parts,  ///< the rows or entries at the places are right, the others are not
     first_items,  ///< so many tiles at the beginning are right
+    some_items,   ///< so many chosen tiles are right; others are not, and some are missing
     incomplete,   ///< every chosen tile is right, but some are missing
     too_many      ///< all right tiles are chosen, and others too
 };
@@ -26,9 +27,10 @@ struct Verdict {
     std::string tag = {};                    ///< the misconception
     int points = 0;                          ///< in an exercise: points earned although the answer is not right
     Near near = Near::nothing;               ///< for an unknown mistake
-    std::vector<int> places = {};            ///< for `near`: rows or entries, counted from 1, or the number of tiles
-    int other_row = 0;                       ///< a wrong row that is right for another plane, from 1; 0: none
-    std::vector<double> other_plane = {};    ///< (a, b, c, d) of that plane, with a unit normal
+    std::vector<int> places = {};            ///< for `near`: rows or entries, counted from 1, or a number of tiles
+    int other_row = 0;                       ///< a wrong row that is right for another plane or light, from 1; 0: none
+    std::vector<double> other_plane = {};    ///< (a, b, c, d) of that plane, with a unit normal; empty: it is a light
+    std::vector<double> other_light = {};    ///< (x, y, z, w) of that light
     std::vector<std::string> progress = {};  ///< of a goal: see progress_of()
     bool operator==(const Verdict&) const = default;
 };

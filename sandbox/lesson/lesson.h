@@ -87,7 +87,8 @@ struct Ask {
     double tolerance = 0.0;                        ///< absolute, for each entry
     double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
-    std::string shows_as;              ///< the field that shows the effect of an entered matrix; "": none
+    std::vector<std::string> factors;  ///< of product and sequence: for each item, an expression for its 4×4 matrix
+    std::string shows_as;              ///< the field that shows the effect of the answer's matrix; C or V; "": none
     std::string until;                 ///< for a goal: an expression that is true when it is reached
     std::vector<GoalNumber> progress;  ///< of a goal
     std::vector<std::string> allow;    ///< the fields or groups that may change; empty: all
@@ -187,6 +188,7 @@ struct LessonFile {
         std::vector<int> slides;  ///< its own, or the lesson's
     };
     std::vector<Step> listed_steps = {};
+    std::vector<std::string> needs = {};  ///< ids of the lessons to do first
 };
 
 /// Returns the lessons of the assets directory in the order of the lecture: by file name, which begins with a number. A

@@ -112,6 +112,7 @@ LessonFile glance_at(const fs::path& path) {
         if (document.contains("title")) file.title = read_text_of(document["title"], root);
         file.group = group_at(document, root);
         file.slides = read_slides(document, root);
+        file.needs = names_at(document, "needs", root);
         if (document.contains("minutes")) file.minutes = read_whole(document["minutes"], root, 1, 600);
         if (document.contains("steps")) file.steps = static_cast<int>(document["steps"].size());
         if (has(document, "parts"))

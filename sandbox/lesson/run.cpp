@@ -65,6 +65,10 @@ void LessonRun::show_hint() {
     now().hints = std::min(now().hints + 1, static_cast<int>(step().ask.hints.size()));
 }
 
+const std::vector<int>& LessonRun::shown_items() const {
+    return is_revealed() ? step().ask.expected_items.front() : answer().items;
+}
+
 int LessonRun::done_count() const {
     return static_cast<int>(
         std::count_if(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.done; }));

@@ -2,6 +2,7 @@
 // changes parameters; session/guide.h does that.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,17 @@ public:
     GoalProgress& progress() { return now().progress; }
     const GoalProgress& progress() const { return now().progress; }
 
+    /// Returns the products of the tiles' factors, from left to right, and what they were computed for.
+    struct Products {
+        std::optional<Params> at;
+        std::vector<int> items;
+        std::vector<glm::dmat4> matrices;
+    };
+    Products& products() { return now().products; }
+    const Products& products() const { return now().products; }
+    /// Returns the tiles that are shown: the chosen ones or, after the reveal, the right ones.
+    const std::vector<int>& shown_items() const;
+
     /// Returns the right answer of a typed question, once it has been computed after the reveal.
     std::optional<Answer>& model() { return now().model; }
 
@@ -106,6 +118,7 @@ private:
         std::optional<Answer> model;
         LessonText reveal_say;  ///< filled; empty until then, and for a text without numbers to fill in
         GoalProgress progress;
+        Products products;
         int hints = 0;
         Ballot ballot;
         std::optional<Params> reached;

@@ -6,6 +6,7 @@
 #include "lesson/judge.h"
 #include "lesson/progress.h"
 #include "lesson/targets.h"
+#include "lesson/typed_matrix.h"
 #include "state/file/json.h"
 #include "state/scene.h"
 #include "text/words.h"
@@ -256,10 +257,6 @@ void read_typed(const Json& object, Ask& ask, const std::vector<std::string>& co
     ask.tolerance = tolerance_at(object, "tol", where);
     ask.relative_tolerance = tolerance_at(object, "tol_rel", where);
     ask.up_to_factor = has(object, "up_to_factor") && read_bool(object["up_to_factor"], where.key("up_to_factor"));
-    if (has(object, "shows_as")) {
-        ask.shows_as = read_name(object["shows_as"], where.key("shows_as"));
-        if (!find_field(ask.shows_as)) refuse_unknown({where.prefix, ask.shows_as});
-    }
     if (ask.kind == AskKind::vector)
         ask.rows = has(object, "size") ? read_whole(object["size"], where.key("size"), 2, most_entries_of_vector) : 3;
     if (ask.kind == AskKind::matrix)
@@ -298,13 +295,14 @@ void read_right(const Json& object, const LessonStep& step, Ask& ask, const std:
     } else {
         read_typed(object, ask, constants, where);
     }
+    read_shown_matrix(object, ask, constants, where);
 }
 
 void read_ask(const Json& object, LessonStep& step, const Where& where, Mistakes& mistakes) {
     mistakes.part([&] {
         require_keys(object, where,
                      {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel",
-                      "up_to_factor", "shows_as", "until", "progress", "allow", "model", "wrong"});
+                      "up_to_factor", "factors", "shows_as", "until", "progress", "allow", "model", "wrong"});
     });
     if (!object.is_object()) return;
     Ask& ask = step.ask;

@@ -1,18 +1,34 @@
-// States that show the effect of an entered matrix, and that of the right one, on the picture.
+// The matrix that an answer is: entered numbers, or the product of the factors on its tiles. States that show the
+// effect of that matrix, and of the right one, on the picture.
 #pragma once
 
+#include <glm/mat4x4.hpp>
+#include <string>
 #include <vector>
 
+#include "lesson/expression.h"
 #include "lesson/lesson.h"
+#include "lesson/tree.h"
 
 namespace viewing {
+
+/// Reads the factors on the tiles and the field that shows the matrix; both may be missing. Throws a Refusal.
+void read_shown_matrix(const Json& object, Ask& ask, const std::vector<std::string>& constants, const Where& where);
+
+/// Returns the matrix with these 16 numbers, given row by row.
+glm::dmat4 matrix_of_rows(const std::vector<double>& numbers);
+
+/// Returns the product of the first one, two, … of these items' factors, as written from left to right. Fails if a
+/// factor is not a 4×4 matrix.
+Result<std::vector<glm::dmat4>> products_of(const Ask& ask, const std::vector<int>& items,
+                                            const Surroundings& surroundings);
 
 /// Returns the start of a step, but with a shadow that is also visible beyond the edge of the plane.
 LoadedState with_right_matrix(const LessonStep& step);
 
-/// Returns the same start with 16 entered numbers, row by row, as the matrix that the step asks for (Ask::shows_as). If
-/// the question allows any factor, chooses the sign for which points near the origin get w > 0 and so stay in front of
-/// the eye. Fails if the field refuses the numbers.
-Result<LoadedState> with_typed_matrix(const LessonStep& step, const std::vector<double>& numbers);
+/// Returns the same start with the matrix as the field that shows the answer (Ask::shows_as), or with the camera that
+/// has it as its C or V. If the question allows any factor, chooses the sign for which points near the origin get w > 0
+/// and so stay in front of the eye. Fails if the field refuses the numbers, or if no camera has the matrix.
+Result<LoadedState> with_typed_matrix(const LessonStep& step, const glm::dmat4& matrix);
 
 }  // namespace viewing

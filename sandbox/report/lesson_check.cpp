@@ -6,6 +6,7 @@
 #include "lesson/append.h"
 #include "lesson/filled_text.h"
 #include "lesson/judge.h"
+#include "lesson/typed_matrix.h"
 #include "report/lesson_numbers.h"
 #include "state/file/json.h"
 #include "text/words.h"
@@ -145,6 +146,10 @@ private:
             find("ask: " + verdict.error());
         else if (!verdict->right)
             find("ask: the model answer is not accepted");
+        if (!ask.factors.empty())
+            if (const auto products = products_of(ask, model->items, with_constants(ask, numbers.surroundings()));
+                !products)
+                find("ask.factors: " + products.error());
         for (std::size_t i = 0; i < ask.wrong.size(); ++i) {
             const std::string where = "ask.wrong[" + std::to_string(i) + "]";
             if (ask.wrong[i].sample.empty())

@@ -96,6 +96,15 @@ void Session::frame_all(double aspect) {
     Bounds all = scene_.bounds_world;
     for (const PlaneParams& plane : params.planes)
         for (const glm::dvec3& corner : plane_patch(plane.equation, plane.extent).corners()) all.add(corner);
+    // A point light belongs to the picture unless the scene would be a speck beside it.
+    constexpr double most_scene_sizes = 3.0;
+    const glm::dvec3 center = all.center();
+    const double farthest = most_scene_sizes * glm::length(all.size());
+    for (const LightParams& light : params.lights) {
+        if (is_parallel_light(light.position)) continue;
+        const glm::dvec3 at = glm::dvec3(light.position) / light.position.w;
+        if (glm::distance(at, center) <= farthest) all.add(at);
+    }
     CameraParams& camera = params.camera;
     const Framing found = framing(all, camera.angles(), params.lens(), aspect);
     camera.position = found.eye;

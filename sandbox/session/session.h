@@ -84,8 +84,8 @@ public:
 
     /// Moves the camera back to its initial pose in this state.
     void go_home();
-    /// Fits the whole scene with its patches into the picture without rotating the camera. `aspect` is that of the
-    /// picture.
+    /// Fits the whole scene with its patches and the point lights near it into the picture without rotating the camera.
+    /// `aspect` is that of the picture.
     void frame_all(double aspect);
     /// Sets the camera's roll to zero.
     void level();

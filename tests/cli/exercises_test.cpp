@@ -102,9 +102,10 @@ TEST_F(ExercisesCommand, VariantsMatchAnIndependentComputation) {
     EXPECT_EQ(sheet["exercises"][0]["values"], nlohmann::json::parse(R"({"P": [0, 1, 0, 0], "L": [-1, 4, 3, 1]})"))
         << "the ninth of its deployed ones";
     EXPECT_EQ(sheet["exercises"][0]["points"], 3);
-    EXPECT_EQ(sheet["exercises"][0]["question"],
-              "Π = (0, 1, 0, 0), L = (−1, 4, 3, 1). Enter the shadow matrix S, each number to four digits. (Any "
-              "nonzero multiple is the same map.)");
+    EXPECT_EQ(
+        sheet["exercises"][0]["question"],
+        "The plane is (0, 1, 0, 0), the light (−1, 4, 3, 1). Enter the shadow matrix S, each number to four digits. "
+        "(Any nonzero multiple is the same map.)");
     EXPECT_EQ(sheet["exercises"][1]["variant"], 12);
     EXPECT_FALSE(sheet["exercises"][0].contains("solution"));
 }

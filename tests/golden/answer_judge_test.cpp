@@ -122,6 +122,33 @@ TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::filesystem::remove_all(folder);
 }
 
+/// The product of the tiles follows their order and the state; in the right order it is C.
+TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
+    Guide& guide = studio_->workbench.guide;
+    const Result<Lesson> walk = load_lesson("fly-and-walk");
+    ASSERT_TRUE(walk) << walk.error();
+    guide.begin(*walk, walk->steps.size() - 1, studio_->session);
+    const auto is_told = [&] {
+        return run().products().at == studio_->session.params && !run().products().matrices.empty();
+    };
+    const auto off_camera = [&](const glm::dmat4& product) {
+        const glm::dmat4 c =
+            world_from_view(studio_->session.params.camera.position, studio_->session.params.camera.angles());
+        double off = 0.0;
+        for (int i = 0; i < 16; ++i) off = std::max(off, std::abs(product[i / 4][i % 4] - c[i / 4][i % 4]));
+        return off;
+    };
+    ASSERT_TRUE(frames_until(is_told));
+    ASSERT_EQ(run().products().matrices.size(), 4U);
+    EXPECT_GT(off_camera(run().products().matrices.back()), 0.1) << "the tiles begin in a wrong order";
+    guide.run()->answer().items = {3, 1, 0, 2};
+    ASSERT_TRUE(frames_until([&] { return run().products().items == guide.run()->answer().items; }));
+    EXPECT_LT(off_camera(run().products().matrices.back()), 1e-12);
+    studio_->session.params.camera.yaw = -70.0;
+    ASSERT_TRUE(frames_until(is_told));
+    EXPECT_LT(off_camera(run().products().matrices.back()), 1e-12);
+}
+
 class AnswerJudgeSlowTest : public AnswerJudgeTest {};
 
 /// A revealed question shows its right answer, also if another one was left while its own was still being measured.

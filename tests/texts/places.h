@@ -75,6 +75,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"left", "how many are left, a whole number"},
     {"length", "a vector's length, a number"},
     {"lesson", "a lesson's title"},
+    {"lessons", "the numbers of lessons, such as 10, 14"},
     {"light", "a light's number, or its name: the light, light 2"},
     {"lights", "the numbers of one or more lights, such as 1, 2"},
     {"list", "several texts of the catalog with commas between them"},

@@ -6,6 +6,7 @@
 
 #include "desk.h"
 #include "readable.h"
+#include "recorded_letters.h"
 #include "state/presets.h"
 #include "text/catalogue.h"
 #include "ui/parts/topics.h"
@@ -271,6 +272,9 @@ TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {
     EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "the text never shrinks";
     arrangement.bare = true;
     EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
+    arrangement.bare = false;
+    arrangement.in_lesson = true;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may maximize nothing";
 }
 
 TEST(Layout, OneColumnGivesWayAtEightHundredBySixHundred) {
@@ -318,6 +322,50 @@ TEST(Layout, EightHundredBySixHundredIsNotShort) {
     desk.ui.frames(3);
     EXPECT_FALSE(desk.layout().is_short);
     EXPECT_FALSE(desk.layout().panel.empty());
+}
+
+TEST(Layout, DigitsAreNineOrMorePixelsHigh) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}, ImVec2{800, 600}})
+        for (const char* preset :
+             {"opening", "shadow-derivation", "tilted-plane", "depth-fighting", "z-buffer-small"}) {
+            Desk desk(size, preset);
+            desk.settle();
+            std::map<float, std::string> small;
+            for (const Letter& letter : letters_of_frame())
+                if (letter.character >= '0' && letter.character <= '9' && letter.line_height < 9.0F)
+                    small[letter.line_height] += utf8(letter.character);
+            for (const auto& [height, digits] : small)
+                ADD_FAILURE() << preset << " at " << size.x << ": " << digits.substr(0, 40) << " are " << height
+                              << " px";
+        }
+}
+
+TEST(Layout, InALowWindowADerivationHasTheLowerViewsForItself) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}}) {
+        Desk desk(size, "shadow-derivation");
+        desk.settle();
+        EXPECT_TRUE(desk.layout().lower_left.empty());
+        EXPECT_EQ(desk.layout().lower_right.width(), desk.layout().camera.width());
+        const RecordedItem figure = desk.ui.find("lower/figure");
+        EXPECT_LT(figure.max.x, desk.layout().lower_right.max.x - 250.0F) << "its lines are beside its figure";
+    }
+    Desk desk({1600, 900}, "shadow-derivation");
+    EXPECT_FALSE(desk.layout().lower_left.empty());
+}
+
+TEST(Layout, TheLookMenuSetsTheMouse) {
+    Desk desk({800, 600});
+    desk.click("top/Look");
+    desk.ui.frames(3);
+    for (const char* label : {"right drag/pans", "middle drag/pans", "Drags keep the horizon", "Drags up look down"}) {
+        ASSERT_TRUE(desk.ui.has(std::string("top/") + label)) << label;
+        desk.click(std::string("top/") + label);
+    }
+    const MouseHabits& mouse = desk.workbench.views.mouse;
+    EXPECT_TRUE(mouse.right_pans);
+    EXPECT_TRUE(mouse.middle_pans);
+    EXPECT_FALSE(mouse.keeps_horizon);
+    EXPECT_TRUE(mouse.inverts_y);
 }
 
 TEST(Layout, TheLookMenuSetsThemeAndScale) {

@@ -8,6 +8,7 @@
 
 #include "desk.h"
 #include "readable.h"
+#include "recorded_letters.h"
 
 namespace viewing::test {
 namespace {
@@ -609,6 +610,67 @@ TEST(LessonStrip, AWrongChoiceIsExplainedAndARightOneIsJudged) {
     EXPECT_EQ(desk.workbench.guide.run()->answer().items, std::vector{static_cast<int>(index)});
 }
 
+TEST(LessonStrip, AProductGrowsBelowItsTiles) {
+    for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{1366, 768}, ImVec2{800, 600}}) {
+        SCOPED_TRACE(size.x);
+        Desk desk(size);
+        const Lesson lesson = lesson_of("fly-and-walk");
+        begin(desk, lesson, lesson.steps.size() - 1, false);
+        LessonRun& run = *desk.workbench.guide.run();
+        ASSERT_FALSE(run.step().ask.factors.empty());
+        EXPECT_FALSE(desk.ui.has("lesson strip/product 1")) << "nothing is computed yet";
+        const RecordedItem check = desk.ui.find("lesson strip/Check");
+        run.products() = {desk.params(), run.shown_items(), std::vector<glm::dmat4>(4, glm::dmat4(-12.345))};
+        desk.ui.frames(3);
+        EXPECT_EQ(desk.ui.find("lesson strip/Check").min.y, check.min.y);
+        ImVec2 before(0.0F, 0.0F);
+        for (const char* name : {"product 1", "product 2", "product 3", "product 4"}) {
+            ASSERT_TRUE(desk.ui.has("lesson strip/" + std::string(name))) << name;
+            const RecordedItem item = desk.ui.find("lesson strip/" + std::string(name));
+            EXPECT_TRUE(item.min.x >= before.x || item.min.y >= before.y) << name << " overlaps the one before";
+            EXPECT_LE(item.max.y, check.min.y) << name;
+            EXPECT_LE(item.max.x, desk.layout().strip.max.x) << name;
+            before = item.max;
+        }
+        EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before it is checked";
+    }
+}
+
+TEST(InALesson, NoMistakeIsToldWhileAnAnswerMovesTheCamera) {
+    Desk desk({1366, 768});
+    begin(desk, lesson_of("fly-and-walk"), 2, false);
+    desk.workbench.guide.reveal(desk.session);
+    const glm::dvec3 before = desk.params().camera.position;
+    int frames = 0;
+    for (; frames < 300 && desk.workbench.guide.is_revealing(); ++frames) {
+        desk.ui.frame();
+        for (const Line& line : lines_of(letters_of_frame()))
+            ASSERT_EQ(line.text.find("puts the eye"), std::string::npos) << "in frame " << frames;
+    }
+    EXPECT_GT(frames, 3);
+    EXPECT_NE(desk.params().camera.position, before);
+}
+
+TEST(LessonStrip, CheckIsReachedAtTwiceTheSize) {
+    Desk desk({1366, 768});
+    desk.params().ui.scale = 2.0;
+    const Lesson lesson = lesson_of("similar-triangles");
+    const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                   [](const LessonStep& one) { return one.ask.kind == AskKind::matrix; });
+    begin(desk, lesson, static_cast<std::size_t>(step - lesson.steps.begin()), false);
+    ASSERT_EQ(desk.params().ui.scale, 2.0) << "the person's";
+    const Rect strip = desk.layout().strip;
+    const auto is_seen = [&] { return desk.ui.find("lesson strip/Check").max.y <= strip.max.y; };
+    EXPECT_FALSE(is_seen());
+    desk.ui.move_to({strip.min.x + 20.0F, strip.max.y - 20.0F});
+    for (int turn = 0; turn < 20 && !is_seen(); ++turn) {
+        ImGui::GetIO().MouseWheel = -1.0F;
+        desk.ui.frames(2);
+    }
+    EXPECT_TRUE(is_seen());
+    desk.ui.click("lesson strip/Check");
+}
+
 TEST(LessonStrip, LeavingAndReturningKeepsTheStep) {
     Desk desk({1600, 900});
     const Lesson lesson = lesson_of("lens");
@@ -690,6 +752,16 @@ TEST(FirstPageLeads, StartOpensTheFirstLessonAndGoOnTheLastOne) {
     desk.ui.click("start/Go on");
     ASSERT_TRUE(wait("view-is-the-inverse"));
     EXPECT_EQ(desk.workbench.guide.run()->index(), reached);
+    desk.workbench.guide.close();
+    std::vector<std::size_t>& done = desk.workbench.progress["view-is-the-inverse"].done;
+    done.clear();
+    for (std::size_t step = 0; step < lesson_of("view-is-the-inverse").steps.size(); ++step) done.push_back(step);
+    open();
+    desk.ui.click("start/Go on");
+    ASSERT_TRUE(wait("view-is-the-inverse"));
+    desk.ui.frames(2);
+    EXPECT_TRUE(desk.workbench.presenter.shows_overview()) << "a finished lesson opens with its steps";
+    desk.workbench.presenter.close_overview();
     desk.workbench.guide.close();
     open();
     desk.ui.click("start/Give a lecture");

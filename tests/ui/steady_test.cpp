@@ -86,5 +86,67 @@ TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     expect_as_before(before, "a followed point");
 }
 
+/// From step to step, the scale is the same, and so is the height of the question.
+TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
+    for (const char* id : {"view-is-the-inverse", "gl-depth", "mirror-matrix"}) {
+        SCOPED_TRACE(id);
+        Desk desk({1366, 768});
+        const Result<Lesson> lesson = load_lesson(id);
+        ASSERT_TRUE(lesson) << lesson.error();
+        std::map<float, std::string> tops;
+        for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            desk.workbench.guide.begin(*lesson, step, desk.session);
+            desk.settle();
+            desk.apply_looks();
+            desk.ui.frames(3);
+            EXPECT_EQ(desk.workbench.widgets.scale, 1.0F) << lesson->steps[step].id;
+            tops[desk.ui.find("lesson strip/question").min.y] += " " + lesson->steps[step].id;
+        }
+        EXPECT_EQ(tops.size(), 1U);
+        for (const auto& [top, steps] : tops) EXPECT_LT(top, 600.0F) << "from y = " << top << ":" << steps;
+    }
+}
+
+/// Whatever a step tells, its question, its answers and its buttons stay where they are.
+TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{800, 600}}) {
+        Desk desk(size);
+        const Result<Lesson> lesson = load_lesson("similar-triangles");
+        ASSERT_TRUE(lesson) << lesson.error();
+        for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            SCOPED_TRACE(lesson->steps[step].id + " in " + std::to_string(static_cast<int>(size.x)));
+            desk.workbench.guide.begin(*lesson, step, desk.session);
+            desk.settle();
+            LessonRun& run = *desk.workbench.guide.run();
+            const auto tops = [&] {
+                std::map<std::string, float> found;
+                for (const RecordedItem& item : desk.recorded()) {
+                    const bool stays = item.label.starts_with("lesson strip/") &&
+                                       (item.label.find("/answers/") != std::string::npos ||
+                                        item.label == "lesson strip/Check" || item.label == "lesson strip/question");
+                    if (stays) found[item.label] = item.min.y;
+                }
+                return found;
+            };
+            const std::map<std::string, float> before = tops();
+            const Rect strip = desk.layout().strip;
+            ASSERT_FALSE(before.empty());
+            const auto expect_as_before = [&](const char* what) {
+                desk.ui.frames(3);
+                EXPECT_EQ(tops(), before) << what;
+                EXPECT_EQ(desk.layout().strip.min.y, strip.min.y) << what;
+            };
+            while (run.hints_shown() < static_cast<int>(run.step().ask.hints.size())) run.show_hint();
+            expect_as_before("all hints");
+            for (const WrongAnswer& wrong : run.step().ask.wrong) {
+                run.take({.say = wrong.say});
+                expect_as_before("a wrong answer");
+            }
+            run.take({.near = Near::right_parts, .places = {1, 2, 4}, .other_row = 3, .other_light = {1, 4, 2, 1}});
+            expect_as_before("an unknown wrong answer");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace viewing::test

@@ -335,8 +335,74 @@ TEST_F(WheelTest, WithCtrlChangesOnlyTheSpeed) {
     EXPECT_EQ(params, before);
 }
 
-TEST_F(ViewsTest, MiddleAndRightDragMoveThePictureWithThePointer) {
+TEST_F(ViewsTest, FrameAllShowsTheLightUnlessItIsFarAway) {
+    const auto is_shown = [&](const glm::dvec3& point) {
+        const ImVec2 at = desk.in_camera_view(point);
+        const Rect rect = desk.layout().camera;
+        return at.x > rect.min.x && at.x < rect.max.x && at.y > rect.min.y && at.y < rect.max.y;
+    };
+    params.lights.front().position = {-9.0, 11.0, 4.0, 1.0};
+    desk.settle();
+    EXPECT_FALSE(is_shown(light()));
+    desk.press(Key::g);
+    desk.settle();
+    EXPECT_TRUE(is_shown(light()));
+    EXPECT_TRUE(is_shown({4.0, 0.0, 4.0})) << "a corner of the floor";
+    const glm::dvec3 near_by = params.camera.position;
+    params.lights.front().position = {-900.0, 1100.0, 400.0, 1.0};
+    desk.settle();
+    desk.press(Key::g);
+    desk.settle();
+    EXPECT_LT(glm::length(params.camera.position), glm::length(near_by)) << "the scene would be a speck";
+}
+
+TEST_F(ViewsTest, TheFirstDragInFlyKeepsTheHorizon) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 corner{rect.min.x + 12.0F, rect.max.y - 80.0F};
+    for (const int button : {0, 1}) {
+        const Params before = params;
+        desk.drag_from(corner, 120.0F, -70.0F, 5, button);
+        EXPECT_EQ(differing_fields(before, params), (Paths{"camera.yaw", "camera.pitch"})) << "button " << button;
+        EXPECT_LT(params.camera.yaw, before.camera.yaw) << "a drag to the right turns right";
+        EXPECT_GT(params.camera.pitch, before.camera.pitch);
+        desk.undo();
+    }
+    desk.workbench.views.mouse.keeps_horizon = false;
+    desk.drag_from(corner, 120.0F, -70.0F);
+    EXPECT_GT(std::abs(params.camera.roll), 0.1) << "about the camera's own axes";
+}
+
+TEST_F(ViewsTest, SensitivityAndInvertedYChangeADrag) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 corner{rect.min.x + 12.0F, rect.max.y - 80.0F};
+    const CameraParams start = params.camera;
+    desk.drag_from(corner, 40.0F, -30.0F);
+    const double yaw = params.camera.yaw - start.yaw, pitch = params.camera.pitch - start.pitch;
+    desk.undo();
+    desk.workbench.views.mouse.sensitivity = 2.0;
+    desk.workbench.views.mouse.inverts_y = true;
+    desk.drag_from(corner, 40.0F, -30.0F);
+    EXPECT_NEAR(params.camera.yaw - start.yaw, 2.0 * yaw, 1e-9);
+    EXPECT_NEAR(params.camera.pitch - start.pitch, -2.0 * pitch, 1e-9);
+}
+
+TEST_F(ViewsTest, MiddleDragOrbitsAboutThePointThere) {
+    const glm::dvec3 corner{1.0, 0.0, 1.0};
+    params.follow = std::nullopt;
+    const ImVec2 from = desk.in_camera_view({0.0, 0.0, 2.5});  // on the floor, in front of the objects
+    const Params before = params;
+    desk.drag_from(from, 70.0F, 20.0F, 5, 2);
+    EXPECT_EQ(differing_fields(before, params), (Paths{"camera.position", "camera.yaw", "camera.pitch"}));
+    desk.settle();
+    const ImVec2 after = desk.in_camera_view({0.0, 0.0, 2.5});
+    EXPECT_NEAR(after.x, from.x, 1.5F) << "the center stays in place in the picture";
+    EXPECT_NEAR(after.y, from.y, 1.5F);
+    EXPECT_NE(desk.in_camera_view(corner).x, from.x);
+}
+
+TEST_F(ViewsTest, MiddleAndRightDragMoveThePictureWithThePointerIfTheyPan) {
     for (const int button : {1, 2}) {
+        desk.workbench.views.mouse.right_pans = desk.workbench.views.mouse.middle_pans = true;
         const ImVec2 from = desk.in_camera_view({1.4, 1.3, 0.0});  // on the blue box, or near it
         const Params before = params;
         desk.drag_from(from, 60.0F, 30.0F, 5, button);

@@ -390,7 +390,7 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         if (count == most_pictures) break;
         const Exercise& exercise = grader.exercises()[wrong.exercise];
         const LessonStep& step = *grader.step(wrong.exercise, wrong.variant);
-        const Result<LoadedState> typed = with_typed_matrix(step, wrong.numbers);
+        const Result<LoadedState> typed = with_typed_matrix(step, matrix_of_rows(wrong.numbers));
         if (!typed) continue;  // the exercise's field rejects such numbers
         ++count;
         section +=

@@ -77,6 +77,27 @@ Student student_in(const Json& object, const Where& where) {
     return {text("course"), text("number"), text("name")};
 }
 
+MouseHabits mouse_in(const Json& object, const Where& where) {
+    require_object(object, where, "an object of the mouse's settings");
+    const auto is_on = [&](const char* key, bool usual) {
+        return object.contains(key) ? read_bool(object[key], where.key(key)) : usual;
+    };
+    const MouseHabits usual;
+    return {is_on("keep_horizon", usual.keeps_horizon), is_on("right_pans", usual.right_pans),
+            is_on("middle_pans", usual.middle_pans), is_on("invert_y", usual.inverts_y),
+            object.contains("sensitivity") ? read_number(object["sensitivity"], where.key("sensitivity"),
+                                                         {least_sensitivity, greatest_sensitivity})
+                                           : usual.sensitivity};
+}
+
+Json mouse_as_json(const MouseHabits& mouse) {
+    return {{"keep_horizon", mouse.keeps_horizon},
+            {"right_pans", mouse.right_pans},
+            {"middle_pans", mouse.middle_pans},
+            {"invert_y", mouse.inverts_y},
+            {"sensitivity", mouse.sensitivity}};
+}
+
 template <typename Enum>
 std::optional<Enum> name_in(const Json& object, const char* key, const Where& where) {
     if (!object.contains(key)) return std::nullopt;
@@ -110,6 +131,7 @@ Remembered remembered_in(const Json& document, const Where& where) {
         require_array(document["recent"], inside, most_recent, "a list of files");
         for (const Json& file : document["recent"]) remembered.recent.push_back(read_name(file, inside));
     }
+    if (document.contains("mouse")) remembered.mouse = mouse_in(document["mouse"], where.key("mouse"));
     if (document.contains("student")) remembered.student = student_in(document["student"], where.key("student"));
     return remembered;
 }
@@ -156,6 +178,7 @@ Remembered merged(const Remembered& kept, const Remembered& known, const Remembe
     take_what_changed(&Remembered::scale);
     take_what_changed(&Remembered::window);
     take_what_changed(&Remembered::language);
+    take_what_changed(&Remembered::mouse);
     take_what_changed(&Remembered::student);
     take_what_changed(&Remembered::lesson);
     merged.lessons = merged_lessons(kept.lessons, known.lessons, now.lessons);
@@ -200,6 +223,7 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
         document["student"] = {{"course", remembered.student.course},
                                {"number", remembered.student.number},
                                {"name", remembered.student.name}};
+    if (remembered.mouse != MouseHabits{}) document["mouse"] = mouse_as_json(remembered.mouse);
     if (!remembered.recent.empty()) document["recent"] = remembered.recent;
     const std::string text = print_document(document) + "\n";
     std::error_code failed;

@@ -1,6 +1,6 @@
 // Settings that the window remembers for a user between runs: the theme, the scale, the language, the window's size and
-// place, the progress in lessons, the recent files and the student, but never the state. Only the window reads and
-// writes them; a headless command uses only the files that it is given.
+// place, the habits of the mouse, the progress in lessons, the recent files and the student, but never the state. Only
+// the window reads and writes them; a headless command uses only the files that it is given.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,7 @@
 
 #include "state/params.h"
 #include "state/person/lesson_progress.h"
+#include "state/person/mouse_habits.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -30,6 +31,7 @@ struct Remembered {
     std::optional<Language> language = {};
     Student student = {};
     std::string lesson = {};  ///< the id of the lesson that was open last; "" for none
+    MouseHabits mouse = {};
     bool operator==(const Remembered&) const = default;
 };
 
@@ -45,9 +47,9 @@ Result<Remembered> read_remembered(const std::filesystem::path& file);
 Status write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 
 /// Merges the content of a file that other windows write too. `kept` is the file's content, `known` is what this window
-/// last read or wrote, and `now` is what it has now. Theme, scale, language, place, student and a lesson's step come
-/// from this window if it changed them since then, otherwise from the file. The completed steps are the union of both
-/// lists; files that this window has opened since then come first. Merging again changes nothing.
+/// last read or wrote, and `now` is what it has now. Theme, scale, language, place, mouse, student and a lesson's step
+/// come from this window if it changed them since then, otherwise from the file. The completed steps are the union of
+/// both lists; files that this window has opened since then come first. Merging again changes nothing.
 Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
 
 /// Merges into the file under a lock, and returns its new content. Renames a file that cannot be read (set_aside);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lesson/typed_matrix.h"
 #include "lesson/typed_number.h"
 #include "text/catalogue.h"
 #include "ui/lesson/lesson_text.h"
@@ -206,8 +207,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     const std::vector<double> before = answer.numbers;
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
-        glm::dmat4 matrix(0.0);
-        for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
+        glm::dmat4 matrix = matrix_of_rows(answer.numbers);
         widgets::Matrix("answer", matrix, {.editable = style.is_open, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();

@@ -189,10 +189,13 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
 void TypedMatrix::open(const LessonRun& run) {
     const LessonStep& step = run.step();
     trouble_.clear();
-    const Result<LoadedState> typed = with_typed_matrix(step, run.answer().numbers);
+    if (!step.ask.factors.empty() && run.products().matrices.empty()) return;
+    const glm::dmat4 matrix =
+        step.ask.factors.empty() ? matrix_of_rows(run.answer().numbers) : run.products().matrices.back();
+    const Result<LoadedState> typed = with_typed_matrix(step, matrix);
     if (!typed) trouble_ = typed.error();
     std::string numbers;
-    for (const double number : run.answer().numbers) numbers += " " + format_number(number);
+    for (int i = 0; i < 16; ++i) numbers += " " + format_number(matrix[i % 4][i / 4]);
     const std::string key = step.id + "/" + step.ask.constants;
     const LoadedState right = with_right_matrix(step);
     mine_ = CardPicture{"typed/" + key + numbers, [typed] { return typed; }, compared_px};

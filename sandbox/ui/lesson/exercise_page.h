@@ -44,7 +44,8 @@ private:
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }
-    /// Opens the page; `run` must be at a step whose answer is S or R (Ask::shows_as).
+    /// Opens the page; `run` must be at a step whose answer is a matrix or a product that a field shows
+    /// (Ask::shows_as).
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);

@@ -52,12 +52,24 @@ std::ptrdiff_t done_in(const LessonFile& file, const LessonsProgress& progress) 
                          [&](std::size_t step) { return std::cmp_less(step, file.steps); });
 }
 
-Card card_of(const LessonFile& file, std::size_t place, const LessonsProgress& progress) {
+/// Returns the places, counted from 1, of the lessons that this one builds on: "10, 14"; "" if there are none.
+std::string needed_places(const LessonFile& file, const std::vector<LessonFile>& all) {
+    std::string places;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (std::find(file.needs.begin(), file.needs.end(), all[i].id) != file.needs.end())
+            places += (places.empty() ? "" : ", ") + std::to_string(i + 1);
+    return places;
+}
+
+Card card_of(const std::vector<LessonFile>& all, std::size_t place, const LessonsProgress& progress) {
+    const LessonFile& file = all[place];
     const std::ptrdiff_t done = done_in(file, progress);
+    const std::string needed = needed_places(file, all);
     const std::string steps = done > 0 ? say("{done} of {count} steps", "done"_a = done, "count"_a = file.steps)
                                        : say_count(file.steps, "one step", "{count} steps");
-    return {key_of(file.id, 0), std::to_string(place + 1) + " · " + file.title.shown(),
-            say("{steps} · {minutes} min", "steps"_a = steps, "minutes"_a = file.minutes),
+    std::string note = say("{steps} · {minutes} min", "steps"_a = steps, "minutes"_a = file.minutes);
+    if (!needed.empty()) note += " · " + say("after {lessons}", "lessons"_a = needed);
+    return {key_of(file.id, 0), std::to_string(place + 1) + " · " + file.title.shown(), note,
             done > 0 && done == file.steps, false};
 }
 
@@ -168,7 +180,7 @@ std::optional<std::size_t> StartPage::draw_beginnings(const Past& past) {
 
 std::optional<std::size_t> StartPage::draw_groups(const Past& past, const Pictures& pictures) {
     std::vector<Card> cards;
-    for (std::size_t i = 0; i < lessons().size(); ++i) cards.push_back(card_of(lessons()[i], i, past.progress));
+    for (std::size_t i = 0; i < lessons().size(); ++i) cards.push_back(card_of(lessons(), i, past.progress));
     const std::vector<LessonGroup> groups = groups_of(lessons());
     if (cards.empty()) widgets::Note("There are no lessons: the folder assets/lessons was not found.");
     std::optional<std::size_t> chosen;
@@ -236,8 +248,10 @@ bool StartPage::draw(Guide& guide, PresenterMode& presenter, Session& session, c
     if (!chosen || *chosen >= lessons().size()) return false;
     const LessonFile& file = lessons()[*chosen];
     const auto known = past.progress.find(file.id);
+    const bool is_finished = continues_ && file.steps > 0 && done_in(file, past.progress) == file.steps;
     guide.open(file.path.string(), !continues_ || known == past.progress.end() ? 0 : known->second.step);
     if (gives_lecture_) presenter.begin();
+    finished_ = is_finished ? file.id : "";
     is_open_ = false;
     return false;
 }

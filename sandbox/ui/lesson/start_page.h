@@ -44,6 +44,12 @@ public:
     /// Draws the page over the whole window and opens the lesson that the user chooses, on stage for a lecture. Returns
     /// true if the caller should open the exercises.
     bool draw(Guide& guide, PresenterMode& presenter, Session& session, const Past& past, const Pictures& pictures);
+    /// Returns true once if the user has just chosen this lesson and had already done all of its steps.
+    bool is_finished(const std::string& id) {
+        if (id != finished_) return false;
+        finished_.clear();
+        return true;
+    }
     /// Returns the pictures that the page shows.
     std::vector<CardPicture> wanted_pictures();
 
@@ -55,6 +61,7 @@ private:
     bool is_open_ = false;
     bool gives_lecture_ = false;  ///< the next lesson is opened on stage
     bool continues_ = false;      ///< the chosen lesson is opened where the user left it, not at its beginning
+    std::string finished_;        ///< the id of the chosen lesson, if all of its steps are done; "": it is not
     std::optional<std::vector<LessonFile>> lessons_;
 };
 

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "text/catalogue.h"
-#include "text/numbers.h"
-#include "text/words.h"
 #include "ui/lesson/answers.h"
+#include "ui/lesson/feedback.h"
 #include "ui/lesson/lesson_text.h"
+#include "ui/lesson/product_row.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -33,25 +33,6 @@ Columns columns_of(float width, float scale) {
 
 float button_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
-}
-
-std::string what_cannot_be_read(const std::string& typed) {
-    return say("{typed} is not a number. You can type 4/2.7, sqrt(2), cos(30°) or pi.", "typed"_a = excerpt(typed));
-}
-
-/// Height of the tallest possible feedback at this width.
-float feedback_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
-    const LessonStep& step = run.step();
-    float height = paragraph(run.reveal_say().shown(), context.fonts.caption, width).height;
-    if (presents) return height;
-    const auto say = [&](const LessonText& text) {
-        const float sign = 24.0F * context.scale;
-        height = std::max(height, paragraph(text.shown(), context.fonts.text, width - sign).height);
-    };
-    for (const LessonChoice& choice : step.ask.choices) say(choice.why);
-    for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
-    if (is_typed(step.ask.kind)) say(LessonText{{what_cannot_be_read("0.0.0.0.0.0.0.0.0.0")}});
-    return height;
 }
 
 /// Returns a step's button labels, in order.
@@ -169,6 +150,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
     const float gap = line_gap * context.scale;
     float height = paragraph(step.ask.question.shown(), context.fonts.caption, width).height + gap;
     height += answers_height(step.ask, width, context, presents);
+    if (!presents && !step.ask.factors.empty()) height += product_row_height(step.ask, width, context) + gap;
     height += static_cast<float>(step.ask.progress.size()) * (context.fonts.text->FontSize + gap);
     if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
     return height + feedback_height(run, width, context, presents);
@@ -230,64 +212,6 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
         draw_paragraph(step.ask.hints[static_cast<std::size_t>(i)], context.fonts.text, width, "hint", palette().quiet);
 }
 
-/// Draws feedback with ✓ or ✗ in front of it, so that color is not the only cue.
-void draw_told(bool is_right, const std::string& text, float width, const char* label) {
-    const widgets::Context& context = widgets::CurrentContext();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImU32 color = is_right ? palette().plane : palette().trouble;
-    ImGui::GetWindowDrawList()->AddText(context.fonts.heading, context.fonts.heading->FontSize, corner, color,
-                                        is_right ? "✓" : "✗");
-    const float sign = px(24.0F);
-    ImGui::SetCursorScreenPos({corner.x + sign, corner.y});
-    paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
-}
-
-/// Returns "x, z" or "1, 3".
-std::string places_in_words(const Ask& ask, const std::vector<int>& places) {
-    const bool has_letters = ask.kind == AskKind::vector && ask.rows == 3;
-    std::string text;
-    for (const int place : places)
-        text += (text.empty() ? "" : ", ") + (has_letters ? std::string(1, "xyz"[place - 1]) : std::to_string(place));
-    return text;
-}
-
-/// Returns "(0, 1, 0, −0.5)".
-std::string plane_in_words(const Verdict& verdict) {
-    std::string text;
-    for (const double number : verdict.other_plane) text += (text.empty() ? "" : ", ") + figures(number, 3);
-    return "(" + text + ")";
-}
-
-/// Returns feedback on an answer that matches no known mistake: what is right about it, but no number.
-std::string not_yet(const Ask& ask, const Verdict& verdict) {
-    const std::string places = places_in_words(ask, verdict.places);
-    const bool is_matrix = ask.kind == AskKind::matrix;
-    switch (verdict.near) {
-        case Near::factor:
-            return tr("Not yet: all numbers are right up to one common factor.");
-        case Near::sign:
-            if (ask.rows == 1) return tr("Not yet: only the sign is wrong.");
-            return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
-                             : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
-        case Near::right_parts:
-            if (verdict.other_row > 0)
-                return say("Not yet. These rows are right: {places}. Row {row} is that of the plane {plane}.",
-                           "places"_a = places, "row"_a = verdict.other_row, "plane"_a = plane_in_words(verdict));
-            return is_matrix ? say("Not yet. These rows are right: {places}.", "places"_a = places)
-                             : say("Not yet. These numbers are right: {places}.", "places"_a = places);
-        case Near::first_items:
-            return say_count(verdict.places.front(), "Not yet: the first tile is right.",
-                             "Not yet: the first {count} tiles are right.");
-        case Near::incomplete:
-            return tr("Not yet: what you chose is right, but something is missing.");
-        case Near::too_many:
-            return tr("Not yet: all the right ones are chosen, but others too.");
-        case Near::nothing:
-            break;
-    }
-    return tr("Not yet. Try again, or ask for a hint.");
-}
-
 /// Draws how far a goal is, a line for each of its numbers.
 void draw_progress(const LessonRun& run, float width) {
     const std::vector<GoalNumber>& numbers = run.step().ask.progress;
@@ -301,37 +225,13 @@ void draw_progress(const LessonRun& run, float width) {
     }
 }
 
-void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
-    const widgets::Context& context = widgets::CurrentContext();
-    const LessonStep& step = run.step();
-    if (look.is_checking) {
-        paragraph(tr("Checking…"), context.fonts.text, width).draw("checking", palette().quiet);
-        return;
-    }
-    if (run.is_revealed()) {
-        draw_paragraph(run.reveal_say(), context.fonts.caption, width, "reveal", palette().accent);
-        return;
-    }
-    if (look.presents) return;
-    if (const std::string unread = run.first_unread(); !unread.empty())
-        return draw_told(false, what_cannot_be_read(unread), width, "trouble");
-    if (!run.trouble().empty()) return draw_told(false, run.trouble(), width, "trouble");
-    if (!run.verdict()) return;
-    const Verdict& verdict = *run.verdict();
-    if (verdict.right)
-        draw_told(true, tr("Goal met."), width, "verdict");
-    else if (!verdict.say.empty())
-        draw_told(false, verdict.say.shown(), width, "verdict");
-    else if (step.ask.kind != AskKind::goal)
-        draw_told(false, not_yet(step.ask, verdict), width, "verdict");
-}
-
 void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
     const widgets::Context& context = widgets::CurrentContext();
     const LessonStep& step = run.step();
     draw_paragraph(step.ask.question, context.fonts.caption, width, "question", palette().text);
     const AnswerStyle style{!run.is_revealed() && !look.presents, run.is_revealed(), look.presents};
     wishes.check = draw_answers(run, style, width);
+    if (!look.presents) draw_product_row(run, width);
     draw_progress(run, width);
     if (!look.presents && needs_check(step.ask.kind)) {
         const bool is_open = !run.is_revealed();
@@ -371,7 +271,7 @@ float tallest_strip(const LessonRun& run, float width, const widgets::Context& c
         std::size_t first = 0;
         float width = 0.0F, scale = 0.0F;
         Language language{};
-        bool has_clock = false;
+        bool has_clock = false, presents = false;
         bool operator==(const Key&) const = default;
     };
     static Key known;
@@ -383,7 +283,8 @@ float tallest_strip(const LessonRun& run, float width, const widgets::Context& c
         first = part.first;
         count = part.count;
     }
-    const Key now{run.shared_lesson(), first, width, context.scale, spoken_language(), !look.clock.empty()};
+    const Key now{run.shared_lesson(), first,        width, context.scale, spoken_language(),
+                  !look.clock.empty(), look.presents};
     if (now == known) return height;
     known = now;
     height = strip_height(run, width, context, look);
@@ -404,7 +305,8 @@ StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) 
     draw->AddRectFilled(rect.min, {rect.max.x, rect.min.y + px(2.0F)}, palette().accent);
     const Columns columns = columns_of(rect.width(), context.scale);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(line_gap)});
-    const ImVec2 corner(rect.min.x + px(strip_margin), rect.min.y + px(strip_margin));
+    // A strip that is too low for its content scrolls.
+    const ImVec2 corner(rect.min.x + px(strip_margin), rect.min.y + px(strip_margin) - ImGui::GetScrollY());
     ImGui::SetCursorScreenPos(corner);
     ImGui::BeginGroup();
     draw_left(run, look, columns.left, wishes);
@@ -416,6 +318,7 @@ StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) 
     draw_right(run, look, columns.right, wishes);
     ImGui::EndGroup();
     ImGui::PopStyleVar();
+    if (ImGui::GetScrollMaxY() > 0.0F) widgets::CountScrolled();
     return wishes;
 }
 

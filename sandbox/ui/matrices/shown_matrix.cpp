@@ -151,6 +151,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     if (by_hand && *by_hand) {
         for (widgets::MatrixCell& cell : shown.cells) cell.links = cell.own = 0;
         const widgets::MatrixStyle style{.cells = shown.cells,
+                                         .roles = shown.roles,
                                          .editable = true,
                                          .overridden = true,
                                          .defaults = &shown.derived,

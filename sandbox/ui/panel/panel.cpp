@@ -58,9 +58,9 @@ void known_views(Session& session, const Derived& derived) {
     widgets::Tooltip("Home", "Returns the camera to the pose that it had when this state was opened. Key: Home");
     next("Frame all");
     if (widgets::SmallButton("Frame all")) session.frame_all(derived.aspect);
-    widgets::Tooltip(
-        "Frame all",
-        "Moves back or forward until the whole scene is in view; the viewing direction stays the same. Key: G");
+    widgets::Tooltip("Frame all",
+                     "Moves back or forward until the whole scene and its point lights are in view; the viewing "
+                     "direction stays the same. Key: G");
     next("Level");
     if (widgets::SmallButton("Level", session.params.camera.roll != 0.0, "The roll is 0.")) session.level();
     widgets::Tooltip("Level", "Removes the roll. Key: L");

@@ -164,7 +164,8 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
         const float least = is_wide ? width_of_vectors : arrangement.panel_width, share = is_wide ? 0.34F : 0.25F;
         const float width = std::min(std::max(least * scale, share * whole.width()), 0.5F * whole.width());
         const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
-        const float wanted = height_of_controls(telling, scale);
+        constexpr float long_name = 18.0F;  // above its numbers
+        const float wanted = height_of_controls(telling, scale) + long_name * scale;
         const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
         const float split = column.max.y - (has_controls ? controls : 0.0F);
         if (has_controls) layout.panel = rounded(column.min.x, split, column.max.x, column.max.y);
@@ -179,7 +180,7 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     if (arrangement.presents && !arrangement.bare) return window_px.y / (30.0F * stage_type.caption) / scale;
-    if (arrangement.maximized == ViewName::none || arrangement.bare) return 1.0F;
+    if (arrangement.maximized == ViewName::none || arrangement.bare || arrangement.in_lesson) return 1.0F;
     // Enlarge only as long as the bar above still fits.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
@@ -198,7 +199,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
                 gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    const float least_view = px(420.0F), least_lower = px(240.0F);
+    const float least_view = px(420.0F), least_lower = px(arrangement.least_lower);
 
     Layout layout;
     layout.is_short = is_short;

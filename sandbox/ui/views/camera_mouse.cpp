@@ -63,9 +63,47 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
     return distance > 0.0 ? std::min(distance, farthest) : derived.facts.target_distance;
 }
 
+/// Returns the point in world space that is seen at a screen position, at an eye distance.
+glm::dvec3 point_at(const Overlay& overlay, const Derived& derived, ImVec2 place, double distance) {
+    const Ray ray = overlay.ray_at(place);
+    const double origin_z = (derived.view_from_world * glm::dvec4(ray.origin, 1.0)).z;
+    const double direction_z = (derived.view_from_world * glm::dvec4(ray.direction, 0.0)).z;
+    return ray.at((-distance - origin_z) / direction_z);
+}
+
 /// Returns how many world units one pixel spans at an eye distance.
 double world_per_px(const Lens& lens, double distance, float height_px) {
     return picture_height(lens, distance) / static_cast<double>(height_px);
+}
+
+enum class DragAction { look, pan, orbit };
+
+/// Returns what a drag with the right or the middle button does; none if neither is held.
+std::optional<DragAction> action_of_drag(const MouseHabits& mouse, bool holds_shift) {
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
+        return mouse.middle_pans != holds_shift ? DragAction::pan : DragAction::orbit;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return mouse.right_pans ? DragAction::pan : DragAction::look;
+    return std::nullopt;
+}
+
+/// Adds the pointer's way since the last frame to the motion.
+void move_by_drag(DragAction action, const ViewState& state, const Lens& lens, float height_px, MotionInput& motion) {
+    const glm::dvec2 way_px(ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y);
+    const double degrees_per_px = 0.22 * state.mouse.sensitivity / static_cast<double>(px(1.0F));
+    const glm::dvec2 turn_deg = -degrees_per_px * way_px * glm::dvec2(1.0, state.mouse.inverts_y ? -1.0 : 1.0);
+    motion.keeps_horizon = state.mouse.keeps_horizon;
+    switch (action) {
+        case DragAction::look:
+            motion.look_deg += turn_deg;
+            break;
+        case DragAction::orbit:
+            motion.orbit_deg += turn_deg;
+            motion.orbit_center = state.orbit_center;
+            break;
+        case DragAction::pan:
+            motion.pan += glm::dvec2(-way_px.x, way_px.y) * world_per_px(lens, state.pan_distance, height_px);
+            break;
+    }
 }
 
 /// Handles a turn of the wheel: it moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
@@ -101,7 +139,9 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                   const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool over = ImGui::IsItemHovered();
-    const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
+    const auto move_by = [&](DragAction action) {
+        move_by_drag(action, state, session.params.lens(), overlay.rect().height(), motion);
+    };
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.dragged_px = 0.0F;
         if (hovered != Handle::none)
@@ -115,10 +155,12 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         if (is_drag && state.grip.handle != Handle::none)
             drag(session.params, overlay, state.grip, io.MousePos, input.is_down(Key::shift));
         else if (is_drag && state.looking)
-            motion.look_deg -= glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * static_cast<double>(degrees_per_px);
+            move_by(DragAction::look);
     }
-    if (over && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle)))
+    if (over && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle))) {
         state.pan_distance = distance_at(overlay, session.scene(), derived, io.MousePos);
+        state.orbit_center = point_at(overlay, derived, io.MousePos, state.pan_distance);
+    }
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) state.dragged_px = 0.0F;
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right))
         state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
@@ -129,10 +171,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         if (!is_shown(session.params, Topic::why)) choose_topic(session.params, Slot::right, Topic::why);
         state.lower = {Slot::right, session.params.view.lower_left, session.params.view.lower_right};
     }
-    if (ImGui::IsItemActive() &&
-        (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
-        motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) *
-                      world_per_px(session.params.lens(), state.pan_distance, overlay.rect().height());
+    const std::optional<DragAction> action = action_of_drag(state.mouse, input.is_down(Key::shift));
+    if (action && ImGui::IsItemActive()) move_by(*action);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
         const bool is_at_point = state.grip.handle == Handle::point;  // a click there may mean another vertex
         if ((state.looking || is_at_point) && state.dragged_px <= px(3.0F)) {

@@ -82,6 +82,8 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 }
 
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
+    // While a step is revealed, the derived values may be a frame older than the camera.
+    if (!params.slips.swapped_order && !params.slips.camera_as_view) return;
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;
     const glm::dvec3 eye(effective[3]);

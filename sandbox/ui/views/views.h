@@ -10,6 +10,7 @@
 #include "frame/pinned_pixel.h"
 #include "frame/problems.h"
 #include "session/session.h"
+#include "state/person/mouse_habits.h"
 #include "ui/depth/cell_view.h"
 #include "ui/hidden/hidden_state.h"
 #include "ui/parts/handles.h"
@@ -59,7 +60,9 @@ struct ViewState {
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
     glm::ivec2 camera_px{1280, 720};          ///< last known size of the camera's picture
+    MouseHabits mouse;                        ///< of the person
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
+    glm::dvec3 orbit_center{0.0};             ///< that point, in world space
     std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture, from its top left
     std::optional<glm::ivec2> method_pixel;   ///< under the pointer, in a hidden-surface method's picture
     std::optional<glm::ivec2> told_pixel;     ///< the last hovered_pixel, kept while the pointer is elsewhere

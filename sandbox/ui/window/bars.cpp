@@ -167,11 +167,39 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     if (save_step) save_as_step();
 }
 
+/// Draws what a drag in the camera view does.
+static void mouse_controls(MouseHabits& mouse) {
+    const MouseHabits usual;
+    const auto drag = [](const char* label, bool& pans, const char* other, const char* other_tip) {
+        const char* const names[] = {other, marked("pans")};
+        const char* const tips[] = {other_tip, marked("Shifts the picture with the pointer.")};
+        int chosen = pans ? 1 : 0;
+        if (widgets::Segments(label, chosen, names, 0, tips)) pans = chosen == 1;
+    };
+    drag(marked("right drag"), mouse.right_pans, marked("looks"), marked("Turns the camera, as the left button does."));
+    drag(marked("middle drag"), mouse.middle_pans, marked("orbits"),
+         marked("Carries the camera about the point under the pointer. With Shift, it pans."));
+    widgets::Toggle("Drags keep the horizon", mouse.keeps_horizon, usual.keeps_horizon);
+    widgets::Tooltip(
+        "Drags keep the horizon",
+        "In Fly, a drag turns yaw about the world's up axis and pitch about the camera's right axis. If off, "
+        "it turns about the camera's own axes, as the keys do, and can tilt the horizon.");
+    widgets::Toggle("Drags up look down", mouse.inverts_y, usual.inverts_y);
+    widgets::Slider("mouse speed", mouse.sensitivity,
+                    {.min = least_sensitivity,
+                     .max = greatest_sensitivity,
+                     .step = 0.01,
+                     .decimals = 1,
+                     .default_value = usual.sensitivity},
+                    px(160.0F));
+}
+
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
     // Make the menu wide enough for the slider with its label from the first frame; apart from that, it sizes itself to
     // its content.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
-    if (!begin_menu(marked("Look"), "look menu", marked("Theme, language, scale and folded panels"), least)) return;
+    if (!begin_menu(marked("Look"), "look menu", marked("Theme, language, scale, folded panels and the mouse"), least))
+        return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
@@ -196,6 +224,9 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     if (widgets::Toggle("Controls (F2)", panel, true)) fold(params, "panel", !panel);
     if (widgets::Toggle("Matrices (F3)", matrices, true)) fold(params, "matrices", !matrices);
     widgets::Toggle("Handles and labels (H)", views.handles, true);
+    ImGui::Separator();
+    mouse_controls(views.mouse);
+    ImGui::Separator();
     if (widgets::Button("Full screen (F11)")) requests.toggle_full_screen = true;
     ImGui::EndPopup();
 }

@@ -81,6 +81,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     presenter.update(input, guide, session);
     arrangement.presents = widgets.is_on_stage = presenter.is_on();
     LessonRun* const run = guide.run();
+    if (run && start_page.is_finished(run->lesson().id)) presenter.show_overview(guide);
     arrangement.stage = {};
     const bool leads = run && (guide.is_shown() || guide.is_sheet());
     if (std::exchange(leads_, leads) || leads) {
@@ -150,6 +151,7 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
         begin_area("lesson", layout.strip);
         ImGui::PopStyleVar();
+        if (std::exchange(strip_step_, guide.run()->index()) != guide.run()->index()) ImGui::SetScrollY(0.0F);
         const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), is_checking,
                              guide.watches_file()};
         const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);

@@ -37,7 +37,13 @@ Arrangement Workbench::arranged(const Session& session) const {
     const BesideParams& beside = session.params.view.beside;
     Arrangement now = arrangement;
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
+    now.in_lesson = guide.is_shown();
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
+    constexpr float least_derivation = 420.0F;  // a figure with its lines beside it
+    for (const Slot slot : {Slot::left, Slot::right})
+        if (const Topic topic = topic_of(session.params, slot);
+            topic == Topic::shadow_derivation || topic == Topic::mirror_derivation)
+            now.least_lower = least_derivation;
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
     if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
@@ -79,6 +85,12 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     const StripLook look{arrangement.presents, false, presenter.clock(), false, guide.watches_file()};
     const bool has_strip = guide.is_shown() && arrangement.has_strip;
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
+    if (has_strip && !arrangement.presents && !guide.is_sheet()) {
+        // From step to step, the question stays at one height, unless that takes much from the views.
+        constexpr float most_share = 0.3F;
+        const float tallest = tallest_strip(*guide.run(), strip_width, widgets, look);
+        now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
+    }
     if (has_strip && arrangement.presents) {
         // The strip keeps its place throughout a lesson, unless that takes space or symbols from what the step names.
         const float own = now.strip_px;

@@ -178,6 +178,7 @@ private:
     FileDialog file_dialog_;
     StepEditor step_editor_;
     TypedMatrix typed_matrix_;
+    std::size_t strip_step_ = 0;  ///< the step that the strip showed last
     EndCard end_card_;
     std::string wanted_exercise_;  ///< the exercise to open once it is generated
     bool wants_replay_ = false;

@@ -69,6 +69,75 @@ TEST(Fly, TurnsAboutTheCamerasOwnAxes) {
     }
 }
 
+TEST(Fly, ADragThatKeepsTheHorizonTurnsYawAndPitchAlone) {
+    Random random(4);
+    for (int round = 0; round < 200; ++round) {
+        const double yaw = random.number(-180, 180), pitch = random.number(-60, 60), roll = random.number(-90, 90);
+        Pose pose{{1, 2, 3}, {yaw, pitch, round % 2 == 0 ? 0.0 : roll}, {}};
+        const Pose start = pose;
+        glm::dvec2 turned(0.0);
+        for (int drag = 0; drag < 5; ++drag) {
+            MotionInput input;
+            input.keeps_horizon = true;
+            input.look_deg = {random.number(-20, 20), random.number(-5, 5)};
+            turned += input.look_deg;
+            Motion motion;
+            pose = step(pose, motion, input, Navigation::fly, {}, tuning, 0.0);
+        }
+        EXPECT_EQ(pose.position, start.position);
+        EXPECT_EQ(pose.angles.roll_deg, start.angles.roll_deg);
+        EXPECT_NEAR(pose.angles.pitch_deg, pitch + turned.y, 1e-9);
+        EXPECT_NEAR(std::remainder(pose.angles.yaw_deg - yaw - turned.x, 360.0), 0.0, 1e-9);
+        EXPECT_TRUE(round % 2 != 0 || std::abs(axes_of(pose)[0].y) < 1e-9) << "the camera's right axis is level";
+    }
+    MotionInput up;
+    up.keeps_horizon = true;
+    up.look_deg.y = 300.0;
+    Motion motion;
+    EXPECT_EQ(step({}, motion, up, Navigation::fly, {}, tuning, 0.0).angles.pitch_deg, 89.9);
+    EXPECT_EQ(step({{}, {0, 120, 0}, {}}, motion, up, Navigation::fly, {}, tuning, 0.0).angles.pitch_deg, 120.0)
+        << "a camera that is upside down stays so";
+}
+
+TEST(Fly, ADragAboutTheCamerasOwnAxesTiltsTheHorizon) {
+    MotionInput input;
+    input.look_deg = {40.0, 0.0};
+    Motion motion;
+    const Pose end = step({{}, {30, -40, 0}, {}}, motion, input, Navigation::fly, {}, tuning, 0.0);
+    EXPECT_GT(std::abs(axes_of(end)[0].y), 0.1);
+}
+
+TEST(Fly, AnOrbitingDragKeepsItsCenterInPlaceInThePicture) {
+    Random random(5);
+    for (int round = 0; round < 200; ++round) {
+        const Pose start{{random.number(-5, 5), random.number(-5, 5), random.number(-5, 5)},
+                         {random.number(-180, 180), random.number(-60, 60), 0.0},
+                         {7, 8, 9}};
+        MotionInput input;
+        input.orbit_center = {random.number(-5, 5), random.number(-5, 5), random.number(-5, 5)};
+        input.orbit_deg = {random.number(-90, 90), random.number(-20, 20)};
+        Motion motion;
+        const Pose end = step(start, motion, input, Navigation::fly, {}, tuning, 0.0);
+        const auto in_view = [&](const Pose& pose) {
+            return glm::transpose(axes_of(pose)) * (input.orbit_center - pose.position);
+        };
+        expect_near(in_view(end), in_view(start), 1e-9);
+        EXPECT_NEAR(axes_of(end)[0].y, 0.0, 1e-9);
+        EXPECT_EQ(end.target, start.target);
+        EXPECT_NE(end.angles, start.angles);
+    }
+    MotionInput input, look;
+    input.orbit_deg = look.look_deg = {30.0, 10.0};
+    const Pose start{{0, 1, 5}, {0, 0, 0}, {0, 1, 0}};
+    for (const Navigation mode : {Navigation::orbit, Navigation::walk}) {
+        Motion motion;
+        const Pose orbited = step(start, motion, input, mode, {}, tuning, 0.0);
+        const Pose looked = step(start, motion, look, mode, {}, tuning, 0.0);
+        EXPECT_EQ(orbited.position, looked.position);
+        EXPECT_EQ(orbited.angles, looked.angles);
+    }
+}
+
 TEST(Fly, OrderOfYawAndPitchMatters) {
     const Pose start;
     MotionInput yaw, pitch;

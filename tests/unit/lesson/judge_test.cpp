@@ -105,7 +105,17 @@ TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     ask.expected_items = {{1, 2}};
     EXPECT_EQ(told({{}, {2}}), is(Near::incomplete, {}));
     EXPECT_EQ(told({{}, {1, 3, 2}}), is(Near::too_many, {}));
-    EXPECT_EQ(told({{}, {1, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {1, 3}}), is(Near::some_items, {1}));
+    EXPECT_EQ(told({{}, {0, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {}}), is(Near::nothing, {}));
+    ask = {};
+    ask.kind = AskKind::vector;
+    ask.rows = 4;
+    ask.expect = "{2, 4, 3, 1}";
+    ask.up_to_factor = true;
+    EXPECT_EQ(told({{5, 7, 9, 11}, {}}), is(Near::nothing, {})) << "one number alone fits some factor";
+    EXPECT_EQ(told({{4, 8, 9, 11}, {}}), is(Near::right_parts, {1, 2}));
+    EXPECT_EQ(told({{2, 7, 9, 11}, {}}), is(Near::right_parts, {1})) << "right as it stands";
 }
 
 TEST(Judge, AGoalTellsItsNumbers) {

@@ -36,7 +36,8 @@ TEST_F(RememberedTest, ReadsBackOrIsEmptyWithoutAFile) {
                      {"/home/ann/a b.json", "/tmp/x.obj"},
                      Language::ko,
                      {},
-                     "rays"}}) {
+                     "rays",
+                     {false, true, true, true, 0.25}}}) {
         ASSERT_TRUE(write_remembered(file, each));
         EXPECT_EQ(*read_remembered(file), each);
     }
@@ -44,13 +45,29 @@ TEST_F(RememberedTest, ReadsBackOrIsEmptyWithoutAFile) {
 }
 
 TEST_F(RememberedTest, ReportsABrokenFileInOneSentence) {
-    for (const char* text : {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"language": "xx"})",
-                             R"({"scale": 1e9})", R"({"scale": "large"})", R"({"window": 3})", R"({"window": {}})",
+    for (const char* text : {"",
+                             "hello",
+                             "[]",
+                             R"({"theme": "pink"})",
+                             R"({"theme": 3})",
+                             R"({"language": "xx"})",
+                             R"({"scale": 1e9})",
+                             R"({"scale": "large"})",
+                             R"({"window": 3})",
+                             R"({"window": {}})",
                              R"({"window": {"position": [0], "size": [800, 600]}})",
                              R"({"window": {"position": [0, 0], "size": [0, 600]}})",
-                             R"({"window": {"position": [0, 1e300], "size": [800, 600]}})", R"({"lessons": []})",
-                             R"({"lessons": {"lens": 3}})", R"({"lessons": {"lens": {"step": 0}}})",
-                             R"({"lessons": {"lens": {"done": [1e9]}}})", R"({"recent": "a"})", R"({"recent": [1]})"}) {
+                             R"({"window": {"position": [0, 1e300], "size": [800, 600]}})",
+                             R"({"lessons": []})",
+                             R"({"lessons": {"lens": 3}})",
+                             R"({"lessons": {"lens": {"step": 0}}})",
+                             R"({"lessons": {"lens": {"done": [1e9]}}})",
+                             R"({"recent": "a"})",
+                             R"({"recent": [1]})",
+                             R"({"mouse": 3})",
+                             R"({"mouse": {"keep_horizon": 1}})",
+                             R"({"mouse": {"sensitivity": 0}})",
+                             R"({"mouse": {"sensitivity": "fast"}})"}) {
         const std::string error = error_of(text);
         EXPECT_NE(error.find("broken.json"), std::string::npos) << text << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;

@@ -1,4 +1,4 @@
-// A row of an entered R or S that is right for another plane than the one that is asked for.
+// A row of an entered R or S that is right for another plane or light than the one that is asked for.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -21,14 +21,21 @@ std::optional<glm::dvec4> plane_of_mirror_row(const glm::dvec4& row, int index);
 std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& light,
                                               const glm::dvec4& asked);
 
-struct OtherPlane {
-    int row = 0;  ///< from 1
-    glm::dvec4 plane{0.0};
+/// Returns the light whose S on this unit plane has this row, counted from 0. The row determines L_i and Π·L. `others`
+/// gives the light's other numbers; if Π·L differs for it, one of x, y, z is adapted, provided that only this one
+/// counts. None if there is no such light, and for a row of zeros.
+std::optional<glm::dvec4> light_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& plane,
+                                              const glm::dvec4& others);
+
+struct OtherRow {
+    int row = 0;            ///< from 1
+    bool is_light = false;  ///< whether `numbers` is a light's position, or else a plane with a unit normal
+    glm::dvec4 numbers{0.0};
 };
 
 /// Finds the first row of 16 numbers that is not among `right_rows` (from 1) and belongs to another plane than
-/// `plane.equation`. None if `expect` is neither R nor S of that plane and `light.position`.
-std::optional<OtherPlane> other_plane(const std::vector<double>& numbers, const std::vector<int>& right_rows,
-                                      const std::string& expect, const Surroundings& surroundings);
+/// `plane.equation` or, for S, to another light than `light.position`. None if `expect` is neither R nor S of these.
+std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std::vector<int>& right_rows,
+                                  const std::string& expect, const Surroundings& surroundings);
 
 }  // namespace viewing

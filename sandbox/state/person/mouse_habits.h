@@ -1,0 +1,18 @@
+// How a person moves the camera with the mouse: remembered for the window like the theme, and never part of a state.
+#pragma once
+
+namespace viewing {
+
+struct MouseHabits {
+    bool keeps_horizon = true;  ///< fly: a drag turns yaw about the world's up axis, so that it never tilts the horizon
+    bool right_pans = false;    ///< the right button shifts the picture instead of looking around
+    bool middle_pans =
+        false;               ///< the middle button shifts the picture instead of orbiting; Shift: the other of the two
+    bool inverts_y = false;  ///< a drag upward looks down
+    double sensitivity = 1.0;  ///< factor on the angle per pixel, least_sensitivity … greatest_sensitivity
+    bool operator==(const MouseHabits&) const = default;
+};
+
+inline constexpr double least_sensitivity = 0.1, greatest_sensitivity = 5.0;
+
+}  // namespace viewing
