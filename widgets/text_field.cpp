@@ -5,11 +5,19 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "widgets/inner.h"
 
 namespace widgets {
 
-bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags) {
+using inner::Px;
+
+namespace {
+
+/// Draws a field with a new id after each time it was left. Returns what `draw` returns.
+template <typename Draw>
+bool KeptField(const char* label, const Draw& draw) {
     TextFieldUse& use = CurrentContext().text_fields[ImGui::GetID(label)];
     const int frame = ImGui::GetFrameCount();
     if (use.is_used && use.active_frame < frame - 1) {
@@ -17,21 +25,24 @@ bool TextField(const char* label, std::string& text, const char* hint, ImGuiInpu
         ++use.times;
     }
     ImGui::PushID(use.times);
-    const bool is_entered = ImGui::InputTextWithHint(label, hint, &text, flags);
+    const bool result = draw();
     if (ImGui::IsItemActive()) {
         use.active_frame = frame;
         use.is_used = true;
         AskForRedraw(inner::caret_blink_s);
     }
     ImGui::PopID();
-    return is_entered;
+    return result;
 }
 
-bool EntryField(const char* label, std::string& value) {
+/// Keeps what is typed until the field is left. `draw` draws the field with a text, which it may change. Returns
+/// whether `value` has changed.
+template <typename Draw>
+bool Entry(const char* label, std::string& value, const Draw& draw) {
     Context& context = CurrentContext();
     std::optional<std::string>& entry = context.text_fields[ImGui::GetID(label)].entry;
     std::string text = entry.value_or(value);
-    TextField(label, text);
+    draw(text);
     const bool is_being_typed = ImGui::IsItemActive() && !context.editing.ends;
     if (is_being_typed) {
         if (text != value || entry) entry = std::move(text);
@@ -41,6 +52,53 @@ bool EntryField(const char* label, std::string& value) {
     if (text == value) return false;
     value = std::move(text);
     return true;
+}
+
+/// Exchanges blanks for line ends, and line ends for blanks, so that no line is wider than `width` if possible. No byte
+/// moves, so a caret stays where it is.
+void Wrap(char* begin, char* end, float width) {
+    std::replace(begin, end, '\n', ' ');
+    char *line = begin, *last_blank = nullptr;
+    for (char* at = begin; at <= end; ++at) {
+        if (at < end && *at != ' ') continue;
+        if (last_blank && ImGui::CalcTextSize(line, at).x > width) {
+            *last_blank = '\n';
+            line = last_blank + 1;
+        }
+        last_blank = at;
+    }
+}
+
+int WrapWhatIsTyped(ImGuiInputTextCallbackData* data) {
+    Wrap(data->Buf, data->Buf + data->BufTextLen, *static_cast<const float*>(data->UserData));
+    data->BufDirty = true;
+    return 0;
+}
+
+}  // namespace
+
+bool TextField(const char* label, std::string& text, const char* hint, ImGuiInputTextFlags flags) {
+    return KeptField(label, [&] { return ImGui::InputTextWithHint(label, hint, &text, flags); });
+}
+
+bool EntryField(const char* label, std::string& value) {
+    return Entry(label, value, [&](std::string& text) { TextField(label, text); });
+}
+
+bool ParagraphField(const char* label, std::string& value) {
+    if (value.find('\n') != std::string::npos) return EntryField(label, value);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float width = ImGui::GetContentRegionAvail().x;
+    float room = std::max(width - 2.0F * padding.x - Px(2), 1.0F);
+    return Entry(label, value, [&](std::string& text) {
+        Wrap(text.data(), text.data() + text.size(), room);
+        const auto lines = static_cast<float>(1 + std::count(text.begin(), text.end(), '\n'));
+        const ImVec2 size(width, lines * ImGui::GetTextLineHeight() + 2.0F * padding.y);
+        constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_CtrlEnterForNewLine |
+                                              ImGuiInputTextFlags_CallbackEdit | ImGuiInputTextFlags_NoHorizontalScroll;
+        KeptField(label, [&] { return ImGui::InputTextMultiline(label, &text, size, flags, WrapWhatIsTyped, &room); });
+        std::replace(text.begin(), text.end(), '\n', ' ');
+    });
 }
 
 }  // namespace widgets

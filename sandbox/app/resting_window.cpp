@@ -206,6 +206,7 @@ Topic topic_of(PictureView view, const Params& params) {
                                     {PictureView::passes, Topic::passes},
                                     {PictureView::moving_world, Topic::moving_world},
                                     {PictureView::clip, Topic::clip},
+                                    {PictureView::way, Topic::way},
                                     {PictureView::from_light, Topic::from_light},
                                     {PictureView::mirror_ways, Topic::mirror_ways},
                                     {PictureView::lecture_code, Topic::lecture_code},

@@ -59,7 +59,7 @@ Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_inte
     if (!views_are_behind_) return pictures_.draw(shown_, scene, layout);
     for (const Slot slot : {Slot::left, Slot::right}) {
         const ViewName name = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
-        const bool is_moved = workbench.views.hovered == name && topic_of(shown_.params, slot) == Topic::observer;
+        const bool is_moved = workbench.views.hovered == name && is_seen_from_outside(topic_of(shown_.params, slot));
         if (!is_moved) continue;
         camera_is_behind_ = true;
         return pictures_.draw_lower(slot, shown_, scene, layout);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <span>
 
+#include "frame/clip_space.h"
 #include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
 #include "state/file/beside.h"
 #include "ui/parts/topics.h"
+#include "ui/views/way_view.h"
 
 namespace viewing {
 namespace {
@@ -106,6 +108,8 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
             return draw_outside(derive_moving_world(shown.params.observer, shown.derived, {size}));
         case Topic::clip:
             return draw_outside(derive_clip_view(shown.params, shown.derived, {size}));
+        case Topic::way:
+            return draw_outside(derive_way_view(shown.params, shown.derived, {size}, free_of_numbers(rect)));
         case Topic::from_light:
             return draw_outside(derive_light_view(shown.derived, scene, {size}));
         case Topic::depth:

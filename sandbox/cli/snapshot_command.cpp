@@ -61,9 +61,8 @@ void declare(Options& options, TypedSnapshot& typed) {
                  "window (default): everything as on screen; camera: the camera view alone; depth, stencil: the "
                  "camera's buffers made visible; observer: the scene from outside; or one other view alone: matrices "
                  "(those in view.layout.matrices, or all), derivation, tree, order, precision, codes, histogram, "
-                 "cells, pixel, fighting, passes, moving_world, clip, from_light, mirror_ways, lecture_code, "
-                 "display_code, why. A "
-                 "view that would need scrolling is scaled down to fit");
+                 "cells, pixel, fighting, passes, moving_world, clip, way, from_light, mirror_ways, lecture_code, "
+                 "display_code, why. A view that would need scrolling is scaled down to fit");
     options.flag(
         "--labels", typed.labels,
         "Adds the window's handles, names and legends to --view camera, and the picture beside it (view.beside)");

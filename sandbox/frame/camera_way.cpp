@@ -32,6 +32,14 @@ CameraWay camera_way(const Params& params, const Derived& derived, const glm::dv
     return way;
 }
 
+glm::dmat4 window_from_ndc(const glm::dvec2& size_px, bool zero_to_one) {
+    const glm::dvec3 scale(0.5 * size_px, zero_to_one ? 1.0 : 0.5), move(0.5 * size_px, zero_to_one ? 0.0 : 0.5);
+    glm::dmat4 window(1.0);
+    for (int axis = 0; axis < 3; ++axis) window[axis][axis] = scale[axis];
+    window[3] = glm::dvec4(move, 1.0);
+    return window;
+}
+
 const char* outcome_of(FrustumPlane plane) {
     static constexpr std::array texts = {marked("inside the frustum"),       marked("cut off by the near plane"),
                                          marked("cut off by the far plane"), marked("left of the picture"),

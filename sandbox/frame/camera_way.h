@@ -21,6 +21,10 @@ struct CameraWay {
 /// Returns the way of a world point through the state's V, P and depth mapping, mistakes included.
 CameraWay camera_way(const Params& params, const Derived& derived, const glm::dvec3& point_world);
 
+/// Returns the matrix of glViewport(0, 0, width, height) and glDepthRange(0, 1): from NDC to pixels, counted from the
+/// lower left corner, and window depth. `zero_to_one`: the clip range of z is 0 … 1, otherwise −1 … 1.
+glm::dmat4 window_from_ndc(const glm::dvec2& size_px, bool zero_to_one);
+
 /// Returns what a plane of the frustum does to a point, in the window's language: "cut off by the near plane".
 const char* outcome_of(FrustumPlane plane);
 

@@ -118,17 +118,22 @@ void derive_planes(Derived& derived, const Params& params) {
     derived.chosen = params.chosen();
 }
 
-std::optional<FollowedPoint> derive_followed(const Derived& derived, const Params& params, const Scene& scene) {
-    if (!params.follow) return std::nullopt;
-    const SceneObject* object = scene.find(params.follow->object);
+/// Returns the place of the followed point; nullopt if none is followed, or the scene lacks the vertex.
+std::optional<glm::dvec3> place_of_followed(const std::optional<Follow>& follow, const Scene& scene) {
+    if (!follow || follow->point) return follow ? follow->point : std::nullopt;
+    const SceneObject* object = scene.find(follow->object);
     if (!object || !object->mesh) return std::nullopt;
-    const auto vertex = static_cast<std::size_t>(params.follow->vertex);
+    const auto vertex = static_cast<std::size_t>(follow->vertex);
     if (vertex >= object->mesh->positions.size()) return std::nullopt;
+    return glm::dvec3(object->world_from_model * glm::dvec4(object->mesh->positions[vertex], 1.0));
+}
 
+std::optional<FollowedPoint> derive_followed(const Derived& derived, const Params& params, const Scene& scene) {
+    const std::optional<glm::dvec3> place = place_of_followed(params.follow, scene);
+    if (!place) return std::nullopt;
     FollowedPoint followed;
-    const glm::dvec4 point(glm::dvec3(object->world_from_model * glm::dvec4(object->mesh->positions[vertex], 1.0)),
-                           1.0);
-    followed.point_world = glm::dvec3(point);
+    const glm::dvec4 point(*place, 1.0);
+    followed.point_world = *place;
     const DerivedPlane& plane = derived.chosen_plane();
     followed.shadow_homogeneous = derived.chosen_shadow().shadowed_world_from_world * point;
     if (std::abs(followed.shadow_homogeneous.w) > 1e-12)

@@ -104,16 +104,6 @@ struct ObserverView {
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
-/// Returns the projective map from eye space to the space of the view Clip space, in homogeneous coordinates. With
-/// view.division = 0 it is eye space, moved and scaled to the size of a cube from −1 to 1 around the origin; with 1 it
-/// is NDC, centered, with near toward +z. In between, the two matrices are blended entry by entry, so straight lines
-/// stay straight, and each point is divided by a share of its clip w.
-glm::dmat4 division_from_view(const Params& params, const Derived& derived);
-
-/// Derives the view of that space from outside, at the observer's angles. Its matrices up to view space are the
-/// camera's.
-ObserverView derive_clip_view(const Params& params, const Derived& derived, const Viewport& viewport);
-
 /// Derives the chosen light's view of everything that casts a shadow, framed to fit the picture wherever the light is.
 /// In this view, each caster hides its own shadow. For a parallel light, the view rays are parallel; a light among the
 /// casters sees only those in front of it. Without objects, the light looks at the chosen plane's patch.

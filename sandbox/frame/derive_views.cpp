@@ -116,52 +116,6 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
     return view;
 }
 
-glm::dmat4 division_from_view(const Params& params, const Derived& derived) {
-    const Lens lens = params.lens();
-    const double n = lens.near, f = lens.shown_far(), t = params.view.division;
-    const Edges edges = lens.edges_at(f, derived.aspect);
-    const glm::dmat4& p = derived.clip_from_view;
-    const auto ndc_z = [&](const glm::dvec4& point_view) {
-        const glm::dvec4 clip = p * point_view;
-        return clip.z / clip.w;
-    };
-    const double at_near = ndc_z({0.0, 0.0, -n, 1.0});
-    const double at_far = ndc_z({0.0, 0.0, lens.is_infinite() ? -1.0 : -f, lens.is_infinite() ? 0.0 : 1.0});
-    glm::dmat4 centered_from_ndc(1.0);
-    centered_from_ndc[2][2] = at_near < at_far ? -1.0 : 1.0;
-    centered_from_ndc[3][2] = -0.5 * (at_near + at_far) * centered_from_ndc[2][2];
-
-    const double scale = 2.0 / std::max({f - n, std::abs(edges.width()), std::abs(edges.height())});
-    glm::dmat4 centered_from_view(scale);
-    centered_from_view[3] = {-scale * edges.center().x, -scale * edges.center().y, 0.5 * scale * (n + f), 1.0};
-    // Weights that differ by the w of the frustum's middle let both ends take part equally.
-    const double middle_w = lens.orthographic ? 1.0 : std::sqrt(n * f);
-    return (1.0 - t) * middle_w * centered_from_view + t * centered_from_ndc * p;
-}
-
-ObserverView derive_clip_view(const Params& params, const Derived& derived, const Viewport& viewport) {
-    constexpr double usual_distance = 5.8, usual_aspect = 1.3;
-    const double distance = usual_distance * params.observer.distance / ObserverParams{}.distance;
-    const Angles angles{params.observer.yaw, params.observer.pitch, 0.0};
-    const glm::dvec3 back(rotation_from_angles(angles)[2]);
-    const glm::dmat4 outside_from_division = view_from_world(world_from_view(distance * back, angles));
-    constexpr double share = 0.85;  // the picture's upper part; a sentence and the slider are below
-    const double fovy_deg = widened_fovy(40.0, viewport.aspect(), usual_aspect);
-    const Lens lens{false, fovy_deg, 6.0, distance * 0.01, distance * 100.0};
-    ObserverView view;
-    view.view_from_world = derived.view_from_world;
-    view.world_from_view = glm::inverse(derived.view_from_world);
-    view.eye_world = derived.eye_world;
-    glm::dmat4 projection = clip_from_view(lens, viewport.aspect());
-    for (int column = 0; column < 4; ++column) {
-        projection[column][0] *= share;
-        projection[column][1] = share * projection[column][1] + (1.0 - share) * projection[column][3];
-    }
-    view.clip_from_world =
-        projection * outside_from_division * division_from_view(params, derived) * derived.view_from_world;
-    return view;
-}
-
 glm::dmat4 placed_camera(const Params& params) {
     return world_from_view(params.camera.position, params.camera.angles());
 }

@@ -299,7 +299,8 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
-    plain.reflection.same_projection = true;  // only the camera's view shows that mistake
+    plain.reflection.same_projection = true;  // only the camera's view shows this mistake and the next one
+    plain.reflection.fovy = 0.0;
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // show the whole image
     made.decal_offset = {-1.0, -2.0};

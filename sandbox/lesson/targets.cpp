@@ -94,6 +94,7 @@ constexpr const char* without_control[] = {"version",
                                            "view.pass",
                                            "view.derivation_step",
                                            "view.division",
+                                           "view.way",
                                            "view.lower_left",
                                            "view.lower_right",
                                            "view.layout"};

@@ -31,7 +31,7 @@ template <> std::span<const char* const> names_of<DecalMethod>() { static conste
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth", "settings"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
-template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why", "clip"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code", "why", "clip", "way"}; return names; }
 template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<Language>() { static constexpr const char* names[] = {"en", "ko"}; return names; }
@@ -205,6 +205,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.01,
+     .least_above_zero = min_aspect,
      .help = "The aspect ratio (width ÷ height) that the projection assumes; 0 uses the view's own. With another "
              "value, GL stretches the picture to the view: perspective(45, 1, …) is right only in a square window.",
      .formula = "P₁₁ = P₂₂ / aspect",
@@ -626,6 +627,18 @@ const Field all_fields[] = {
      .label = "same projection",
      .help = "Gives the mirrored camera the camera's own projection. When off, the mirrored camera uses the aspect "
              "ratio of a square picture, and the mirror image does not fit the mirror."},
+    {.path = "reflection.fovy",
+     .place = IN(reflection.fovy),
+     .label = "mirror fovy",
+     .unit = degrees,
+     .min = 0,
+     .max = 179,
+     .step = 0.5,
+     .least_above_zero = 1,
+     .help = "The vertical field of view with which the picture in a mirror is drawn, for example because the mirrored "
+             "camera has a projection of its own; 0 uses the camera's. With any other value, the mirror image is too "
+             "small or too large for its mirror.",
+     .formula = "P′ V R"},
     {.path = "reflection.printed_by_rows",
      .place = IN(reflection.printed_by_rows),
      .label = "as printed",
@@ -676,8 +689,10 @@ const Field all_fields[] = {
     {.path = "follow",
      .place = IN(follow),
      .label = "follow a point",
-     .help = "An object's vertex p, followed through the matrices to its shadow s = S p and its mirror image R p; null "
-             "means no vertex.",
+     .min = -position_limit,
+     .max = position_limit,
+     .help = "A point p, followed through the matrices to its place in the picture, its shadow s = S p and its mirror "
+             "image R p: an object's vertex or a point of your own; null means none.",
      .formula = "s = S p ÷ w"},
 
     // visibility
@@ -907,6 +922,17 @@ const Field all_fields[] = {
          "by w has made it a box. In between, each point is divided by a share of w.",
      .formula = "p = ((1 − t) c E + t P) p_eye, then ÷ its w",
      .gl_call = "gl_Position / gl_Position.w"},
+    {.path = "view.way",
+     .place = IN(view.way),
+     .label = "way of a point",
+     .min = 0,
+     .max = 4,
+     .step = 0.01,
+     .help =
+         "The space that the view The way of a point has reached: 0 is the world, 1 eye space after V, 2 clip space "
+         "after P, 3 NDC after the division by w, 4 the window. In between, the point is on its way.",
+     .formula = "p → V p → P V p → ÷ w → window",
+     .gl_call = "glViewport"},
     {.path = "view.lower_left",
      .place = IN(view.lower_left),
      .label = "lower left",

@@ -58,6 +58,7 @@ struct Field {
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
     bool may_be_infinite = false;   ///< "infinite" is allowed above the range
+    double least_above_zero = 0.0;  ///< unless 0: the range has a gap from 0, which is a value of its own, to this
     std::string_view help;          ///< its effect, in a few sentences
     std::string_view formula = "";  ///< the formula that uses the field; "" if none
     std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none

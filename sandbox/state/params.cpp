@@ -66,4 +66,10 @@ Lens Params::lens() const {
     return lens;
 }
 
+double Params::mirror_picture_scale() const {
+    if (projection.type != ProjectionType::perspective || reflection.fovy == 0.0) return 1.0;
+    const auto slope = [](double fovy_deg) { return std::tan(glm::radians(0.5 * fovy_deg)); };
+    return slope(lens().fovy_deg) / slope(reflection.fovy);
+}
+
 }  // namespace viewing

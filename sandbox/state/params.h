@@ -77,10 +77,11 @@ struct PlaneOverrides {
     bool operator==(const PlaneOverrides&) const = default;
 };
 
-/// The followed point: a vertex of an object in the scene.
+/// The followed point: a vertex of an object in the scene, or a point of one's own.
 struct Follow {
     std::string object;
     int vertex = 0;
+    std::optional<glm::dvec3> point = {};  ///< in world space, in place of object and vertex
     bool operator==(const Follow&) const = default;
 };
 
@@ -152,6 +153,9 @@ struct Params {
     /// of view is then negative if cot(fovy/2) is, which rotates the picture by 180°, and it is kept away from 0° and
     /// ±180°, so that P has an inverse.
     Lens lens() const;
+
+    /// Returns how many times as large reflection.fovy makes the picture in a mirror; 1 if it is the camera's.
+    double mirror_picture_scale() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }
 

@@ -17,9 +17,6 @@ namespace {
 bool is_light(const Field& field) {
     return field.path == "light.position";
 }
-bool is_aspect(const Field& field) {
-    return field.path == "projection.aspect";
-}
 bool is_samples(const Field& field) {
     return field.path == "view.samples";
 }
@@ -78,9 +75,9 @@ void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
-/// Replaces an aspect ratio that is too small with 0 (the view's own) or with the minimum, whichever is nearer.
-void mend_aspect(double& aspect) {
-    if (aspect > 0.0 && aspect < min_aspect) aspect = aspect < min_aspect / 2.0 ? 0.0 : min_aspect;
+/// Replaces a number in the gap above 0 with the nearer end.
+void mend_gap(double& value, double least_above_zero) {
+    if (value > 0.0 && value < least_above_zero) value = value < least_above_zero / 2.0 ? 0.0 : least_above_zero;
 }
 
 void mend_pin(std::optional<Pin>& pin, const Field& field) {
@@ -127,7 +124,7 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
                    },
                    [&](double* value) {
                        *value = mended(*value, *std::get<double*>(fallback), field, 0);
-                       if (is_aspect(field)) mend_aspect(*value);
+                       mend_gap(*value, field.least_above_zero);
                    },
                    [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
                    [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
@@ -205,7 +202,8 @@ std::string allowed_text(const Field& field) {
                                                 : "a whole number " + range;
             },
             [&](double*) -> std::string {
-                if (is_aspect(field)) return "0 or a number " + range_text({min_aspect, field.max});
+                if (const double least = field.least_above_zero; least > 0.0)
+                    return "0 or a number " + range_text({least, field.max});
                 return "a number " + range + (field.may_be_infinite ? ", or \"infinite\"" : "");
             },
             [&](glm::dvec3*) -> std::string { return "three numbers [x, y, z], each " + range; },
@@ -228,7 +226,7 @@ std::string allowed_text(const Field& field) {
                        "\"mirror_from_world\": null or 4 rows of 4 numbers}";
             },
             [](std::optional<Follow>*) -> std::string {
-                return "null or {\"object\": name, \"vertex\": whole number}";
+                return "null, {\"object\": name, \"vertex\": whole number} or {\"point\": [x, y, z]}";
             },
             [&](std::optional<glm::dvec2>*) -> std::string {
                 return "null or two numbers [nearest, farthest], each " + range + ", the first less than the second";
@@ -274,6 +272,8 @@ void clamp_to_ranges(Params& params) {
     params.view.light = static_cast<int>(chosen.light + 1);
     if (params.follow) {
         params.follow->vertex = std::max(params.follow->vertex, 0);
+        const Field& range = field("follow");
+        if (params.follow->point) mend_vector(*params.follow->point, glm::dvec3(0.0), range);
     }
 }
 

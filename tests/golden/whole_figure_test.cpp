@@ -47,6 +47,7 @@ const std::vector<Shown>& shown_views() {
         {PictureView::passes, "passes"},
         {PictureView::moving_world},
         {PictureView::clip},
+        {PictureView::way},
         {PictureView::from_light, "from-light"},
         {PictureView::mirror_ways, "mirror-ways"},
         {PictureView::lecture_code, "lecture-code"},

@@ -1,5 +1,6 @@
 // The lower view Clip space: its slider leads from eye space to NDC, and the rest of the picture turns.
 #include "desk.h"
+#include "frame/clip_space.h"
 #include "recorded_letters.h"
 #include "ui/parts/topics.h"
 
@@ -63,6 +64,28 @@ TEST(ClipSpaceView, MarksTheFaceThatCutsTheFollowedPointOff) {
     EXPECT_GE(says("cutoffbythefarplane"), 1U);
     desk.params().view.division = 0.0;
     EXPECT_GE(says("Vp"), 1U);
+}
+
+TEST(ClipSpaceView, TheFollowedPointIsDragged) {
+    Desk desk;
+    choose_topic(desk.params(), Slot::left, Topic::clip);
+    desk.params().projection.far = 14.0;
+    desk.params().follow = Follow{"box", 3};
+    const auto place = [&] {
+        desk.settle();
+        const Rect rect = desk.layout().lower_left;
+        const glm::dvec4 clip = derive_clip_view(desk.params(), desk.derived, {rect.size_px()}).clip_from_world *
+                                glm::dvec4(desk.derived.followed->point_world, 1.0);
+        return ImVec2(rect.min.x + rect.width() * static_cast<float>(0.5 + 0.5 * clip.x / clip.w),
+                      rect.min.y + rect.height() * static_cast<float>(0.5 - 0.5 * clip.y / clip.w));
+    };
+    const ImVec2 from = place();
+    const Params before = desk.params();
+    desk.drag_from(from, 15.0F, -10.0F);
+    EXPECT_EQ(differing_fields(before, desk.params()), Paths{"follow"});
+    const ImVec2 now = place();
+    EXPECT_NEAR(now.x - from.x, 15.0F, 1.0F);
+    EXPECT_NEAR(now.y - from.y, -10.0F, 1.0F);
 }
 
 }  // namespace

@@ -94,6 +94,7 @@ constexpr Control controls[] = {
     {"reflection/reflectance", "reflection.reflectance"},
     {"reflection/bounces", "reflection.bounces"},
     {"reflection/clip at the plane", "reflection.clip"},
+    {"reflection/mirror fovy", "reflection.fovy"},
     {"reflection/mirrored/Mirror the scene", "reflection.mirrored"},
     {"reflection/mirrored/the camera", "reflection.mirrored"},
     {"reflection/Eye's side", "reflection.side_of_eye"},
@@ -216,6 +217,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "lights",
                     "planes",
                     "reflection.same_projection",
+                    "reflection.fovy",
                     "reflection.printed_by_rows",
                     "slips.plus_2ab",
                     "slips.normal_not_unit",
@@ -237,6 +239,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "view.pass",
                     "view.derivation_step",
                     "view.division",
+                    "view.way",
                     "view.lower_left",
                     "view.lower_right",
                     "ui.theme",
@@ -488,6 +491,18 @@ TEST_F(PanelTest, TheMirroredCamerasProjectionIsOfferedWhenUsed) {
     desk.click("reflection/mirrored/the camera");
     desk.click("reflection/Same projection");
     EXPECT_FALSE(params.reflection.same_projection);
+}
+
+TEST_F(PanelTest, AMirrorsOwnFovyIsReportedAndFixed) {
+    desk.fold_out_all();
+    desk.enter("reflection/mirror fovy", "20");
+    EXPECT_EQ(params.reflection.fovy, 20.0);
+    EXPECT_TRUE(ui.has("Shadow and reflection/trouble"));
+    desk.right_click("reflection/mirror fovy");
+    EXPECT_EQ(params.reflection.fovy, 0.0);
+    params.projection.type = ProjectionType::orthographic;
+    desk.settle();
+    EXPECT_FALSE(ui.find("reflection/mirror fovy").enabled);
 }
 
 TEST_F(PanelTest, ABrokenSwitchIsReportedBesideIt) {

@@ -73,6 +73,33 @@ TEST_F(StepEditorTest, TypedTextsAreInTheFileAndOnTheScreen) {
     EXPECT_EQ(in_file().steps[0].ask.question.in_english(), template_texts.question);
 }
 
+/// A paragraph wraps in its field, is typed into at any place, and has no line ends in the file.
+TEST_F(StepEditorTest, ALongTextWrapsAndStaysOneLineInTheFile) {
+    std::string text = "Where is p?";
+    const auto height = [this] {
+        const RecordedItem& field = ui.find("step editor//ask/question");
+        return field.max.y - field.min.y;
+    };
+    const float one_line = height();
+    for (int i = 0; i < 12; ++i) text += " The light goes on to the plane, and the plane stays.";
+    edit("/ask/question", text.c_str());
+    EXPECT_EQ(in_file().steps[0].ask.question.in_english(), text);
+    wait_until([&] { return on_screen().steps[0].ask.question.in_english() == text; });
+    EXPECT_GT(height(), 3.0F * one_line);
+    desk.click("step editor//ask/question");
+    ImGui::GetIO().KeyCtrl = true;
+    ui.key(ImGuiKey_Home);
+    ImGui::GetIO().KeyCtrl = false;
+    for (int i = 0; i < 5; ++i) ui.key(ImGuiKey_RightArrow);
+    ui.type(" and why, in a few more words than a line has,");
+    ui.key(ImGuiKey_Enter);
+    ui.frames(2);
+    EXPECT_EQ(in_file().steps[0].ask.question.in_english(),
+              "Where and why, in a few more words than a line has," + text.substr(5));
+    desk.click("step editor/Undo the edit");
+    EXPECT_EQ(in_file().steps[0].ask.question.in_english(), text);
+}
+
 TEST_F(StepEditorTest, StepsMoveAndTheScreenStaysAtTheStep) {
     desk.click("step editor/Move down");
     EXPECT_EQ(in_file().steps[1].id, "step-1");

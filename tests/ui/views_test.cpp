@@ -522,6 +522,83 @@ TEST_F(ObserverHandles, MoveNearAndFarAlongTheView) {
     EXPECT_GT(params.projection.far, 4.0);
 }
 
+TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
+    params.projection.type = ProjectionType::frustum;
+    params.projection.left = params.projection.bottom = -1.5;
+    params.projection.right = params.projection.top = 1.0;
+    params.projection.near = 4.0;
+    desk.settle();
+    const Params before = params;
+    static constexpr const char* paths[] = {"projection.bottom", "projection.right", "projection.top",
+                                            "projection.left"};
+    double ProjectionParams::*const edges[] = {&ProjectionParams::bottom, &ProjectionParams::right,
+                                               &ProjectionParams::top, &ProjectionParams::left};
+    for (const ProjectionType type : {ProjectionType::frustum, ProjectionType::orthographic_window})
+        for (std::size_t edge = 0; edge < 4; ++edge) {
+            params = before;
+            params.projection.type = type;
+            desk.settle();
+            const Params start = params;
+            const ImVec2 middle = desk.in_observer_view(places().near[4]);
+            const ImVec2 from = desk.in_observer_view(places().near[edge]);
+            drag(places().near[edge], 0.4F * (from.x - middle.x), 0.4F * (from.y - middle.y));
+            EXPECT_EQ(differing_fields(start, params), Paths{paths[edge]});
+            // 0.4 of half the window's size of 2.5, but for the perspective of the observer.
+            const double moved = params.projection.*edges[edge] - start.projection.*edges[edge];
+            EXPECT_NEAR(std::abs(moved), 0.5, 0.15) << paths[edge];
+            EXPECT_EQ(moved > 0.0, start.projection.*edges[edge] > 0.0) << "away from the middle";
+            desk.undo();
+            EXPECT_EQ(params, start);
+        }
+    // Past the opposite edge, it stops before it.
+    params = before;
+    desk.settle();
+    const ImVec2 left = desk.in_observer_view(places().near[3]), right = desk.in_observer_view(places().near[1]);
+    drag(places().near[3], 2.0F * (right.x - left.x), 2.0F * (right.y - left.y));
+    EXPECT_LT(params.projection.left, params.projection.right);
+    EXPECT_GT(params.projection.left, 0.9);
+    EXPECT_EQ(params.projection.right, before.projection.right);
+}
+
+TEST_F(ViewsTest, TheFollowedPointIsDragged) {
+    params.follow = Follow{.object = "", .point = glm::dvec3(1.5, 1.2, 1.5)};
+    desk.settle();
+    const Params before = params;
+    const ImVec2 from = desk.in_camera_view(*params.follow->point);
+    desk.drag_from(from, 50.0F, -30.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"follow"});
+    expect_near(desk.in_camera_view(*params.follow->point), {from.x + 50.0F, from.y - 30.0F}, 0.5F);
+    desk.undo();
+    EXPECT_EQ(params, before);
+    const ImVec2 outside = desk.in_observer_view(*params.follow->point);
+    desk.drag_from(outside, 20.0F, 10.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"follow"});
+    expect_near(desk.in_observer_view(*params.follow->point), {outside.x + 20.0F, outside.y + 10.0F}, 0.5F);
+}
+
+TEST_F(ViewsTest, AVertexBecomesAPointOfItsOwnByTypingOrDragging) {
+    const glm::dvec3 vertex = pick_small_box();
+    ASSERT_TRUE(params.follow && !params.follow->point);
+    desk.click("matrices/Type p");
+    ASSERT_TRUE(params.follow && params.follow->point);
+    EXPECT_LT(glm::distance(*params.follow->point, vertex), 1e-9);
+    desk.enter("matrices/p/x", "-1.25");
+    EXPECT_EQ(params.follow->point->x, -1.25);
+    desk.click("matrices/Clear");
+    EXPECT_FALSE(params.follow);
+    pick_small_box();
+    desk.drag_from(desk.in_camera_view(vertex), 30.0F, 0.0F);
+    ASSERT_TRUE(params.follow && params.follow->point);
+    EXPECT_GT(glm::distance(*params.follow->point, vertex), 0.01);
+}
+
+TEST_F(ViewsTest, AClickOnTheFollowedVertexKeepsIt) {
+    const glm::dvec3 vertex = pick_small_box();
+    desk.click_at(desk.in_camera_view(vertex));
+    ASSERT_TRUE(params.follow && !params.follow->point) << "a click is no drag";
+    EXPECT_EQ(params.follow->object, "small box");
+}
+
 /// Returns the color drawn last over a place of the window; 0 if there is none.
 ImU32 color_at(ImVec2 at) {
     const auto side = [&](const ImVec2& a, const ImVec2& b) {

@@ -21,7 +21,7 @@ enum class MatrixFault {
     looks_back,          ///< V: x and z negated, as lookAtLH makes it
     degrees,             ///< P: fovy in degrees where radians belong
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
-    zero_to_one,         ///< P: for a clip range 0 … 1 where the state has −1 … 1
+    zero_to_one,         ///< P: for a clip range 0 … 1, but not reversed
     minus_one_to_one,    ///< P: the other way round
     reversed,            ///< P: near and far swapped, unlike in the state
     other_light,         ///< S of the state's plane and another light
@@ -60,6 +60,11 @@ struct ExplainedMatrix {
 /// Reads a P whose clip w is −z (perspective) or 1 (orthographic); none if `m` has other entries. `zero_to_one`: its
 /// clip range; `tolerance`: rounding of each entry.
 std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double tolerance);
+
+/// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. Reversed depth tells it by the third
+/// row, unless near and far are close together: then the state decides. Otherwise each range has a near that gives the
+/// same third row: 0 … 1 is meant if only its near is the state's own or a number of at most two digits.
+bool is_for_zero_to_one(const glm::dmat4& p, const Params& params, double tolerance);
 
 /// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter that it should be, 0 if open. `aspect`:
 /// width ÷ height of the picture. `tolerance`: rounding of each entry; 2e-6 of the entry is added for float32.

@@ -40,7 +40,8 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::inverse_aspect:
             return {"inverse_aspect", marked("the aspect ratio is height ÷ width"), marked("use width ÷ height")};
         case MatrixFault::zero_to_one:
-            return {"zero_to_one", marked("it maps near … far to 0 … 1, but the state's clip range is −1 … 1"),
+            return {"zero_to_one",
+                    marked("it maps near … far to 0 … 1, but unless depth is reversed, the clip range is −1 … 1"),
                     marked("use perspectiveRH_NO, or leave GLM_FORCE_DEPTH_ZERO_TO_ONE out")};
         case MatrixFault::minus_one_to_one:
             return {"minus_one_to_one", marked("it maps near … far to −1 … 1, but the state's clip range is 0 … 1"),

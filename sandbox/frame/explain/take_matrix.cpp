@@ -18,6 +18,12 @@ dmat4 negated(const dmat4& m, int row) {
     return made;
 }
 
+/// Replaces each entry of the third row with a function of it and of the entry below it.
+dmat4 with_depth_row(dmat4 p, double (*mapped)(double z, double w)) {
+    for (int column = 0; column < 4; ++column) p[column][2] = mapped(p[column][2], p[column][3]);
+    return p;
+}
+
 dmat4 with_translation_in_column(const dmat4& m) {
     dmat4 made = dmat4(glm::dmat3(m));
     for (int axis = 0; axis < 3; ++axis) made[3][axis] = m[axis][3];
@@ -53,6 +59,7 @@ bool take_range(Params& params, const FoundLens& lens, bool is_reversed) {
 bool take_projection(Params& params, const dmat4& p, double view_aspect, double tolerance) {
     const bool is_orthographic = p[2][3] == 0.0;
     const bool is_reversed = is_orthographic ? p[2][2] > 0.0 : p[2][2] > -0.5;
+    if (is_reversed) params.depth.reversed_zero_to_one = is_for_zero_to_one(p, params, tolerance);
     const std::optional<FoundLens> lens =
         read_lens(p, is_reversed && params.depth.reversed_zero_to_one, std::max(tolerance, 1e-9));
     if (!lens || !take_range(params, *lens, is_reversed)) return false;
@@ -113,10 +120,12 @@ std::optional<dmat4> fixed(const dmat4& pasted, const ExplainedMatrix& found) {
             return found.letter == 'V' ? negated(pasted, 2) : glm::transpose(negated(glm::transpose(pasted), 2));
         case MatrixFault::looks_back:
             return negated(negated(pasted, 0), 2);
+        case MatrixFault::zero_to_one:
+            return with_depth_row(pasted, [](double z, double w) { return 2.0 * z - w; });
+        case MatrixFault::minus_one_to_one:
+            return with_depth_row(pasted, [](double z, double w) { return 0.5 * (z + w); });
         case MatrixFault::degrees:
         case MatrixFault::inverse_aspect:
-        case MatrixFault::zero_to_one:
-        case MatrixFault::minus_one_to_one:
             return found.right;
         default:
             return std::nullopt;

@@ -15,10 +15,10 @@ bool is_takeable(const ExplainedMatrix& found);
 std::optional<glm::dmat4> fixed(const glm::dmat4& pasted, const ExplainedMatrix& found);
 
 /// Gives the state the camera, projection, S or R of a matrix that can be taken, so that its own is the same, and
-/// switches off mistakes that would change it. P is read for the clip range that the program uses: 0 … 1 if it is
-/// reversed, otherwise −1 … 1; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
-/// `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns whether that is possible:
-/// not for values that no state may have.
+/// switches off mistakes that would change it. P is read for the clip range −1 … 1 or, if it is
+/// reversed, as is_for_zero_to_one() tells; S and R replace those of the chosen plane and light. `letter`: V, C, P, S
+/// or R. `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns whether that is
+/// possible: not for values that no state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
 
 }  // namespace viewing

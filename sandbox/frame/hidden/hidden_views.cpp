@@ -15,7 +15,8 @@ bool has_image(const HiddenResult& result) {
 /// projection was replaced. GL then draws that image in scene order.
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
-    const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
+    const bool has_other_camera = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
+                                  params.mirror_picture_scale() != 1.0;
     return plane.mirror_by_hand || plane.mirror_has_slip || reflection.printed_by_rows || !reflection.side_of_eye ||
            has_other_camera;
 }

@@ -130,7 +130,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
                                     mirror.towards_eye(), mirror.plane.patch});
     };
-    const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
+    const bool is_distorted = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
+                              params.mirror_picture_scale() != 1.0;
     tell.broken(!reflection.stencil && (is_distorted || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
                 tr("R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
                    "beyond the mirror's edge"),
@@ -221,6 +222,13 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
     tell.broken(reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
                 tr("the mirrored camera uses the aspect ratio of a square picture: the image does not fit its mirror"),
                 "reflection.same_projection");
+    const double scale = params.mirror_picture_scale();
+    tell.broken(std::abs(scale - 1.0) > 1e-3,
+                say("the picture in the mirror is drawn with fovy {wrong}° instead of the camera's {right}°: the image "
+                    "is {scale} times as large as it should be and does not fit its mirror",
+                    "wrong"_a = figures(params.reflection.fovy), "right"_a = figures(params.lens().fovy_deg),
+                    "scale"_a = figures(scale, 3)),
+                "reflection.fovy");
 
     const auto is_moved = [](const Mirror& mirror) {
         return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;

@@ -53,6 +53,16 @@ void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.sky_world = glm::dmat3(mirrored_world_from_world) * inside.sky_world;
 }
 
+/// Draws the picture in the first mirror with reflection.fovy; the mirrors in it have the same projection.
+void use_mirror_fovy(Level& inside) {
+    const double scale = inside.params.mirror_picture_scale();
+    if (scale == 1.0) return;
+    if (inside.bounces() == 1)
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 2; ++row) inside.projection[column][row] *= scale;
+    inside.matrices.replace(inside.matrices.find('P'), 1, "P′");
+}
+
 ClipRange clip_range(const Level& level) {
     if (level.params.depth.mapping != DepthMapping::reversed) return ClipRange::standard;
     return level.derived.clip_zero_to_one ? ClipRange::reversed_zero_to_one : ClipRange::reversed;
@@ -89,6 +99,7 @@ Level world_inside(const Level& outside, std::size_t mirror) {
         mirror_camera(inside, plane.mirrored_world_from_world);
     else
         mirror_scene(inside, plane.mirrored_world_from_world);
+    use_mirror_fovy(inside);
     clip_at_mirror(inside, inside.params.reflection.side_of_eye ? outside.plane_towards_eye(mirror) : plane.unit_plane);
     return inside;
 }

@@ -39,19 +39,25 @@ glm::ivec2 read_pixel(const Json& value, const Field& field, const Where& where)
 }
 
 Follow read_follow(const Json& value, const Field& field, const Where& where) {
-    static const std::vector<std::string> keys = {"object", "vertex"};
+    static const std::vector<std::string> keys = {"object", "vertex", "point"};
     require_object(value, where, allowed_text(field));
     Follow follow;
     for (const auto& [key, member] : value.items()) {
         require_known_key(key, where, keys);
         if (key == "object") {
             follow.object = read_name(member, where.key(key));
+        } else if (key == "point") {
+            const Range range{field.min, field.max};
+            follow.point =
+                read_vec3(member, where.key(key), range, "three numbers [x, y, z], each " + range_text(range));
         } else {
             follow.vertex = read_whole(member, where.key(key), 0, 1'000'000'000);
         }
     }
-    if (follow.object.empty()) {
-        where.key("object").refuse("is missing: the name of an object of the scene");
+    if (follow.point) {
+        if (value.size() > 1) where.refuse("has a point and a vertex: give either point or object and vertex");
+    } else if (follow.object.empty()) {
+        where.key("object").refuse("is missing: the name of an object of the scene, or point: [x, y, z]");
     }
     return follow;
 }
@@ -197,7 +203,7 @@ struct FieldReader {
             return;
         }
         const double number = read_number(value, where, component_range(field, 0), field.may_be_infinite);
-        if (field.path == "projection.aspect" && number > 0.0 && number < min_aspect) {
+        if (number > 0.0 && number < field.least_above_zero) {
             refuse_value(value, where, allowed_text(field));
         }
         *target = number;

@@ -94,8 +94,9 @@ Json of_type(const Field& field) {
             },
             [&](double*) -> Json {
                 if (field.may_be_infinite) return {{"anyOf", Json::array({number_in(range), {{"const", infinite}}})}};
-                if (field.path != "projection.aspect") return number_in(range);
-                return {{"anyOf", Json::array({{{"const", 0}}, number_in({min_aspect, range.max})})}};
+                const double least = field.least_above_zero;
+                if (least == 0.0) return number_in(range);
+                return {{"anyOf", Json::array({{{"const", 0}}, number_in({least, range.max})})}};
             },
             [&](glm::dvec3*) { return vector<glm::dvec3>(field); },
             [&](glm::dvec4*) { return vector<glm::dvec4>(field); },
@@ -107,10 +108,12 @@ Json of_type(const Field& field) {
             []<typename Element>(Further<Element> list) { return at_most(list.most, element(list.group)); },
             [&](std::optional<glm::dmat4>*) { return matrix(component_range(field, 0)); },
             [](FurtherOverrides) { return at_most(most_planes * most_lights, further_override()); },
-            [](std::optional<Follow>*) {
-                Json follow = object_of({{"object", name()}, {"vertex", whole_in(0, 1'000'000'000)}});
-                follow["required"] = {"object"};
-                return null_or(std::move(follow));
+            [&](std::optional<Follow>*) -> Json {
+                Json vertex = object_of({{"object", name()}, {"vertex", whole_in(0, 1'000'000'000)}});
+                vertex["required"] = {"object"};
+                Json point = object_of({{"point", list_of(3, number_in(range))}});
+                point["required"] = {"point"};
+                return {{"anyOf", Json::array({{{"type", "null"}}, std::move(vertex), std::move(point)})}};
             },
             [&](std::optional<glm::dvec2>*) { return null_or(list_of(2, number_in(range))); },
             [&](std::optional<glm::ivec2>*) { return null_or(list_of(2, whole_in(range.min, range.max))); },

@@ -61,7 +61,9 @@ struct FieldWriter {
         return array;
     }
     Json operator()(const std::optional<Follow>* follow) const {
-        return *follow ? Json{{"object", (*follow)->object}, {"vertex", (*follow)->vertex}} : Json(nullptr);
+        if (!*follow) return nullptr;
+        if ((*follow)->point) return Json{{"point", vector_as_json(*(*follow)->point)}};
+        return {{"object", (*follow)->object}, {"vertex", (*follow)->vertex}};
     }
     Json operator()(const std::optional<glm::dvec2>* range) const {
         return *range ? Json{(*range)->x, (*range)->y} : Json(nullptr);

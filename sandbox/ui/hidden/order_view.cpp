@@ -207,13 +207,14 @@ void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, cons
         return draw_list(state, links, params, result, {0.0F, std::max(room.y, least)});
     const bool beside = room.x >= px(360.0F);
     if (!beside && room.y < px(170.0F)) return draw_touches(links, params, result, {0.0F, std::max(room.y, least)});
-    const ImVec2 each = beside ? ImVec2(std::floor(0.5F * (room.x - gap)), std::max(room.y, least))
+    constexpr float share = 0.54F;  // the fragments' details are long
+    const ImVec2 each = beside ? ImVec2(std::floor(share * (room.x - gap)), std::max(room.y, least))
                                : ImVec2(room.x, std::max(std::floor(0.5F * (room.y - gap)), least));
     ImGui::BeginChild("pixel", each);
     draw_touches(links, params, result, {0.0F, each.y});
     ImGui::EndChild();
     ImGui::SetCursorScreenPos(beside ? ImVec2(from.x + each.x + gap, from.y) : ImVec2(from.x, from.y + each.y + gap));
-    draw_list(state, links, params, result, each);
+    draw_list(state, links, params, result, {beside ? room.x - gap - each.x : each.x, each.y});
 }
 
 void draw_result(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {

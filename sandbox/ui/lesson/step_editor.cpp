@@ -155,7 +155,8 @@ void StepEditor::draw_parts(Guide& guide) {
             StepPart edited = part;
             widgets::Note(label.c_str());
             ImGui::SetNextItemWidth(-1.0F);
-            if (widgets::EntryField("##text", edited.text)) write(with_part(source_, step_, edited, language_), guide);
+            if (widgets::ParagraphField("##text", edited.text))
+                write(with_part(source_, step_, edited, language_), guide);
             widgets::Record(part.place.c_str(), part.text);
         }
         ImGui::PopID();

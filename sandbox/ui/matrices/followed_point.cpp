@@ -7,6 +7,7 @@
 
 #include "frame/camera_way.h"
 #include "frame/depth/fragment_text.h"
+#include "state/fields.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/matrices/shown_matrix.h"
@@ -17,6 +18,8 @@ namespace viewing {
 using widgets::Role;
 
 namespace {
+
+constexpr const char* type_button = marked("Type p");
 
 /// Draws one line about the followed point: its name, then its value, which starts at `column`. `target` is the line's
 /// name in lessons.
@@ -62,16 +65,42 @@ struct LineStyle {
     std::size_t digits;
 };
 
+/// Draws p: as text or, if the point is not a vertex, as numbers to type. `text`: its value.
+void point_line(Params& params, float column, const std::string& text) {
+    if (!params.follow->point || widgets::IsCovered("follow:p"))
+        return followed_line("follow:p", "p", column, text, Role::point, widgets::IsCovered("follow:p"));
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    widgets::ValueText("p", Role::point);
+    ImGui::SameLine(column);
+    const Field& range = field("follow");
+    const widgets::NumberStyle style{
+        .min = range.min, .max = range.max, .step = 0.02, .decimals = 3, .role = Role::point};
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    widgets::Vec3("##p", *params.follow->point, style);
+    ImGui::EndGroup();
+    widgets::MarkLine("follow:p");
+}
+
+/// Draws a button in the heading's row, from `left`, that follows a point of one's own, first at `start`.
+void offer_to_type(Params& params, float left, const glm::dvec3& start) {
+    if (!widgets::OffersButton(type_button)) return;
+    ImGui::SameLine(left);
+    if (widgets::SmallButton(type_button)) params.follow = Follow{.object = "", .point = start};
+    widgets::Tooltip(
+        type_button,
+        "Follows a point of your own, which you can type here and drag in the views, instead of a vertex.");
+}
+
 /// Draws p and its way through V and P. A lesson that covers one of these matrices covers what it gives away.
-void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style) {
+void draw_camera_numbers(Params& params, const Derived& derived, const LineStyle& style) {
     const CameraWay way = camera_way(params, derived, derived.followed->point_world);
     const bool is_covered = widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P");
     const auto line = [&](const char* name, const std::string& value, Role role) {
         const float width = std::ceil(number_width(name) + number_width(" "));
         followed_line("matrix:V", name, std::max(style.column, width), value, role, is_covered);
     };
-    followed_line("follow:p", "p", style.column, vector_text(derived.followed->point_world, style.digits), Role::point,
-                  false);
+    point_line(params, style.column, vector_text(derived.followed->point_world, style.digits));
     line("V p", vector_text(way.point_view, style.digits), Role::camera);
     line("P V p", vector_text(glm::dvec3(way.point_clip), style.digits, &way.point_clip.w), Role::none);
     if (way.point_ndc)
@@ -93,14 +122,17 @@ void draw_camera_numbers(const Params& params, const Derived& derived, const Lin
 float followed_point_height(const Session& session) {
     constexpr int lines = 6;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
-    return ImGui::GetFrameHeight() + spacing +
-           (session.params.follow ? lines * (widgets::CurrentContext().fonts.number->FontSize + spacing) : 0.0F);
+    const float line = widgets::CurrentContext().fonts.number->FontSize, field = ImGui::GetFrameHeight();
+    const auto& follow = session.params.follow;
+    const float numbers = follow ? lines * (line + spacing) + (follow->point ? field - line : 0.0F) : 0.0F;
+    return ImGui::GetFrameHeight() + spacing + numbers;
 }
 
 void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers) {
     if (widgets::CurrentContext().printed && !session.params.follow) return;
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
-    const std::string of = session.params.follow ? object_text(session.params.follow->object) : "";
+    const std::string of =
+        session.params.follow && !session.params.follow->point ? object_text(session.params.follow->object) : "";
     const bool says_which = has_several && derived.followed;
     const std::string note = says_which
                                  ? say("{object} · plane {plane}, light {light}", "object"_a = of,
@@ -108,19 +140,25 @@ void draw_followed_point(Session& session, const Derived& derived, PointNumbers 
                                  : of;
     if (!derived.followed) {
         const std::string how = tr("click a vertex of an object");
-        if (!matrix_heading(marked("Follow a point"), "p", how, Role::point, ImGui::GetContentRegionMax().x))
-            widgets::Note(how.c_str());
+        const bool has_note =
+            matrix_heading(marked("Follow a point"), "p", how, Role::point, place_at_right(type_button));
         widgets::Tooltip("Follow a point",
                          "Click a vertex of an object in the camera view. The vertex p, its shadow S p and its mirror "
                          "image R p are then shown here.");
+        offer_to_type(session.params, place_at_right(type_button), session.params.camera.target);
+        if (!has_note) widgets::Note(how.c_str());
         return;
     }
-    const bool has_note = matrix_heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
+    const bool is_vertex = !session.params.follow->point && widgets::OffersButton(type_button);
+    const float type_place = place_at_right("Clear") - widgets::SmallButtonWidth(type_button) - px(4.0F);
+    const bool has_note = matrix_heading(marked("Follow a point"), "p", note, Role::point,
+                                         is_vertex ? type_place : place_at_right("Clear"));
+    if (is_vertex) offer_to_type(session.params, type_place, derived.followed->point_world);
     if (widgets::OffersButton("Clear")) {
         ImGui::SameLine(place_at_right("Clear"));
-        if (widgets::SmallButton("Clear")) session.params.follow.reset();
+        if (widgets::SmallButton("Clear")) return session.params.follow.reset();
     }
-    if (!has_note) widgets::Note(note.c_str());
+    if (!has_note && !note.empty()) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
     const char* const foot = tr("foot");
     const glm::dvec4& shadow = followed.shadow_homogeneous;
@@ -142,7 +180,7 @@ void draw_followed_point(Session& session, const Derived& derived, PointNumbers 
     const auto line = [&](const char* target, const char* name, const std::string& value, Role role) {
         followed_line(target, name, std::max(column, column_of(name)), value, role, widgets::IsCovered(target));
     };
-    line("follow:p", "p", vector(followed.point_world), Role::point);
+    point_line(session.params, std::max(column, column_of("p")), vector(followed.point_world));
     line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);
     if (followed.shadow_world)
         line("follow:shadow", "÷ w", vector(*followed.shadow_world), Role::light);

@@ -12,6 +12,8 @@ Figure::~Figure() {
     widgets::LabelPlacer placer(draw_, rect.min, rect.max);
     const Rect strip = section_.plane_strip();
     placer.Avoid(strip.min, strip.max);
+    const Rect normal = section_.normal_area();
+    placer.Avoid(normal.min, normal.max);
     for (const Rect& taken : taken_) placer.Avoid(taken.min, taken.max);
     for (const Segment& line : lines_) placer.AvoidLine(line.from, line.to);
     const float around = px(7.0F);

@@ -24,6 +24,11 @@ float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place)
     return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
 }
 
+/// The distance from which the pointer reaches a handle.
+float reach_px() {
+    return 14.0F * widgets::CurrentContext().scale;
+}
+
 /// "ℓ", "ℓ₂", …
 const char* light_name(std::size_t light) {
     static constexpr const char* names[most_lights] = {"ℓ", "ℓ₂", "ℓ₃", "ℓ₄"};
@@ -48,6 +53,15 @@ void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived
     overlay.label(place, name, color);
 }
 
+/// Returns the index of an edge's handle among the near plane's.
+std::size_t edge_of(Handle handle) {
+    return static_cast<std::size_t>(handle) - static_cast<std::size_t>(Handle::bottom);
+}
+
+Handle handle_of_edge(std::size_t edge) {
+    return static_cast<Handle>(static_cast<std::size_t>(Handle::bottom) + edge);
+}
+
 /// Returns the position of the handle being grabbed. The near and far planes have several grips; returns the one
 /// nearest to `place`.
 glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& overlay, ImVec2 place) {
@@ -66,9 +80,16 @@ glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& ov
         case Handle::direction:
             return places.camera->direction_tip;
         case Handle::near_plane:
-            return nearest(places.camera->near);
+            return places.camera->has_window ? places.camera->near[4] : nearest(places.camera->near);
         case Handle::far_plane:
             return nearest(places.camera->far);
+        case Handle::point:
+            return *places.point;
+        case Handle::bottom:
+        case Handle::right:
+        case Handle::top:
+        case Handle::left:
+            return places.camera->near[edge_of(handle)];
         case Handle::none:
         case Handle::plane_offset:
             break;
@@ -102,6 +123,16 @@ const char* field_of(Handle handle) {
             return "projection.near";
         case Handle::far_plane:
             return "projection.far";
+        case Handle::point:
+            return "follow";
+        case Handle::bottom:
+            return "projection.bottom";
+        case Handle::right:
+            return "projection.right";
+        case Handle::top:
+            return "projection.top";
+        case Handle::left:
+            return "projection.left";
         case Handle::none:
         case Handle::camera:
         case Handle::direction:
@@ -116,6 +147,7 @@ HandlePlaces handle_places(const Derived& derived) {
     places.plane = plane.patch.center;
     places.normal_tip = plane.patch.center + glm::dvec3(plane.unit_plane) * 1.4;
     places.light = lamp_place(derived.chosen_light(), derived);
+    if (derived.followed) places.point = derived.followed->point_world;
     return places;
 }
 
@@ -133,14 +165,21 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
     };
     constexpr double share = 0.14;  // of the observer's distance, so that the arrow looks equally long in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
-    places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4),
-                     std::isinf(params.projection.far)};
+    places.camera = {eye,
+                     eye + forward * (share * params.observer.distance),
+                     middles(0),
+                     middles(4),
+                     std::isinf(params.projection.far),
+                     params.projection.has_window()};
     return places;
 }
 
+bool is_at(const Overlay& overlay, const glm::dvec3& point, ImVec2 place) {
+    return distance_px(overlay, point, place) < reach_px();
+}
+
 Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 place) {
-    const float reach = 14.0F * widgets::CurrentContext().scale;
-    float nearest = reach;
+    float nearest = reach_px();
     Handle found = Handle::none;
     const auto look = [&](const glm::dvec3& point, Handle handle) {
         const float distance = distance_px(overlay, point, place);
@@ -151,10 +190,13 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
     look(places.light, Handle::light);
     look(places.normal_tip, Handle::plane_tilt);
     look(places.plane, Handle::plane_offset);
+    if (places.point) look(*places.point, Handle::point);
     if (!places.camera) return found;
     look(places.camera->eye, Handle::camera);
     look(places.camera->direction_tip, Handle::direction);
-    for (const glm::dvec3& point : places.camera->near) look(point, Handle::near_plane);
+    for (std::size_t point = 0; point < places.camera->near.size(); ++point)
+        look(places.camera->near[point],
+             places.camera->has_window && point < 4 ? handle_of_edge(point) : Handle::near_plane);
     if (!places.camera->has_infinite_far)
         for (const glm::dvec3& point : places.camera->far) look(point, Handle::far_plane);
     return found;
@@ -173,6 +215,18 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 
 namespace {
 
+/// Returns how far the pointer has dragged a handle along a line through `origin`, in lengths of `along`. Measures from
+/// where it grabbed the handle, so that the handle does not jump. nullopt if the line points at the eye.
+std::optional<double> pulled(const Overlay& overlay, const Grip& grip, ImVec2 place, const glm::dvec3& origin,
+                             const glm::dvec3& along) {
+    const Ray now = overlay.ray_at(place);
+    const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
+    const auto to = closest_point_parameter_on_line(now, origin, along);
+    const auto from = closest_point_parameter_on_line({now.origin, pressed - now.origin}, origin, along);
+    if (!to || !from) return std::nullopt;
+    return *to - *from;
+}
+
 /// Returns the eye distance to which the pointer drags a point of the near or far plane. The point moves along its ray
 /// from the eye or, if the projection is orthographic, along the view direction.
 std::optional<double> pulled_distance(const Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
@@ -182,12 +236,25 @@ std::optional<double> pulled_distance(const Params& params, const Overlay& overl
     const bool is_pyramid = !params.projection.is_orthographic();
     if (is_pyramid && !(distance > 0.0)) return std::nullopt;
     const glm::dvec3 along = is_pyramid ? (grip.grabbed_world - eye) / distance : forward;
-    const Ray now = overlay.ray_at(place);
-    const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
-    const auto to = closest_point_parameter_on_line(now, grip.grabbed_world, along);
-    const auto from = closest_point_parameter_on_line({now.origin, pressed - now.origin}, grip.grabbed_world, along);
-    if (!to || !from) return std::nullopt;
-    return distance + *to - *from;
+    const std::optional<double> by = pulled(overlay, grip, place, grip.grabbed_world, along);
+    return by ? std::optional(distance + *by) : std::nullopt;
+}
+
+/// Moves an edge of the near window across it; it does not pass the opposite edge.
+void drag_edge(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
+    ProjectionParams& projection = params.projection;
+    const bool is_across = grip.handle == Handle::left || grip.handle == Handle::right;
+    const glm::dvec3 along(rotation_from_angles(params.camera.angles())[is_across ? 0 : 1]);
+    const std::optional<double> by = pulled(overlay, grip, place, grip.grabbed_world, along);
+    if (!by) return;
+    const double to = glm::dot(along, grip.grabbed_world - params.camera.position) + *by;
+    double &low = is_across ? projection.left : projection.bottom,
+           &high = is_across ? projection.right : projection.top;
+    const double least = std::max(1e-3 * std::abs(projection.near), least_window(low, high));
+    if (grip.handle == Handle::left || grip.handle == Handle::bottom)
+        low = std::min(to, high - least);
+    else
+        high = std::max(to, low + least);
 }
 
 }  // namespace
@@ -199,11 +266,15 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
     const glm::dvec3 normal = glm::dvec3(grip.equation) / length;
     const Choice chosen = params.chosen();
     glm::dvec4& equation = params.planes[chosen.plane].equation;
+    const glm::dvec3 target = along_y ? glm::dvec3(grip.grabbed_world.x, point.y, grip.grabbed_world.z) : point;
     switch (grip.handle) {
         case Handle::none:
             return;
         case Handle::camera:
-            params.camera.position = along_y ? glm::dvec3(grip.grabbed_world.x, point.y, grip.grabbed_world.z) : point;
+            params.camera.position = target;
+            break;
+        case Handle::point:
+            params.follow = Follow{.object = "", .point = target};
             break;
         case Handle::direction: {
             if (glm::distance(point, params.camera.position) < 1e-3) return;
@@ -225,11 +296,15 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
                 projection.far = std::max(*distance, projection.near * 1.001);
             break;
         }
+        case Handle::bottom:
+        case Handle::right:
+        case Handle::top:
+        case Handle::left:
+            drag_edge(params, overlay, grip, place);
+            break;
         case Handle::light: {
             glm::dvec4& light = params.lights[chosen.light].position;
             params.animation.light_orbit = false;  // so that the light stays where the user puts it
-            glm::dvec3 target = point;
-            if (along_y) target = {grip.grabbed_world.x, point.y, grip.grabbed_world.z};
             if (!is_far_away(light)) {
                 light = glm::dvec4(target * light.w, light.w);
             } else if (glm::length(target - grip.center_world) > 1e-3) {
@@ -239,13 +314,9 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             break;
         }
         case Handle::plane_offset: {
-            // Measure from where the pointer grabbed the handle, so that the plane does not jump.
-            const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
-            const auto along = closest_point_parameter_on_line(ray, grip.center_world, normal);
-            const auto at_grab =
-                closest_point_parameter_on_line({ray.origin, pressed - ray.origin}, grip.center_world, normal);
-            if (!along || !at_grab) return;  // looking straight along the normal: the distance is undefined
-            const glm::dvec3 center = grip.center_world + normal * (*along - *at_grab);
+            const std::optional<double> by = pulled(overlay, grip, place, grip.center_world, normal);
+            if (!by) return;
+            const glm::dvec3 center = grip.center_world + normal * *by;
             equation.w = -glm::dot(glm::dvec3(grip.equation), center);
             break;
         }
@@ -261,14 +332,23 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
 
 namespace {
 
+/// Returns the label of an edge's field: "left".
+const char* label_of_edge(Handle edge) {
+    return field(field_of(edge)).label.data();  // a literal
+}
+
 /// Draws handles on the camera, which is already drawn, and highlights the hovered one.
 void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, Handle hovered) {
     const ImU32 color = widgets::CurrentContext().palette.camera;
     overlay.arrow(camera.eye, camera.direction_tip, color);
     if (hovered == Handle::camera) overlay.ring(camera.eye, color, 9.0F);
     if (hovered == Handle::direction) overlay.ring(camera.direction_tip, color, 9.0F);
-    for (const glm::dvec3& point : camera.near)
-        overlay.square(point, color, hovered == Handle::near_plane ? 4.0F : 1.5F);
+    for (std::size_t point = 0; point < camera.near.size(); ++point) {
+        const bool is_edge = camera.has_window && point < 4;
+        const bool is_hovered = hovered == (is_edge ? handle_of_edge(point) : Handle::near_plane);
+        overlay.square(camera.near[point], color, is_hovered ? 4.0F : is_edge ? 2.5F : 1.5F);
+        if (is_edge && is_hovered) overlay.label(camera.near[point], tr(label_of_edge(hovered)), color);
+    }
     if (camera.has_infinite_far) return;
     for (const glm::dvec3& point : camera.far) overlay.square(point, color, hovered == Handle::far_plane ? 4.0F : 2.0F);
 }
@@ -290,6 +370,7 @@ void draw_plane_handles(Overlay& overlay, const HandlePlaces& places, Handle hov
     overlay.square(places.plane, palette.plane, radius_of(Handle::plane_offset, 4.0F, hovered));
     overlay.label(places.normal_tip, "n", palette.plane);
     if (hovered == Handle::plane_tilt) overlay.ring(places.normal_tip, palette.plane, 9.0F);
+    if (hovered == Handle::point && places.point) overlay.ring(*places.point, palette.point, 9.0F);
 }
 
 void draw_light_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered) {

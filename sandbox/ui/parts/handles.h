@@ -1,6 +1,6 @@
-// The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, and
-// the tip of that normal. Views from outside also have handles for the camera, its direction, and its near and far
-// planes.
+// The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, the
+// tip of that normal, and the followed point. Views from outside also have handles for the camera, its direction, its
+// near and far planes, and the edges of a window of its own at the near plane.
 #pragma once
 
 #include <array>
@@ -11,7 +11,21 @@
 
 namespace viewing {
 
-enum class Handle { none, light, plane_offset, plane_tilt, camera, direction, near_plane, far_plane };
+enum class Handle {
+    none,
+    light,
+    plane_offset,
+    plane_tilt,
+    camera,
+    direction,
+    near_plane,
+    far_plane,
+    point,
+    bottom,
+    right,
+    top,
+    left
+};
 
 /// Returns the field that a handle changes; "" for none, and for the camera and its direction, since flying can change
 /// their fields anyway.
@@ -22,12 +36,14 @@ struct HandlePlaces {
     glm::dvec3 light;  ///< the light, or a point along its direction if it is parallel or far away
     glm::dvec3 plane;  ///< the patch's center
     glm::dvec3 normal_tip;
+    std::optional<glm::dvec3> point;  ///< the followed one
 
     /// The camera's handles, if the view shows the camera from outside.
     struct Camera {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
         bool has_infinite_far = false;        ///< then `far` is only where the frustum is drawn to, and no handle
+        bool has_window = false;              ///< then near's first four are the edges' handles, from Handle::bottom on
     };
     std::optional<Camera> camera;
 };
@@ -47,16 +63,19 @@ struct Grip {
     glm::dvec4 equation{0.0};       ///< the plane when it was grabbed
 };
 
+/// Returns whether a point is within reach of a screen position.
+bool is_at(const Overlay& overlay, const glm::dvec3& point, ImVec2 place);
+
 /// Returns the nearest handle within reach of a screen position, or none.
 Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 place);
 
 /// Grabs a handle.
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
-/// Moves the handle with the pointer: the light and the camera parallel to the picture (with `along_y`, only along the
-/// world's y axis), the plane along its normal, the normal's tip around the patch's center, the camera's direction
-/// around its eye, and the near and far planes along that direction. Preserves the length and sign of the plane's
-/// normal, near < far, and the camera's roll.
+/// Moves the handle with the pointer: the light, the camera and the followed point, which stops being a vertex,
+/// parallel to the picture (with `along_y`, only along the world's y axis), the plane along its normal, the normal's
+/// tip around the patch's center, the camera's direction around its eye, and the near and far planes along that
+/// direction. Preserves the length and sign of the plane's normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
 /// Draws the handles of the plane and of the camera, if it has some, with their labels.

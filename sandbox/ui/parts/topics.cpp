@@ -37,6 +37,10 @@ bool examines_pixel(const Params& params) {
     return is_shown(params, Topic::pixel) || is_shown(params, Topic::cells) || is_shown(params, Topic::why);
 }
 
+bool is_seen_from_outside(Topic topic) {
+    return topic == Topic::observer || topic == Topic::moving_world || topic == Topic::clip || topic == Topic::way;
+}
+
 bool is_shown(const Params& params, Topic topic) {
     return topic_of(params, Slot::left) == topic || topic_of(params, Slot::right) == topic;
 }
@@ -90,7 +94,8 @@ std::span<const char* const> topic_names() {
                                             marked("Seen from the light"),
                                             marked("The lecture's display()"),
                                             marked("Why this pixel?"),
-                                            marked("Clip space")};
+                                            marked("Clip space"),
+                                            marked("The way of a point")};
     return names;
 }
 

@@ -26,6 +26,9 @@ Slot telling_slot(const Params& params);
 /// Whether one of the two slots shows the topic.
 bool is_shown(const Params& params, Topic topic);
 
+/// Whether the topic's picture shows a space from outside, so that dragging it turns the observer.
+bool is_seen_from_outside(Topic topic);
+
 /// Whether a lower view examines the pinned pixel: a click in the camera view then pins one.
 bool examines_pixel(const Params& params);
 

@@ -189,6 +189,7 @@ void mirror_switches(Params& params) {
     }
     control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
     control(params, "reflection.same_projection", {.label = marked("Same projection")});
+    control(params, "reflection.fovy", {.decimals = 1, .slider = true});
 }
 
 }  // namespace
@@ -259,15 +260,12 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     static constexpr const char* clips[] = {marked("no clipping"), marked("clip distance"),
                                             marked("oblique near plane")};
     control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
-    static constexpr const char* drawn[] = {"control:reflection.mirrored",
-                                            "control:reflection.side_of_eye",
-                                            "control:reflection.shadows",
-                                            "control:reflection.after_objects",
-                                            "control:reflection.printed_by_rows",
-                                            "control:reflection.mask_writes_depth",
-                                            "control:reflection.same_projection",
-                                            "control:slips.normal_not_unit",
-                                            "control:slips.plus_2ab"};
+    static constexpr const char* drawn[] = {
+        "control:reflection.mirrored",        "control:reflection.side_of_eye",
+        "control:reflection.shadows",         "control:reflection.after_objects",
+        "control:reflection.printed_by_rows", "control:reflection.mask_writes_depth",
+        "control:reflection.same_projection", "control:reflection.fovy",
+        "control:slips.normal_not_unit",      "control:slips.plus_2ab"};
     if (details(marked("Mirror: drawing method"), drawn)) mirror_switches(params);
 }
 

@@ -177,7 +177,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         action_of_drag(state.mouse, session.params.camera.navigation, input.is_down(Key::shift));
     if (action && ImGui::IsItemActive()) move_by(*action);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
-        if (state.looking && state.dragged_px <= px(3.0F)) {
+        const bool is_at_point = state.grip.handle == Handle::point;  // a click there may mean another vertex
+        if ((state.looking || is_at_point) && state.dragged_px <= px(3.0F)) {
             PolygonLinks& links = state.hidden.links;
             links.next.selected_fragment = links.now.hovered_fragment;
             links.next.selected_node = links.tree.node_of(links.next.selected_fragment);
@@ -187,8 +188,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                 choose_pixel(session.params.visibility, *hidden.answer->camera, *state.method_pixel);
             else if (state.hovered_pixel && examines_pixel(session.params))
                 pin(session.params, state.pinned, *state.hovered_pixel);
-            else
-                session.params.follow = vertex_at(overlay, session.scene(), io.MousePos);
+            else if (const auto vertex = vertex_at(overlay, session.scene(), io.MousePos); vertex || !is_at_point)
+                session.params.follow = vertex;
         }
         state.grip = {};
         state.looking = false;

@@ -1,25 +1,19 @@
 // The observer's view, which shows the camera from outside; and the lecture's second reading of camera movement: the
 // camera stays fixed, and the world moves.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "frame/camera_way.h"
-#include "frame/depth/depth_precision.h"
 #include "state/fields.h"
 #include "text/catalogue.h"
 #include "ui/hidden/hidden_overlay.h"
-#include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
 #include "ui/views/observer_parts.h"
-#include "ui/views/views.h"
+#include "ui/views/outside.h"
 
 namespace viewing {
-namespace {
 
-/// Draws the x, y and z axes at the world's origin, one unit long.
 void world_axes(Overlay& overlay) {
     static constexpr const char* names[] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
@@ -48,8 +42,6 @@ void observer_mouse(ViewState& state, Session& session) {
     if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) observer.distance *= std::pow(0.88, io.MouseWheel);
     clamp_to_ranges(session.params);
 }
-
-}  // namespace
 
 void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
                         ImTextureID picture, const HiddenStatus& hidden) {
@@ -105,112 +97,6 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
         brief = tr("the world moves by C, not by V");
     }
     overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));
-}
-
-namespace {
-
-/// Draws where equal steps of the stored code lie, across the frustum's lower and left faces.
-void draw_code_steps(Overlay& overlay, const Params& params, const Derived& derived) {
-    constexpr int most_steps = 16;
-    const DepthCoding coding = depth_coding(params, derived);
-    const Lens& lens = coding.lens;
-    const glm::dmat4 world_from_view = effective_camera(derived);
-    const ImU32 color = with_alpha(palette().camera, 150);
-    for (const double z : depth_codes(lens, coding.mapping, coding.precision, most_steps).eye_distances) {
-        if (!(z >= lens.near && z <= lens.shown_far())) continue;
-        const Edges edges = lens.edges_at(z, derived.aspect);
-        const auto corner = [&](double x, double y) {
-            return glm::dvec3(world_from_view * glm::dvec4(edges.at({x, y}), -z, 1.0));
-        };
-        overlay.line(corner(-1, -1), corner(1, -1), color, 1.0F);
-        overlay.line(corner(-1, -1), corner(-1, 1), color, 1.0F);
-    }
-}
-
-/// Draws the followed point on its view ray, and the face of the frustum that cuts it off.
-void draw_point_on_its_way(Overlay& overlay, const Params& params, const Derived& derived) {
-    if (!derived.followed) return;
-    const glm::dvec3& point = derived.followed->point_world;
-    const glm::dmat4 world_from_view = effective_camera(derived);
-    const double division = params.view.division;
-    if (!params.projection.is_orthographic())
-        overlay.line(glm::dvec3(world_from_view[3]), point, with_alpha(palette().point, 170), 1.0F);
-    overlay.dot(point, palette().point, 5.0F);
-    overlay.label(point, division <= 0.0 ? "V p" : division >= 1.0 ? "P V p ÷ w" : "p", palette().point);
-    const FrustumPlane cut_by = camera_way(params, derived, point).cut_by;
-    if (cut_by == FrustumPlane::none || widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P"))
-        return;
-    static constexpr std::array<std::array<std::size_t, 4>, 6> faces = {
-        {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 2, 6, 7}}};
-    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, world_from_view);
-    const auto& [a, b, c, d] = faces[static_cast<std::size_t>(cut_by) - 1];
-    overlay.fill({corners[a], corners[b], corners[c], corners[d]}, with_alpha(palette().trouble, 70));
-    overlay.label(0.5 * (corners[a] + corners[c]), outcome_of(cut_by), palette().trouble);
-}
-
-/// A sentence, and a shorter one for a narrow view.
-struct ClipWords {
-    const char *whole, *brief;
-};
-
-ClipWords clip_words(const Params& params) {
-    if (params.projection.is_orthographic())
-        return {tr("orthographic: w = 1, so eye space is only moved and scaled"), tr("orthographic: w = 1")};
-    const bool are_even =
-        !precision_of(params.depth.format).is_float && params.depth.mapping != DepthMapping::logarithmic;
-    if (params.view.division <= 0.0)
-        return {are_even ? tr("eye space: a pyramid, its depth codes crowded at the near plane")
-                         : tr("eye space: the frustum is a pyramid"),
-                tr("eye space: a pyramid")};
-    if (params.view.division >= 1.0)
-        return {are_even ? tr("NDC: after ÷ w a box, its depth codes equally spaced")
-                         : tr("NDC: after ÷ w the frustum is a box"),
-                tr("NDC: a box")};
-    return {tr("between: each point is divided by a share of its w"), tr("between: ÷ a share of w")};
-}
-
-/// Draws the slider from eye space to NDC at the lower edge; returns the part of the picture that it takes.
-Rect division_slider(Params& params, const Rect& rect) {
-    const float gap = px(8.0F), height = ImGui::GetFrameHeight() + gap;
-    const Rect row{{rect.min.x, rect.max.y - height}, rect.max};
-    const char *const from = tr("eye space"), *const to = tr("NDC");
-    const float words = ImGui::CalcTextSize(from).x + ImGui::CalcTextSize(to).x + 4.0F * gap;
-    ImGui::GetWindowDrawList()->AddRectFilled(row.min, row.max, with_alpha(palette().view_ground, 215));
-    ImGui::SetCursorScreenPos({row.min.x + gap, row.min.y + 0.5F * gap});
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(from);
-    ImGui::SameLine(0.0F, gap);
-    const float width = std::max(row.width() - words, px(40.0F)) / widgets::CurrentContext().scale;
-    control(params, "view.division", {.decimals = 2, .slider = true, .width = width, .label = "##division"});
-    ImGui::SameLine(0.0F, gap);
-    ImGui::TextUnformatted(to);
-    return row;
-}
-
-}  // namespace
-
-void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture) {
-    const widgets::Group group("clip");
-    ImDrawList* const draw = ImGui::GetWindowDrawList();
-    // The slider is an item before the picture, so that it gets the mouse, but it is drawn above.
-    draw->ChannelsSplit(2);
-    draw->ChannelsSetCurrent(1);
-    const Rect row = division_slider(session.params, rect);
-    draw->ChannelsSetCurrent(0);
-    picture_item("lower view", rect, picture);
-    observer_mouse(state, session);
-    {
-        const ObserverView view = derive_clip_view(session.params, derived, {rect.size_px()});
-        Overlay overlay(draw, rect, view.clip_from_world);
-        overlay.keep_labels_off(row);
-        draw_code_steps(overlay, session.params, derived);
-        draw_frustum(overlay, session.params, derived, effective_camera(derived));
-        draw_point_on_its_way(overlay, session.params, derived);
-        const auto [whole, brief] = clip_words(session.params);
-        overlay.keep_labels_off(
-            sentence_over_picture(draw, {rect.min, {rect.max.x, row.min.y}}, palette().camera, whole, brief));
-    }
-    draw->ChannelsMerge();
 }
 
 }  // namespace viewing

@@ -59,7 +59,7 @@ struct ViewState {
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
-    glm::ivec2 camera_px{0};                  ///< last known size of the camera's picture
+    glm::ivec2 camera_px{1280, 720};          ///< last known size of the camera's picture
     MouseHabits mouse;                        ///< of the person
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
     glm::dvec3 orbit_center{0.0};             ///< that point, in world space
@@ -72,6 +72,8 @@ struct ViewState {
     widgets::StepPlayer call_player;        ///< steps through draw calls
     widgets::StepPlayer pass_player;        ///< steps through passes
     widgets::StepPlayer derivation_player;  ///< steps through a derivation's lines
+    widgets::StepPlayer way_player;         ///< carries a point from space to space
+    bool moves = true;                      ///< whether what plays may move, not only jump; see Guide::moves
     glm::ivec2 cells{0};                    ///< the number of columns and rows that fit into the cell view
     LightRays light_rays;                   ///< of the observer's view
     std::optional<Stage::Target> target;    ///< the place that a lesson marks
@@ -79,9 +81,10 @@ struct ViewState {
     PinnedPixel pinned;  ///< the pixel that the state pins, in the camera's picture
 };
 
-/// Returns whether a hidden-surface method, the draw calls or the passes are playing.
+/// Returns whether a hidden-surface method, the draw calls, the passes or the way of a point is playing.
 inline bool is_playing(const ViewState& state) {
-    return state.hidden.panel.player.playing || state.call_player.playing || state.pass_player.playing;
+    return state.hidden.panel.player.playing || state.call_player.playing || state.pass_player.playing ||
+           state.way_player.playing;
 }
 
 /// Draws the camera's picture. Adds mouse actions to the motion input.

@@ -17,6 +17,7 @@
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
 #include "ui/views/views.h"
+#include "ui/views/way_view.h"
 #include "ui/why/why_view.h"
 
 namespace viewing {
@@ -47,12 +48,11 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
     widgets::Tooltip(
         "What this view shows",
         "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
-        "camera stays; clip space, where the frustum becomes a box; why a pixel has its color; the depth buffer and "
-        "its analysis (histogram, precision, codes, one "
-        "pixel, a block of pixels, depth fighting); the lecture's display(); the lecture's derivation and code for "
-        "shadow and mirror, and four "
-        "ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the tree, the "
-        "drawing order and the growth of the cost.");
+        "camera stays; clip space, where the frustum becomes a box; the way of a point through the matrices; why a "
+        "pixel has its color; the depth buffer and its analysis (histogram, precision, codes, one pixel, a block of "
+        "pixels, depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, "
+        "and four ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the "
+        "tree, the drawing order and the growth of the cost.");
     ImGui::SameLine(0.0F, px(12.0F));
     if (!offers_other) return;  // the list also has that topic
     if (widgets::SmallButton(other)) want(other_than(slot));
@@ -158,6 +158,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
             return draw_moving_world_view(session, state, derived, rect, picture);
         case Topic::clip:
             return draw_clip_view(session, state, derived, rect, picture);
+        case Topic::way:
+            return draw_way_view(state, session, derived, rect, picture);
         case Topic::passes:
             return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
         case Topic::tree:

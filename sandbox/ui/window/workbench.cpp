@@ -414,6 +414,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
                            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
     if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
+    views.moves = guide.moves;
     begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);
@@ -422,6 +423,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_recording_sign(now);
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
+    widgets::StopUnlessShown(views.way_player);
     end_hidden_frame(views.hidden);
     requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "state/file/json.h"
+#include "unit/frame/frame_test.h"
 
 namespace viewing {
 namespace {
@@ -70,6 +71,28 @@ TEST(CameraWay, NamesThePlaneThatCutsThePoint) {
     const CameraWay at_eye = camera_way(params, derived, {1, 0, 5});
     EXPECT_FALSE(at_eye.point_ndc) << "w = 0";
     EXPECT_FALSE(at_eye.window_depth);
+}
+
+TEST(CameraWay, TheViewportPutsTheCornersOfNdcAtTheWindowsCorners) {
+    const auto at = [](const glm::dvec3& ndc, bool zero_to_one) {
+        return glm::dvec3(window_from_ndc({640, 480}, zero_to_one) * glm::dvec4(ndc, 1.0));
+    };
+    EXPECT_EQ(at({-1, -1, -1}, false), glm::dvec3(0, 0, 0));
+    EXPECT_EQ(at({1, 1, 1}, false), glm::dvec3(640, 480, 1));
+    EXPECT_EQ(at({0, 0.5, 0}, false), glm::dvec3(320, 360, 0.5));
+    EXPECT_EQ(at({-1, 1, 0}, true), glm::dvec3(0, 480, 0));
+    EXPECT_EQ(at({1, -1, 1}, true), glm::dvec3(640, 0, 1));
+}
+
+TEST(CameraWay, FollowsAPointOfItsOwn) {
+    const Scene scene = testing::box_scene();
+    const Params params = testing::params_with({"follow.point=[1, 2.5, -3]", "light.position=[2, 5, 1, 1]"});
+    const Derived derived = derive(params, scene, {});
+    ASSERT_TRUE(derived.followed);
+    EXPECT_EQ(derived.followed->point_world, glm::dvec3(1, 2.5, -3));
+    // The light at height 5 casts p at height 2.5 twice as far: s = l + 2 (p − l).
+    EXPECT_LT(glm::distance(*derived.followed->shadow_world, glm::dvec3(0, 0, -7)), 1e-12);
+    EXPECT_TRUE(find_problems(params, derived, scene, plan(params, derived)).empty());
 }
 
 }  // namespace

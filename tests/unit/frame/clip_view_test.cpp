@@ -1,5 +1,6 @@
 // The view Clip space: from eye space to NDC, by maps that keep straight lines straight and never turn space inside
 // out.
+#include "frame/clip_space.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -90,6 +91,73 @@ TEST(ClipView, KeepsLinesAndOrientationOnTheWay) {
             if (std::abs(before) > 0.01) {
                 EXPECT_GT(before * after, 0.0);
             }
+        }
+}
+
+glm::dmat4 way_at(Params params, double way) {
+    params.view.way = way;
+    return way_from_world(params, derive(params, testing::box_scene(), {}));
+}
+
+TEST(WayView, PassesThroughTheSpacesWithoutAJump) {
+    Random random(seed);
+    for (const Params& params : clip_states())
+        for (int trial = 0; trial < 30; ++trial) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+            const Derived derived = derive(params, testing::box_scene(), {});
+            const dvec3 in_view(random.number(-2, 2), random.number(-2, 2), -random.number(1, 11));
+            const dvec3 p = sent(glm::inverse(derived.view_from_world), in_view);
+            for (const int space : {1, 2, 3}) {
+                const dvec3 at = sent(way_at(params, space), p);
+                EXPECT_LT(glm::distance(sent(way_at(params, space - 1e-9), p), at), 1e-6) << space;
+                EXPECT_LT(glm::distance(sent(way_at(params, space + 1e-9), p), at), 1e-6) << space;
+            }
+            EXPECT_LT(glm::distance(sent(way_at(params, 4.0), p), sent(way_at(params, 4.0 - 1e-9), p)), 1e-6);
+        }
+}
+
+TEST(WayView, ClipSpacesSideFacesAreWhereXAndYAreW) {
+    for (const Params& params : clip_states()) {
+        if (params.projection.is_orthographic()) continue;
+        const Derived derived = derive(params, testing::box_scene(), {});
+        const Lens lens = params.lens();
+        const glm::dmat4 m = way_at(params, 2.0) * glm::inverse(derived.view_from_world);
+        const dvec3 eye = sent(m, dvec3(0.0));
+        for (const double distance : {lens.near, 3.0, 10.0})
+            for (const double x : {-1.0, 1.0})
+                for (const double y : {-1.0, 1.0}) {
+                    const dvec3 edge{lens.edges_at(distance, derived.aspect).at({x, y}), -distance};
+                    const dvec3 seen = sent(m, edge) - eye;
+                    EXPECT_NEAR(seen.x, -x * seen.z, 1e-9);
+                    EXPECT_NEAR(seen.y, -y * seen.z, 1e-9);
+                }
+    }
+}
+
+TEST(WayView, TheWindowIsTheCamerasPicture) {
+    Random random(seed);
+    constexpr Edges free{-1.0, 0.2, -0.4, 1.0};
+    for (Params params : clip_states())
+        for (int trial = 0; trial < 30; ++trial) {
+            params.view.way = 4.0;
+            params.observer.yaw = random.number(-700, 700);
+            const Viewport camera{{1200, 900}}, lower{{500, 300}};
+            const Derived derived = derive(params, testing::box_scene(), camera);
+            const glm::dmat4 m = derive_way_view(params, derived, lower, free).clip_from_world;
+            const dvec3 middle{params.lens().edges_at(params.lens().near, derived.aspect).center(),
+                               -params.lens().near};
+            const auto in_picture = [&](const glm::dvec3& in_view) {
+                return glm::dvec2(sent(m * glm::inverse(derived.view_from_world), in_view));
+            };
+            EXPECT_LT(glm::distance(in_picture(middle), free.center()), 1e-9);
+            const dvec3 p(random.number(-1, 1), random.number(-1, 1), -random.number(1, 11));
+            const glm::dvec2 ndc(sent(derived.clip_from_view, p));
+            if (glm::length(ndc) > 1.0) continue;
+            // The picture keeps its shape, but for the little perspective of the view from the front.
+            const double scale = 0.5 * free.height() / 1.25, shape = 1200.0 / 900.0 / (500.0 / 300.0);
+            const double shrunk = std::min(1.0, 500.0 * free.width() / (300.0 * free.height()) / (1200.0 / 900.0));
+            const glm::dvec2 expected = free.center() + shrunk * scale * ndc * glm::dvec2(shape, 1.0);
+            EXPECT_LT(glm::distance(in_picture(p), expected), 0.03);
         }
 }
 

@@ -104,6 +104,17 @@ const MatrixCase spoiled_matrices[] = {
     {"P transposed", 'P', F::transposed, [](const Sample& x, Random&) { return glm::transpose(x.p); }},
     {"P for 0 … 1", 'P', F::zero_to_one,
      [](const Sample& x, Random&) { return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, x.near, x.far); }},
+    {"P of another lens for 0 … 1", 'P', F::zero_to_one,
+     [](const Sample& x, Random& random) {
+         const double near = std::round(random.number(1, 20)) / 10.0;  // as a book writes it
+         return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, near, x.far + 10.0);
+     }},
+    {"P for 0 … 1, infinite far, the state's near", 'P', F::zero_to_one,
+     [](const Sample& x, Random&) {
+         dmat4 p = glm::infinitePerspective(glm::radians(x.fovy), x.aspect, x.near);
+         p[3][2] = -x.near;
+         return p;
+     }},
     {"P reversed", 'P', F::reversed,
      [](const Sample& x, Random&) { return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, x.far, x.near); }},
     {"P with 1/aspect", 'P', F::inverse_aspect,
@@ -144,6 +155,15 @@ const MatrixCase right_matrices[] = {
     {"P of another lens", 'P', F::different,
      [](const Sample& x, Random&) {
          return glm::perspectiveRH_NO(glm::radians(x.fovy), x.aspect, 1.5 * x.near, x.far);
+     }},
+    {"P of another lens in round numbers", 'P', F::different,
+     [](const Sample& x, Random& random) {
+         const double near = std::round(random.number(1, 20)) / 10.0;
+         return glm::perspectiveRH_NO(glm::radians(x.fovy), x.aspect, near, x.far + 10.0);
+     }},
+    {"P reversed for 0 … 1, of another lens", 'P', F::different,
+     [](const Sample& x, Random&) {
+         return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, 3.0 * x.far, x.near);
      }},
     {"P of glFrustum", 'P', F::different,
      [](const Sample& x, Random&) { return glm::frustumRH_NO(-0.2, 0.5, -0.3, 0.4, x.near, x.far); }},

@@ -208,6 +208,8 @@ TEST(PlanSwitches, ChangeOnlyTheirOwnFields) {
         {{"reflection.mirrored=camera"},
          {"Mirror image.clip_from_world", "Mirror image.view_from_world", "Mirror image.world_from_scene",
           "Mirror image.eye_world", "Mirror image.lights_world", "Mirror image.sky_world", "Mirror image.matrices"}},
+        {{"reflection.fovy=20"}, {"Mirror image.clip_from_world", "Mirror image.matrices"}},
+        {{"reflection.fovy=40"}, {}},
         {{"reflection.mask_writes_depth=true"}, {"Mirror mask.depth"}},
         {{"reflection.side_of_eye=false"}, {}},
         {{"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
@@ -692,6 +694,25 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
             before = pass;
         }
     }
+}
+
+/// A mirror's image with a fovy of its own is the image that a camera with that fovy would draw.
+TEST(Plan, AMirrorsOwnFovyIsThatOfACameraWithThatFovy) {
+    const auto image_of = [](const std::vector<std::string>& settings) {
+        const Params params = testing::params_with(settings);
+        const FramePlan frame = plan(params, derive(params, testing::box_scene(), {}));
+        for (const Pass& pass : frame.passes)
+            if (pass.is_mirror_image && pass.subject == Subject::objects) return pass;
+        throw std::runtime_error("no image");
+    };
+    for (const std::string fovy : {"20", "75"})
+        for (const std::string mirrored : {"scene", "camera"}) {
+            const Pass own = image_of({"reflection.fovy=" + fovy, "reflection.mirrored=" + mirrored});
+            const Pass camera = image_of({"projection.fovy=" + fovy, "reflection.mirrored=" + mirrored});
+            for (int column = 0; column < 4; ++column)
+                EXPECT_LT(glm::length(own.clip_from_world[column] - camera.clip_from_world[column]), 1e-12);
+            EXPECT_EQ(own.matrices, mirrored == "scene" ? "P′ V R" : "F P′ F V R");
+        }
 }
 
 }  // namespace

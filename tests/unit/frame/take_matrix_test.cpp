@@ -160,6 +160,28 @@ TEST(TakeMatrix, FaultsOfAProjectionAreMended) {
     }
 }
 
+TEST(TakeMatrix, AProjectionForZeroToOneKeepsItsLens) {
+    Params params;
+    const dmat4 pasted = glm::perspectiveRH_ZO(1.1, 1.3, 0.2, 70.0);
+    const ExplainedMatrix found = explain_matrix(pasted, 'P', params, 1.3);
+    ASSERT_EQ(found.fault, MatrixFault::zero_to_one);
+    EXPECT_NEAR(found.lens->near, 0.2, 1e-12);
+    const std::optional<dmat4> mended = fixed(pasted, found);
+    ASSERT_TRUE(mended);
+    EXPECT_LT(worst_entry(*mended, glm::perspectiveRH_NO(1.1, 1.3, 0.2, 70.0)), 1e-12);
+    ASSERT_TRUE(take_matrix(params, 'P', *mended, 1.3));
+    EXPECT_NEAR(params.projection.near, 0.2, 1e-12);
+
+    // Reversed, the third row alone tells the range: here also while the state's switch says −1 … 1.
+    params.depth.reversed_zero_to_one = false;
+    const dmat4 reversed = glm::perspectiveRH_ZO(1.1, 16.0 / 9.0, 70.0, 0.2);
+    ASSERT_TRUE(is_takeable(explain_matrix(reversed, 'P', params, 16.0 / 9.0)));
+    ASSERT_TRUE(take_matrix(params, 'P', reversed, 16.0 / 9.0));
+    EXPECT_EQ(params.depth.mapping, DepthMapping::reversed);
+    EXPECT_TRUE(params.depth.reversed_zero_to_one);
+    EXPECT_LT(worst_entry(derived_when_taken(params).clip_from_view, reversed), 1e-9);
+}
+
 TEST(TakeMatrix, WhatNoStateMayHaveChangesNothing) {
     Params params;
     const Params before = params;

@@ -108,7 +108,7 @@ TEST(BadStates, UnknownNames) {
         {R"({"lights": [{"positoin": [0,1,0,0]}]})", "lights[0].positoin", "did you mean position?"},
         {R"({"planes": [{"normal": [0,1,0]}]})", "planes[0].normal",
          "allowed here: equation, extent, receives_shadow, mirrors"},
-        {R"({"follow": {"object": "a", "index": 1}})", "follow.index", "allowed here: object, vertex"},
+        {R"({"follow": {"object": "a", "index": 1}})", "follow.index", "allowed here: object, vertex, point"},
     });
 }
 
@@ -164,8 +164,12 @@ TEST(BadStates, WrongTypes) {
          "overrides.further", "there is no light 2"},
         {R"({"view": {"plane": 2}})", "view.plane", "must be 1: the state has only 1, got 2"},
         {R"({"lights": [{}], "view": {"light": 3}})", "view.light", "must be from 1 to 2: the state has only 2, got 3"},
-        {R"({"follow": "box"})", "follow", "must be null or"},
+        {R"({"follow": "box"})", "follow", "must be null, {\"object\": name"},
         {R"({"follow": {}})", "follow.object", "is missing"},
+        {R"({"follow": {"object": "box", "point": [1, 2, 3]}})", "follow", "give either point or object and vertex"},
+        {R"({"follow": {"point": [1, 2]}})", "follow.point", "three numbers"},
+        {R"({"follow": {"point": [1, 2, 1e13]}})", "follow.point[2]", "from -1e6 to 1e6"},
+        {R"({"reflection": {"fovy": 0.5}})", "reflection.fovy", "0 or a number from 1 to 179"},
         {R"({"follow": {"object": "box", "vertex": -1}})", "follow.vertex", "whole number from 0"},
         {R"({"follow": {"object": "box", "vertex": 0.5}})", "follow.vertex", "whole number"},
         {R"({"view": {"pin": {}}})", "view.pin", "must be null, {\"object\": name"},

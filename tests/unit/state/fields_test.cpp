@@ -82,6 +82,7 @@ constexpr std::string_view contract_paths[] = {
     "reflection.bounces",
     "reflection.mirrored",
     "reflection.same_projection",
+    "reflection.fovy",
     "reflection.printed_by_rows",
     "reflection.mask_writes_depth",
     "reflection.after_objects",
@@ -123,6 +124,7 @@ constexpr std::string_view contract_paths[] = {
     "view.pass",
     "view.derivation_step",
     "view.division",
+    "view.way",
     "view.lower_left",
     "view.lower_right",
     "view.layout.big",
@@ -385,6 +387,11 @@ TEST(Clamp, RepairsRelationsBetweenFields) {
     EXPECT_EQ(params.view.light, 1);
     EXPECT_EQ((*params.overrides[0].shadowed_world_from_world[0])[0][0], 0.0);
     EXPECT_EQ(params.follow->vertex, 0);
+    params.follow = Follow{.object = "", .point = glm::dvec3(0.0, std::nan(""), 1e30)};
+    params.reflection.fovy = 0.7;
+    clamp_to_ranges(params);
+    EXPECT_EQ(*params.follow->point, glm::dvec3(0.0, 0.0, field("follow").max));
+    EXPECT_EQ(params.reflection.fovy, 1.0);
 }
 
 TEST(Clamp, KeepsANegativeNearOnlyWhereItIsLegal) {

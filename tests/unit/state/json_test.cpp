@@ -167,6 +167,7 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "bounces": 1,
     "mirrored": "scene",
     "same_projection": true,
+    "fovy": 0,
     "printed_by_rows": false,
     "mask_writes_depth": false,
     "after_objects": false,
@@ -216,6 +217,7 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "pass": -1,
     "derivation_step": -1,
     "division": 1,
+    "way": 0,
     "lower_left": "automatic",
     "lower_right": "automatic",
     "layout": {

@@ -93,7 +93,7 @@ private:
                               : whole(static_cast<int>(field.min), static_cast<int>(field.max));
         } else if (const auto* value_double = std::get_if<double*>(&ref)) {
             **value_double = number(field, 0);
-            if (field.path == "projection.aspect" && **value_double < min_aspect) **value_double = 0.0;
+            if (**value_double < field.least_above_zero) **value_double = 0.0;
         } else if (const auto* vec3 = std::get_if<glm::dvec3*>(&ref)) {
             **vec3 = vector<glm::dvec3>(field);
         } else if (const auto* vec4 = std::get_if<glm::dvec4*>(&ref)) {
@@ -120,6 +120,7 @@ private:
             (*follow)->reset();
             if (coin()) {
                 **follow = Follow{"box", whole(0, 1'000'000)};
+                if (coin()) **follow = Follow{.object = "", .point = vector<glm::dvec3>(field)};
             }
         } else if (const auto* span = std::get_if<std::optional<glm::dvec2>*>(&ref)) {
             (*span)->reset();
