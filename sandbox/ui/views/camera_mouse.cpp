@@ -175,7 +175,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
     }
     const std::optional<DragAction> action =
         action_of_drag(state.mouse, session.params.camera.navigation, input.is_down(Key::shift));
-    if (action && ImGui::IsItemActive()) move_by(*action);
+    const bool is_click_so_far = action == DragAction::look && state.dragged_px <= px(3.0F);
+    if (action && ImGui::IsItemActive() && !is_click_so_far) move_by(*action);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
         const bool is_at_point = state.grip.handle == Handle::point;  // a click there may mean another vertex
         if ((state.looking || is_at_point) && state.dragged_px <= px(3.0F)) {
