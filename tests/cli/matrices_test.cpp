@@ -33,7 +33,8 @@ TEST_F(ChosenMatrices, ArePrintedInTheGivenOrder) {
     for (const auto& [key, value] : some.items()) keys += key + " ";
     EXPECT_EQ(keys,
               "mirror_from_world shadow_from_world[2,1] shadow_sign[2,1] clip_from_world shadow_from_world[2,2] "
-              "shadow_sign[2,2] mirror_from_world[2] world_from_view shadow_from_world shadow_sign problems ");
+              "shadow_sign[2,2] mirror_from_world[2] world_from_view shadow_from_world shadow_sign problems "
+              "problem_details ");
     const Json chosen = some;
     EXPECT_EQ(chosen["shadow_from_world"], all["shadow_from_world"]);
     EXPECT_EQ(chosen["clip_from_world"], all["clip_from_world"]);

@@ -386,6 +386,20 @@ TEST_F(ViewsTest, SensitivityAndInvertedYChangeADrag) {
     EXPECT_NEAR(params.camera.pitch - start.pitch, -2.0 * pitch, 1e-9);
 }
 
+TEST_F(ViewsTest, AnUnsteadyRightClickDoesNotTurnTheCamera) {
+    const CameraParams before = params.camera;
+    desk.drag_from(desk.in_camera_view({0.0, 0.0, 2.5}), 2.0F, 1.0F, 2, ImGuiMouseButton_Right);
+    EXPECT_EQ(params.camera, before);
+}
+
+TEST_F(ViewsTest, InOrbitTheRightDragPans) {
+    params.camera.navigation = Navigation::orbit;
+    desk.settle();
+    const Params before = params;
+    desk.drag_from(desk.in_camera_view({0.0, 0.0, 2.5}), 50.0F, 20.0F, 5, ImGuiMouseButton_Right);
+    EXPECT_EQ(differing_fields(before, params), (Paths{"camera.position", "camera.target"}));
+}
+
 TEST_F(ViewsTest, MiddleDragOrbitsAboutThePointThere) {
     const glm::dvec3 corner{1.0, 0.0, 1.0};
     params.follow = std::nullopt;

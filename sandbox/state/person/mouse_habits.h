@@ -5,7 +5,7 @@ namespace viewing {
 
 struct MouseHabits {
     bool keeps_horizon = true;  ///< fly: a drag turns yaw about the world's up axis, so that it never tilts the horizon
-    bool right_pans = false;    ///< the right button shifts the picture instead of looking around
+    bool right_pans = false;    ///< the right button shifts the picture instead of looking around; in orbit, always
     bool middle_pans =
         false;               ///< the middle button shifts the picture instead of orbiting; Shift: the other of the two
     bool inverts_y = false;  ///< a drag upward looks down

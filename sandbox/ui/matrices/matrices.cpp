@@ -118,7 +118,8 @@ void show_shadow(const Column& column) {
          marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point along the ray "
                 "from the light, so the determinant of S is 0. The uploaded matrix is sign(Π·L) · S: the same "
                 "map, but the factor in front makes w > 0, so the clipper keeps the shadow."),
-         Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()), shadow_roles(),
+         Role::light, shadow, cast_before->shadowed_world_from_world,
+         column.shown(shadow_cells(column.session.params.slips.shadow_by_rows)), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
          shadow_facts},
         shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index],

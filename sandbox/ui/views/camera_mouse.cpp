@@ -78,11 +78,13 @@ double world_per_px(const Lens& lens, double distance, float height_px) {
 
 enum class DragAction { look, pan, orbit };
 
-/// Returns what a drag with the right or the middle button does; none if neither is held.
-std::optional<DragAction> action_of_drag(const MouseHabits& mouse, bool holds_shift) {
+/// Returns what a drag with the right or the middle button does; none if neither is held. In orbit, where looking is
+/// orbiting, the right button pans.
+std::optional<DragAction> action_of_drag(const MouseHabits& mouse, Navigation mode, bool holds_shift) {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
         return mouse.middle_pans != holds_shift ? DragAction::pan : DragAction::orbit;
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return mouse.right_pans ? DragAction::pan : DragAction::look;
+    const bool right_pans = mouse.right_pans || mode == Navigation::orbit;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return right_pans ? DragAction::pan : DragAction::look;
     return std::nullopt;
 }
 
@@ -171,8 +173,10 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         if (!is_shown(session.params, Topic::why)) choose_topic(session.params, Slot::right, Topic::why);
         state.lower = {Slot::right, session.params.view.lower_left, session.params.view.lower_right};
     }
-    const std::optional<DragAction> action = action_of_drag(state.mouse, input.is_down(Key::shift));
-    if (action && ImGui::IsItemActive()) move_by(*action);
+    const std::optional<DragAction> action =
+        action_of_drag(state.mouse, session.params.camera.navigation, input.is_down(Key::shift));
+    const bool is_click_so_far = action == DragAction::look && state.dragged_px <= px(3.0F);
+    if (action && ImGui::IsItemActive() && !is_click_so_far) move_by(*action);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
         const bool is_at_point = state.grip.handle == Handle::point;  // a click there may mean another vertex
         if ((state.looking || is_at_point) && state.dragged_px <= px(3.0F)) {

@@ -176,7 +176,8 @@ static void mouse_controls(MouseHabits& mouse) {
         int chosen = pans ? 1 : 0;
         if (widgets::Segments(label, chosen, names, 0, tips)) pans = chosen == 1;
     };
-    drag(marked("right drag"), mouse.right_pans, marked("looks"), marked("Turns the camera, as the left button does."));
+    drag(marked("right drag"), mouse.right_pans, marked("looks"),
+         marked("Turns the camera, as the left button does. In Orbit, it pans."));
     drag(marked("middle drag"), mouse.middle_pans, marked("orbits"),
          marked("Carries the camera about the point under the pointer. With Shift, it pans."));
     widgets::Toggle("Drags keep the horizon", mouse.keeps_horizon, usual.keeps_horizon);

@@ -23,7 +23,7 @@ void draw_keys() {
         {"Q E", marked("roll (fly)")},
         {"Shift", marked("slow")},
         {marked("mouse drag"), marked("look · orbit")},
-        {marked("right drag"), marked("look · orbit; or pan: menu Look")},
+        {marked("right drag"), marked("look · pan (orbit); more in the menu Look")},
         {marked("middle drag"), marked("orbit about the point there; Shift: pan")},
         {marked("wheel"), marked("nearer, farther; Ctrl: speed (fly, walk)")},
         {marked("click"), marked("follow the nearest vertex; on the background: stop following")},
