@@ -143,6 +143,8 @@ struct Measured {
     void add(const Letter& letter, const std::string& where, const Image& image) {
         const bool is_word = letter.character >= 0x80 || std::isalnum(static_cast<int>(letter.character)) != 0;
         const bool is_disabled = (letter.color >> IM_COL32_A_SHIFT) <= 153U;  // those may be pale, as in WCAG
+        const bool is_scrolled_to = letter.pen.y + letter.line_height > letter.clip.w + 0.5F;  // fades at a list's edge
+        if (is_scrolled_to) return;
         const std::optional<Legible> legible = measured(letter, image);
         if (!is_word || is_disabled || !legible) return;
         contrasts.push_back(legible->contrast);

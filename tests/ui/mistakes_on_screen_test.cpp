@@ -60,7 +60,7 @@ TEST_F(MistakesOnScreenTest, DisplayHasItsOwnViewAndFillsIt) {
     EXPECT_GT(height(), 1.5F * small);
     const Rect view = desk.layout().lower_left;
     EXPECT_LE(ui.find("left/}").max.y, view.max.y);
-    EXPECT_GT(ui.find("left/}").max.y, view.min.y + 0.4F * view.height());
+    EXPECT_GT(ui.find("left/}").max.y, view.min.y + 0.38F * view.height());
 }
 
 TEST_F(MistakesOnScreenTest, ADepthPictureSaysThatThereIsNoBuffer) {

@@ -636,7 +636,7 @@ TEST_F(ViewsTest, ALegendIsDrawnOverAHandle) {
     const ImVec2 at(view.min.x + 12.5F, view.max.y - 14.5F);  // on the legend's plate, beside its letters
     const ImVec2 beside(at.x + 1.3F, at.y + 0.6F);            // away from the seams between a disk's triangles
     const ImU32 plate = color_at(beside);
-    EXPECT_EQ(plate >> IM_COL32_A_SHIFT, 225U);
+    EXPECT_EQ(plate >> IM_COL32_A_SHIFT, 255U);
     const glm::dvec4 clip(2.0 * (at.x - view.min.x) / view.width() - 1.0,
                           1.0 - 2.0 * (at.y - view.min.y) / view.height(), 0.9, 1.0);
     const glm::dvec4 world = glm::inverse(desk.derived.clip_from_world) * clip;
