@@ -6,7 +6,7 @@
 // them.
 #ifdef FROM_PICTURE
 in vec2 position_texture;
-uniform highp sampler2D surface_positions;  // xyz: world; w: standard window depth, or 2 if nothing is seen
+uniform highp sampler2D surface_positions;  // xyz: relative to the drawing's origin; w: standard window depth, or 2 if nothing is seen
 uniform highp sampler2D surface_normals;    // xyz: toward the eye; w: 1 for a front face, 0 for a back face
 uniform highp sampler2D surface_colors;     // xyz: linear color; w: object ID, from 1
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
@@ -87,9 +87,12 @@ vec3 heat_color() {
 #endif
 
 #ifdef CLIP_BY_DISCARD
-AT(6) in vec2 clip_distance;
+AT(6) in float clip_distance[CLIP_PLANES];
 #endif
 
+#ifdef DEPTH_OF_PLANE
+uniform vec3 depth_in_plane;  // how window depth depends on x, y and 1
+#endif
 #ifdef WRITE_DEPTH
 #ifndef FROM_PICTURE
 AT(5) in vec2 view_zw;
@@ -219,7 +222,8 @@ void fetch_surface() {
     vec4 normal = texelFetch(surface_normals, texel, 0);
     vec4 scene = vec4(position.xyz, 1.0);
     if (position.w > 1.5) discard;
-    if (dot(clip_plane_model[0], scene) < 0.0 || dot(clip_plane_model[1], scene) < 0.0) discard;
+    for (int plane = 0; plane < CLIP_PLANES; ++plane)
+        if (dot(clip_plane_model[plane], scene) < 0.0) discard;
     position_relative = (relative_from_model * scene).xyz;
     normal_world = world_from_normal * normal.xyz;
     albedo = texelFetch(surface_colors, texel, 0).rgb;
@@ -285,7 +289,11 @@ void main() {
     color = vec4(srgb_from_linear(lit_color(ALBEDO)), alpha);
 #endif
 #ifdef WRITE_DEPTH
+#ifdef DEPTH_OF_PLANE
+    float depth = dot(depth_in_plane, vec3(gl_FragCoord.xy, 1.0));
+#else
     float depth = WINDOW_DEPTH;
+#endif
     if (logarithmic_range.x > 0.0) {
         float distance = max(-view_zw.x / view_zw.y, 1e-30);
         depth = log(distance / logarithmic_range.x) / log(logarithmic_range.y / logarithmic_range.x);
@@ -302,6 +310,7 @@ void main() {
     if (!passes_mask()) discard;
 #endif
 #ifdef CLIP_BY_DISCARD
-    if (any(lessThan(clip_distance, vec2(0.0)))) discard;
+    for (int plane = 0; plane < CLIP_PLANES; ++plane)
+        if (clip_distance[plane] < 0.0) discard;
 #endif
 }

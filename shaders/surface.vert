@@ -39,7 +39,7 @@ AT(2) out vec2 position_patch;
 
 // For passes that clip: CLIP_DISTANCE, or CLIP_BY_DISCARD if GL has no clip distances.
 #ifdef CLIP_BY_DISCARD
-AT(6) out vec2 clip_distance;
+AT(6) out float clip_distance[CLIP_PLANES];
 #endif
 #if defined(CLIP_DISTANCE) || defined(CLIP_BY_DISCARD)
 uniform vec4 clip_plane_model[CLIP_PLANES];  // kept where dot(plane, position) >= 0
@@ -86,7 +86,7 @@ void main() {
     for (int plane = 0; plane < CLIP_PLANES; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
 #endif
 #ifdef CLIP_BY_DISCARD
-    clip_distance = vec2(dot(clip_plane_model[0], position), dot(clip_plane_model[1], position));
+    for (int plane = 0; plane < CLIP_PLANES; ++plane) clip_distance[plane] = dot(clip_plane_model[plane], position);
 #endif
 #ifdef LOGARITHM_PER_VERTEX
     float distance = -dot(view_z_of_model, position) / dot(view_w_of_model, position);

@@ -75,7 +75,8 @@ Json listed_as_json(const TypedMatrices& wish, const Json& all, bool is_chosen) 
             wish.is_symbolic && chosen.symbols ? symbols_as_json(*chosen.symbols) : as_json(chosen.matrix);
         if (chosen.sign) json[chosen.sign_key] = static_cast<int>(*chosen.sign);
     }
-    if (is_chosen) json["problems"] = all["problems"];
+    if (is_chosen)
+        for (const char* const key : {"problems", "problem_details"}) json[key] = all[key];
     return rounded(std::move(json), wish.digits);
 }
 
@@ -147,7 +148,10 @@ constinit const Command matrices_command{
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S "
     "(shadow_sign · S is uploaded), mirror R. look_at is the camera as gluLookAt takes it: eye, "
     "center and up. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
-    "and R² = I) and sentences about problems; followed has the followed point p: shadow_homogeneous is S p, shadow is "
+    "and R² = I) and sentences about problems; problem_details has an id for each, its kind (wrong, note or window), "
+    "the "
+    "values in its sentence and the setting that fixes it; followed has the followed point p: shadow_homogeneous is S "
+    "p, shadow is "
     "S p after the division by w, or null, and mirrored is R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"

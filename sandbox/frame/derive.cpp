@@ -3,10 +3,12 @@
 #include "frame/derive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "frame/depth/decals.h"
 #include "frame/matrix_facts.h"
+#include "frame/object_reach.h"
 #include "frame/planes/lecture_code.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
@@ -70,16 +72,38 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
         resolvable_depth_step(lens, params.depth.mapping, precision, facts.target_distance);
 }
 
-CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, ShadowSign sign,
+CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const Params& params,
                        const std::optional<glm::dmat4>& by_hand) {
     CastShadow cast;
     cast.light_world = light;
     cast.plane_dot_light = glm::dot(unit_plane, light);
     cast.light_in_plane = lies_in_plane(unit_plane, light);
-    cast.shadowed_world_from_world = by_hand.value_or(shadow_matrix(unit_plane, light));
+    const glm::dmat4 right = shadow_matrix(unit_plane, light);
+    const glm::dmat4 filled = params.slips.shadow_by_rows ? glm::transpose(right) : right;
+    cast.shadowed_world_from_world = by_hand.value_or(filled);
+    cast.has_slip = !by_hand && largest_entry(filled - right) > 1e-9;
     cast.by_hand = by_hand.has_value();
-    cast.sign = sign == ShadowSign::plane_dot_light ? shadow_sign(unit_plane, light) : 1.0;
+    // If casters are clipped at the light, the w of all that is left has one sign: forcing it negates all or nothing.
+    const ShadowParams& shadow = params.shadow;
+    const bool forces_one_sign = shadow.sign == ShadowSign::forced && shadow.clip_at_light;
+    cast.sign = shadow.sign == ShadowSign::plane_dot_light || forces_one_sign ? shadow_sign(unit_plane, light) : 1.0;
     return cast;
+}
+
+/// Returns whether part of a caster may land more than 16 times as far from the patch's center as the patch's edge.
+bool lands_far(const CastShadow& cast, const DerivedPlane& plane, const Scene& scene) {
+    constexpr double far_away = 16.0;
+    PlanePatch around = plane.patch;
+    around.extent *= far_away;
+    const glm::dmat4 landed = cast.sign * cast.shadowed_world_from_world;
+    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
+    for (const glm::dvec4& edge : forms_of_edges(landed, around)) {
+        const std::array beyond = {-edge, towards_light, glm::transpose(landed)[3]};
+        if (std::any_of(scene.objects.begin(), scene.objects.end(),
+                        [&](const SceneObject& object) { return may_reach(object, beyond); }))
+            return true;
+    }
+    return false;
 }
 
 /// Returns R as it is uploaded, with the mistakes that are switched on.
@@ -91,7 +115,7 @@ glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips
 }
 
 DerivedPlane derive_one_plane(const PlaneParams& plane, const PlaneOverrides& by_hand, const Derived& derived,
-                              const Params& params) {
+                              const Params& params, const Scene& scene) {
     DerivedPlane made;
     made.unit_plane = unit_plane(plane.equation);
     made.patch = plane_patch(plane.equation, plane.extent);
@@ -106,15 +130,19 @@ DerivedPlane derive_one_plane(const PlaneParams& plane, const PlaneOverrides& by
     made.mirror_has_slip =
         !made.mirror_by_hand && largest_entry(mirror - mirror_with_slips(plane.equation, {}, by_rows)) > 1e-9;
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light)
-        made.shadows.push_back(cast_shadow(made.unit_plane, derived.lights_world[light], params.shadow.sign,
+        made.shadows.push_back(cast_shadow(made.unit_plane, derived.lights_world[light], params,
                                            by_hand.shadowed_world_from_world[light]));
+    for (CastShadow& cast : made.shadows)
+        cast.lands_far = params.shadow.enabled && made.receives_shadow && !cast.light_in_plane && !cast.by_hand &&
+                         !cast.has_slip && lands_far(cast, made, scene);
     return made;
 }
 
-void derive_planes(Derived& derived, const Params& params) {
+void derive_planes(Derived& derived, const Params& params, const Scene& scene) {
     for (const LightParams& light : params.lights) derived.lights_world.push_back(light.position);
     for (std::size_t plane = 0; plane < params.planes.size(); ++plane)
-        derived.planes.push_back(derive_one_plane(params.planes[plane], params.overrides[plane], derived, params));
+        derived.planes.push_back(
+            derive_one_plane(params.planes[plane], params.overrides[plane], derived, params, scene));
     derived.chosen = params.chosen();
 }
 
@@ -183,7 +211,7 @@ double depth_step(const Params& params, double z) {
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport) {
     Derived derived;
     derive_camera(derived, params, viewport);
-    derive_planes(derived, params);
+    derive_planes(derived, params, scene);
     derived.followed = derive_followed(derived, params, scene);
     derived.has_decals = has_decals(scene);
     if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);

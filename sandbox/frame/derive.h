@@ -47,8 +47,10 @@ struct CastShadow {
     double plane_dot_light = 0.0;               ///< Π·L of the unit plane
     bool light_in_plane = false;                ///< Π·L counts as zero: the shadow is undefined
     glm::dmat4 shadowed_world_from_world{1.0};  ///< S
+    bool has_slip = false;                      ///< shadow_by_rows changes S
     double sign = 1.0;                          ///< the uploaded matrix is sign · S
     bool by_hand = false;                       ///< S was entered by hand
+    bool lands_far = false;                     ///< some triangles may land many patch sizes away: plan_shadow.cpp
 
     /// Returns whether the light shines on the side of the plane that an eye with Π·eye = `eye_side` sees.
     bool reaches(double eye_side) const { return !light_in_plane && plane_dot_light * eye_side > 0.0; }

@@ -35,13 +35,21 @@ std::string_view letters_at(std::string_view text, std::size_t at, bool with_ind
     return text.substr(at, end - at);
 }
 
+MatrixSymbols transposed(MatrixSymbols symbols) {
+    for (std::size_t row = 0; row < 4; ++row)
+        for (std::size_t column = 0; column < row; ++column)
+            std::swap(symbols[4 * row + column], symbols[4 * column + row]);
+    return symbols;
+}
+
 }  // namespace
 
-MatrixSymbols shadow_symbols() {
-    return {"Π·L - l_x n_x", "-l_x n_y",      "-l_x n_z",      "-l_x d",  //
-            "-l_y n_x",      "Π·L - l_y n_y", "-l_y n_z",      "-l_y d",  //
-            "-l_z n_x",      "-l_z n_y",      "Π·L - l_z n_z", "-l_z d",  //
-            "-l_w n_x",      "-l_w n_y",      "-l_w n_z",      "Π·L - l_w d"};
+MatrixSymbols shadow_symbols(bool by_rows) {
+    const MatrixSymbols symbols{"Π·L - l_x n_x", "-l_x n_y",      "-l_x n_z",      "-l_x d",  //
+                                "-l_y n_x",      "Π·L - l_y n_y", "-l_y n_z",      "-l_y d",  //
+                                "-l_z n_x",      "-l_z n_y",      "Π·L - l_z n_z", "-l_z d",  //
+                                "-l_w n_x",      "-l_w n_y",      "-l_w n_z",      "Π·L - l_w d"};
+    return by_rows ? transposed(symbols) : symbols;
 }
 
 MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab) {
@@ -50,10 +58,7 @@ MatrixSymbols mirror_symbols(bool printed_by_rows, bool plus_2ab) {
                           "-2ac",     "-2bc",     "1 - 2c^2", "-2cd",  //
                           "0",        "0",        "0",        "1"};
     if (plus_2ab) symbols[4] = "+2ab";
-    for (std::size_t row = 0; printed_by_rows && row < 4; ++row)
-        for (std::size_t column = 0; column < row; ++column)
-            std::swap(symbols[4 * row + column], symbols[4 * column + row]);
-    return symbols;
+    return printed_by_rows ? transposed(symbols) : symbols;
 }
 
 MatrixSymbols view_symbols(bool swapped_order) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "frame/box_form.h"
@@ -143,6 +145,47 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
     return any_vertex(object, may_hold, is_there);
 }
 
+/// A mesh's part in the picture. Lengths are shares of the picture's height.
+struct Drawn {
+    double area = 0.0;    ///< of all its triangles, whether or not they hide each other
+    double length = 0.0;  ///< the diagonal of its bounds
+
+    double thickness() const { return length > 0.0 ? area / length : 0.0; }
+};
+
+/// Returns nothing if part of the mesh is behind the eye: it is not small then.
+std::optional<Drawn> drawn_size(const Mesh& mesh, const glm::dmat4& clip_from_model, double aspect) {
+    Drawn drawn;
+    std::vector<glm::dvec2> points;
+    glm::dvec2 min(std::numeric_limits<double>::infinity()), max(-min);
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec4 clip = clip_from_model * glm::dvec4(position, 1.0);
+        if (!(clip.w > 0.0)) return std::nullopt;
+        points.push_back(0.5 * glm::dvec2(aspect * clip.x, clip.y) / clip.w);
+        min = glm::min(min, points.back());
+        max = glm::max(max, points.back());
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::dvec2 at = points[mesh.indices[i]], u = points[mesh.indices[i + 1]] - at,
+                         v = points[mesh.indices[i + 2]] - at;
+        drawn.area += 0.5 * std::abs(u.x * v.y - u.y * v.x);
+    }
+    drawn.length = glm::length(max - min);
+    return drawn;
+}
+
+/// Keeps the part of a convex polygon where a form is not negative. Source: Sutherland and Hodgman 1974.
+std::vector<glm::dvec4> part_inside(const std::vector<glm::dvec4>& polygon, const glm::dvec4& form) {
+    std::vector<glm::dvec4> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec4 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const double at_from = glm::dot(form, from), at_to = glm::dot(form, to);
+        if (at_from >= 0.0) kept.push_back(from);
+        if ((at_from < 0.0) != (at_to < 0.0)) kept.push_back(glm::mix(from, to, at_from / (at_from - at_to)));
+    }
+    return kept;
+}
+
 }  // namespace
 
 double picture_height(const Lens& lens, double distance) {
@@ -209,6 +252,23 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
     return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
+}
+
+bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
+    std::vector<glm::dvec4> part;
+    for (const glm::dvec3& corner : patch.corners()) part.emplace_back(corner, 1.0);
+    for (const glm::dvec4& form : forms) part = part_inside(part, form);
+    return part.size() >= 3;
+}
+
+bool is_too_thin(const SceneObject& object, const Derived& derived) {
+    constexpr std::size_t most_vertices = 20'000;
+    constexpr double thinnest = 1.0 / 2000.0;
+    const Mesh& mesh = *object.mesh;
+    if (object.description.shape != ShapeKind::mesh || mesh.positions.size() > most_vertices) return false;
+    const std::optional<Drawn> drawn =
+        drawn_size(mesh, derived.clip_from_world * object.world_from_model, derived.view_aspect);
+    return drawn && drawn->thickness() < thinnest;
 }
 
 bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance) {

@@ -58,6 +58,13 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// vertices and, since forms are linear, nowhere inside its triangles.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 
+/// Returns whether part of a patch is where all forms are positive.
+bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
+
+/// Returns whether a mesh from a file is thinner across than a pixel: its area in the picture, divided by its length
+/// there, is less than 1/2000 of the picture's height. False for large meshes and behind the eye.
+bool is_too_thin(const SceneObject& object, const Derived& derived);
+
 /// Returns whether every vertex of an object is at most `tolerance` (world units) away from a unit plane.
 bool lies_in(const SceneObject& object, const glm::dvec4& unit_plane, double tolerance);
 

@@ -137,7 +137,9 @@ std::string Level::mirror_symbol(std::size_t plane_index) const {
 
 std::string Level::shadow_symbol(std::size_t plane_index, std::size_t light) const {
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
-    const std::string symbol = "S" + (has_several ? lowered_text({plane_index + 1, light + 1}) : "");
+    const bool is_turned = params.slips.shadow_by_rows && !plane(plane_index).shadows[light].by_hand;
+    const std::string symbol =
+        "S" + (has_several ? lowered_text({plane_index + 1, light + 1}) : "") + (is_turned ? "ᵀ" : "");
     return plane(plane_index).shadows[light].sign < 0.0 ? "(−" + symbol + ")" : symbol;
 }
 

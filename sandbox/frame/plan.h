@@ -46,7 +46,7 @@ enum class Blend { none, alpha, add };
 using ClipPlane = glm::dvec4;
 
 /// The largest number of clip planes in one pass.
-inline constexpr std::size_t most_clip_planes = 2;
+inline constexpr std::size_t most_clip_planes = 6;
 
 struct Pass {
     std::string name;

@@ -31,10 +31,12 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
             lights == 1 ? tr("the parallel light") : say("parallel light {light}", "light"_a = index + 1);
         const bool is_parallel = is_parallel_light(derived.lights_world[index]);
         tell(is_parallel,
-             say("the rays of {light} run along {planes}: S sends every point to infinity, so no shadow is drawn",
-                 "light"_a = parallel, "planes"_a = where));
-        tell(!is_parallel, say("{light} lies in {planes}: S sends every point to the light, so no shadow is drawn",
-                               "light"_a = light, "planes"_a = where));
+             sentence("light.along_plane",
+                      "the rays of {light} run along {planes}: S sends every point to infinity, so no shadow is drawn",
+                      "light"_a = parallel, "planes"_a = where));
+        tell(!is_parallel, sentence("light.in_plane",
+                                    "{light} lies in {planes}: S sends every point to the light, so no shadow is drawn",
+                                    "light"_a = light, "planes"_a = where));
     }
     if (turned_away.empty()) return;
     const glm::dvec4& at = derived.lights_world[index];
@@ -45,18 +47,24 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
     const bool is_beyond = std::all_of(turned_away.begin(), turned_away.end(), [&](std::size_t plane) {
         return planes[plane].shadows[index].plane_dot_light * glm::dot(planes[plane].unit_plane, center) < 0.0;
     });
-    tell.broken(lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size() && is_beyond,
-                say("(x, y, z) of a parallel light points toward the light: if {direction} is the direction in which "
-                    "the light travels, enter its negative",
-                    "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
-                "light.position=" + negated);
+    tell.broken(
+        lights == 1 && is_parallel_light(at) && turned_away.size() == planes.size() && is_beyond,
+        sentence("light.travel_direction",
+                 "(x, y, z) of a parallel light points toward the light: if {direction} is the direction in which "
+                 "the light travels, enter its negative",
+                 "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
+        "light.position=" + negated);
     const std::string behind = planes_name(turned_away, planes.size());
-    tell(lights == 1, say("{light} and the eye are on opposite sides of {planes}: this side of the patch is unlit and "
-                          "receives no shadow",
-                          "light"_a = light, "planes"_a = behind));
-    tell(lights > 1, say("{light} and the eye are on opposite sides of {planes}: the light neither lights this side of "
-                         "the patch nor casts a shadow on it",
-                         "light"_a = light, "planes"_a = behind));
+    tell(lights == 1,
+         sentence("light.behind_plane",
+                  "{light} and the eye are on opposite sides of {planes}: this side of the patch is unlit and "
+                  "receives no shadow",
+                  "light"_a = light, "planes"_a = behind));
+    tell(lights > 1,
+         sentence("light.behind_plane",
+                  "{light} and the eye are on opposite sides of {planes}: the light neither lights this side of "
+                  "the patch nor casts a shadow on it",
+                  "light"_a = light, "planes"_a = behind));
 }
 
 /// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), however small: S shows each w > 0.
@@ -64,12 +72,16 @@ void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (light.w <= 0.0 || light.w >= 1.0) return;
     const auto coordinate = [&light](int axis) { return figures(light[axis] / light.w, 3); };
-    const std::string sentence =
+    const Sentence point_light =
         derived.lights_world.size() == 1
-            ? say("w = {w} makes this a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel "
+            ? sentence(
+                  "light.small_w",
+                  "w = {w} makes this a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel "
                   "light",
                   "w"_a = figures(light.w, 3), "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2))
-            : say("w = {w} makes light {light} a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives "
+            : sentence(
+                  "light.small_w",
+                  "w = {w} makes light {light} a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives "
                   "parallel light",
                   "w"_a = figures(light.w, 3), "light"_a = index + 1, "x"_a = coordinate(0), "y"_a = coordinate(1),
                   "z"_a = coordinate(2));
@@ -77,8 +89,8 @@ void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const std::string parallel = is_first ? fmt::format("light.position=[{},{},{},0]", format_number(light.x),
                                                         format_number(light.y), format_number(light.z))
                                           : "";
-    tell.broken(passes_for_parallel, sentence, parallel);
-    tell(!passes_for_parallel, sentence, parallel);
+    tell.broken(passes_for_parallel, point_light, parallel);
+    tell(!passes_for_parallel, point_light, parallel);
 }
 
 void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
@@ -100,23 +112,28 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
     if (!edge_on.empty()) {
         const std::string where = planes_name(edge_on, planes.size());
         const bool is_parallel = derived.eye_world.w == 0.0;
-        tell(is_parallel, say("the lines of sight are parallel to {planes}: seen edge-on, the patch mirrors nothing",
-                              "planes"_a = where));
+        tell(is_parallel,
+             sentence("plane.edge_on",
+                      "the lines of sight are parallel to {planes}: seen edge-on, the patch mirrors nothing",
+                      "planes"_a = where));
         tell(!is_parallel,
-             say("the eye lies in {planes}: seen edge-on, the patch mirrors nothing", "planes"_a = where));
+             sentence("plane.edge_on", "the eye lies in {planes}: seen edge-on, the patch mirrors nothing",
+                      "planes"_a = where));
     }
     tell.broken(planes.size() < derived.planes.size(),
-                tr("this hidden-surface method draws only one plane: the others are left out of its picture"));
+                sentence("plane.one_drawn",
+                         "this hidden-surface method draws only one plane: the others are left out of its picture"));
 }
 
 /// Says how a window that is not shaped like the view is stretched, and offers left and right that fit.
 void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
     const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
     tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,
-         say("the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
-             "everything is stretched to {stretch} times its width",
-             "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
-             "stretch"_a = figures(view_aspect / window.aspect(), 3)),
+         sentence("projection.window_stretched",
+                  "the window is {aspect} times as wide as it is high and fills a view with the aspect ratio {view}: "
+                  "everything is stretched to {stretch} times its width",
+                  "aspect"_a = figures(window.aspect(), 3), "view"_a = figures(view_aspect, 3),
+                  "stretch"_a = figures(view_aspect / window.aspect(), 3)),
          "projection={\"left\": " + plain_number(middle - half) + ", \"right\": " + plain_number(middle + half) + "}");
 }
 
@@ -127,25 +144,30 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
     if (params.slips.degrees_as_radians && !lens.orthographic && !lens.window) {
         const std::string fovy = figures(params.projection.fovy, 4);
         const double c = derived.clip_from_view[1][1];
-        tell.broken(c > 0.0,
-                    say("mistake: P takes radians but gets {fovy}°: {fovy} radians look like {degrees}°, and c = cot(½ "
-                        "fovy) is {c}",
-                        "fovy"_a = fovy, "degrees"_a = figures(lens.fovy_deg, 3), "c"_a = figures(c, 3)),
-                    "slips.degrees_as_radians");
+        tell.broken(
+            c > 0.0,
+            sentence("projection.degrees_as_radians",
+                     "mistake: P takes radians but gets {fovy}°: {fovy} radians look like {degrees}°, and c = cot(½ "
+                     "fovy) is {c}",
+                     "fovy"_a = fovy, "degrees"_a = figures(lens.fovy_deg, 3), "c"_a = figures(c, 3)),
+            "slips.degrees_as_radians");
         tell.broken(c < 0.0,
-                    say("mistake: P takes radians but gets {fovy}°: c = cot(½ fovy) is {c}, less than 0, so the "
-                        "picture is flipped top to bottom and left to right",
-                        "fovy"_a = fovy, "c"_a = figures(c, 3)),
+                    sentence("projection.degrees_as_radians",
+                             "mistake: P takes radians but gets {fovy}°: c = cot(½ fovy) is {c}, less than 0, so the "
+                             "picture is flipped top to bottom and left to right",
+                             "fovy"_a = fovy, "c"_a = figures(c, 3)),
                     "slips.degrees_as_radians");
     }
     const double stretch = derived.view_aspect / derived.aspect;
     if (lens.window) return tell_stretched_window(tell, *lens.window, derived.view_aspect);
-    tell.broken(std::abs(stretch - 1.0) > 1e-3,
-                say("P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
-                    "everything is stretched to {stretch} times its width",
-                    "aspect"_a = figures(derived.aspect, 3), "view"_a = figures(derived.view_aspect, 3),
-                    "stretch"_a = figures(stretch, 3)),
-                "projection.aspect");
+    tell.broken(
+        std::abs(stretch - 1.0) > 1e-3,
+        sentence("projection.other_aspect",
+                 "P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
+                 "everything is stretched to {stretch} times its width",
+                 "aspect"_a = figures(derived.aspect, 3), "view"_a = figures(derived.view_aspect, 3),
+                 "stretch"_a = figures(stretch, 3)),
+        "projection.aspect");
 }
 
 void find_slips(std::vector<Problem>& problems, const Params& params, const Scene& scene) {
@@ -153,12 +175,18 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
     const SlipParams& slips = params.slips;
     const auto shows = [&](const char* path) { return why_without_effect(params, &scene, path).empty(); };
     tell(slips.walk_slows && shows("slips.walk_slows"),
-         tr("mistake: walking follows the view direction, so it is slower when the camera looks up or down"));
+         sentence("camera.walk_slows",
+                  "mistake: walking follows the view direction, so it is slower when the camera looks up or down"));
     tell(slips.creeping_roll && shows("slips.creeping_roll"),
-         tr("mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
-    tell(slips.pole_flip && shows("slips.pole_flip"), tr("mistake: orbiting over the pole flips the picture"));
-    tell(slips.swapped_order, tr("mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
-    tell(slips.camera_as_view, tr("mistake: C is uploaded where V belongs, so V C is not I"));
+         sentence("camera.creeping_roll",
+                  "mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
+    tell(slips.pole_flip && shows("slips.pole_flip"),
+         sentence("camera.pole_flip", "mistake: orbiting over the pole flips the picture"));
+    tell(slips.swapped_order,
+         sentence("camera.swapped_order",
+                  "mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
+    tell(slips.camera_as_view,
+         sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"));
 }
 
 }  // namespace
@@ -175,15 +203,18 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame);
     find_by_hand_problems(problems, params, derived);
-    // While the depth test rejects every fragment, no other effect on the picture can be seen.
-    if (params.visibility.method == VisibilityMethod::depth_buffer && rejects_all(params.depth) &&
+    // While the depth test rejects every fragment, no other effect on the picture can be seen. A shadow beyond its
+    // patch is drawn nearer than the depths of the previous frame.
+    const bool hides_itself =
+        hides_next_frame(params.depth) && (params.shadow.clip_to_receiver || !params.shadow.enabled);
+    if (params.visibility.method == VisibilityMethod::depth_buffer && (rejects_all(params.depth) || hides_itself) &&
         !params.reflection.after_objects)
         std::erase_if(problems, [](const Problem& problem) { return problem.kind != ProblemKind::worth_knowing; });
     else
         find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene, images);
-    if (params.follow && !derived.followed)
-        problems.push_back({tr("the followed vertex does not exist in this scene"), "follow"});
+    Sayer(problems, "follow")(params.follow && !derived.followed,
+                              sentence("follow.no_vertex", "the followed vertex does not exist in this scene"));
     return problems;
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "frame/plan.h"
@@ -15,13 +16,18 @@ namespace viewing {
 /// know something; or the window shows only a part of it.
 enum class ProblemKind { wrong, worth_knowing, about_window };
 
+/// The values that fill a sentence's placeholders, as the sentence writes them: ("z", "12.5").
+using SaidValues = std::vector<std::pair<std::string, std::string>>;
+
 /// A sentence for the user, and the group of fields that caused the problem ("light", "plane", …), with which the
 /// sentence is shown.
 struct Problem {
     std::string sentence;
     std::string_view group;
     ProblemKind kind = ProblemKind::worth_knowing;
-    std::string mended_by = "";  ///< the setting that fixes it, as on the command line; "" if none
+    std::string fixed_by = "";  ///< the setting that fixes it, as on the command line; "" if none
+    std::string_view id = "";   ///< names the problem for scripts: "depth.test_off"; the same in every language
+    SaidValues values{};
 };
 
 /// Returns all problems. `frame` is the camera's frame: plan() of the same parameters and numbers.
@@ -43,6 +49,8 @@ void find_by_hand_problems(std::vector<Problem>& problems, const Params& params,
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene, const std::vector<SeenImage>& images);
+void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                                const Scene& scene, const std::vector<SeenImage>& images);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

@@ -4,11 +4,12 @@
 
 namespace viewing {
 
-void Sayer::add(bool is_so, std::string sentence, ProblemKind kind, std::string_view mended_by) {
+void Sayer::add(bool is_so, Sentence said, ProblemKind kind, std::string_view fixed_by) {
     if (!is_so) return;
-    const bool is_field = !mended_by.empty() && mended_by.find('=') == std::string_view::npos;
-    problems_.push_back(
-        {std::move(sentence), group_, kind, is_field ? default_setting(mended_by) : std::string(mended_by)});
+    const bool is_field = !fixed_by.empty() && fixed_by.find('=') == std::string_view::npos;
+    problems_.push_back({std::move(said.text), group_, kind,
+                         is_field ? default_setting(fixed_by) : std::string(fixed_by), said.id,
+                         std::move(said.values)});
 }
 
 std::string light_name(std::size_t light, std::size_t count) {

@@ -11,28 +11,40 @@
 
 namespace viewing {
 
+/// A problem's sentence. Sentences that say the same about one thing or several share an id.
+struct Sentence {
+    std::string_view id;
+    std::string text;
+    SaidValues values{};
+};
+
+/// Fills the template as say() does. The id is part of the program's output: never change or reuse one.
+template <typename... Values>
+Sentence sentence(std::string_view id, fmt::format_string<Values...> english, Values&&... values) {
+    return {id, say_with(english, fmt::make_format_args(values...)), {{values.name, fmt::to_string(values.value)}...}};
+}
+
 /// Adds problems that concern one group of fields.
 class Sayer {
 public:
     Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
 
     /// Adds a fact that the user should know, and the setting that changes it; "" if there is none.
-    void operator()(bool is_so, std::string sentence, std::string changed_by = "") {
-        if (is_so)
-            problems_.push_back({std::move(sentence), group_, ProblemKind::worth_knowing, std::move(changed_by)});
+    void operator()(bool is_so, Sentence said, std::string_view changed_by = "") {
+        add(is_so, std::move(said), ProblemKind::worth_knowing, changed_by);
     }
-    /// Adds the reason why a switch breaks the picture. `mended_by` is the fix: a field whose default value fixes it,
+    /// Adds the reason why a switch breaks the picture. `fixed_by` is the fix: a field whose default value fixes it,
     /// or else a complete setting; "" if there is none.
-    void broken(bool is_so, std::string sentence, std::string_view mended_by = "") {
-        add(is_so, std::move(sentence), ProblemKind::wrong, mended_by);
+    void broken(bool is_so, Sentence said, std::string_view fixed_by = "") {
+        add(is_so, std::move(said), ProblemKind::wrong, fixed_by);
     }
     /// Adds the reason why the window does not show the whole picture.
-    void window(bool is_so, std::string sentence, std::string_view mended_by = "") {
-        add(is_so, std::move(sentence), ProblemKind::about_window, mended_by);
+    void window(bool is_so, Sentence said, std::string_view fixed_by = "") {
+        add(is_so, std::move(said), ProblemKind::about_window, fixed_by);
     }
 
 private:
-    void add(bool is_so, std::string sentence, ProblemKind kind, std::string_view mended_by);
+    void add(bool is_so, Sentence said, ProblemKind kind, std::string_view fixed_by);
 
     std::vector<Problem>& problems_;
     std::string_view group_;

@@ -28,10 +28,11 @@ std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& deri
 }
 
 /// Returns a sentence that says on which side of the view the objects are.
-std::string beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
+Sentence beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
-        return tr("every object is behind the camera: G frames them all, Home returns to the start");
+        return sentence("view.objects_outside",
+                        "every object is behind the camera: G frames them all, Home returns to the start");
     Lens lens = params.lens();
     lens.fovy_deg = std::abs(lens.fovy_deg);
     const auto [left, right, bottom, top] = lens.edges_at(1.0, derived.aspect);
@@ -42,44 +43,21 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
             return sign > 0.0 ? corner[axis] > high[axis] * scale : corner[axis] < low[axis] * scale;
         });
     };
-    const char* const sentence =
-        beyond(0, -1.0)
-            ? marked("every object is past the left edge of the view: G frames them all, Home returns to the start")
-        : beyond(0, 1.0)
-            ? marked("every object is past the right edge of the view: G frames them all, Home returns to the start")
-        : beyond(1, 1.0)  ? marked("every object is above the view: G frames them all, Home returns to the start")
-        : beyond(1, -1.0) ? marked("every object is below the view: G frames them all, Home returns to the start")
-                          : marked("every object is outside the view: G frames them all, Home returns to the start");
-    return tr(sentence);
-}
-
-/// A mesh's part in the picture. Lengths are shares of the picture's height.
-struct Drawn {
-    double area = 0.0;    ///< of all its triangles, whether or not they hide each other
-    double length = 0.0;  ///< the diagonal of its bounds
-
-    double thickness() const { return length > 0.0 ? area / length : 0.0; }
-};
-
-/// Returns nothing if part of the mesh is behind the eye: it is not small then.
-std::optional<Drawn> drawn_size(const Mesh& mesh, const glm::dmat4& clip_from_model, double aspect) {
-    Drawn drawn;
-    std::vector<glm::dvec2> points;
-    glm::dvec2 min(std::numeric_limits<double>::infinity()), max(-min);
-    for (const glm::vec3& position : mesh.positions) {
-        const glm::dvec4 clip = clip_from_model * glm::dvec4(position, 1.0);
-        if (!(clip.w > 0.0)) return std::nullopt;
-        points.push_back(0.5 * glm::dvec2(aspect * clip.x, clip.y) / clip.w);
-        min = glm::min(min, points.back());
-        max = glm::max(max, points.back());
-    }
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec2 at = points[mesh.indices[i]], u = points[mesh.indices[i + 1]] - at,
-                         v = points[mesh.indices[i + 2]] - at;
-        drawn.area += 0.5 * std::abs(u.x * v.y - u.y * v.x);
-    }
-    drawn.length = glm::length(max - min);
-    return drawn;
+    return beyond(0, -1.0)
+               ? sentence(
+                     "view.objects_outside",
+                     "every object is past the left edge of the view: G frames them all, Home returns to the start")
+           : beyond(0, 1.0)
+               ? sentence(
+                     "view.objects_outside",
+                     "every object is past the right edge of the view: G frames them all, Home returns to the start")
+           : beyond(1, 1.0) ? sentence("view.objects_outside",
+                                       "every object is above the view: G frames them all, Home returns to the start")
+           : beyond(1, -1.0)
+               ? sentence("view.objects_outside",
+                          "every object is below the view: G frames them all, Home returns to the start")
+               : sentence("view.objects_outside",
+                          "every object is outside the view: G frames them all, Home returns to the start");
 }
 
 /// Returns the longest side of the box that holds all vertices but a few: along each axis, the lowest and the highest
@@ -122,8 +100,6 @@ double times_of_most(const SceneObject& object, const Params& params, const Deri
 
 /// Reports meshes from files of which nothing, or only a dot, can be seen although they are in the view.
 void say_too_small(std::vector<Problem>& problems, const Params& params, const Derived& derived, const Scene& scene) {
-    constexpr std::size_t most_vertices = 20'000;
-    constexpr double thinnest = 1.0 / 2000.0;
     Sayer tell(problems, group);
     for (const SceneObject& object : scene.objects) {
         const Mesh& mesh = *object.mesh;
@@ -132,19 +108,48 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
             continue;
         const std::string name = object_text(object.description.name);
         if (const double times = times_of_most(object, params, derived); times > 1.0) {
-            tell(true, say("{object} is {times} times as large as the box that holds nearly all of its vertices: a few "
-                           "stray vertices make the rest a dot",
-                           "object"_a = name, "times"_a = figures(times, 2)));
+            tell(true,
+                 sentence("view.stray_vertices",
+                          "{object} is {times} times as large as the box that holds nearly all of its vertices: a few "
+                          "stray vertices make the rest a dot",
+                          "object"_a = name, "times"_a = figures(times, 2)));
             continue;
         }
-        if (mesh.positions.size() > most_vertices) continue;
-        const std::optional<Drawn> drawn =
-            drawn_size(mesh, derived.clip_from_world * object.world_from_model, derived.view_aspect);
-        tell(drawn && drawn->thickness() < thinnest,
-             say("{object} covers less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
-                 "little or nothing of it is drawn",
-                 "object"_a = name));
+        tell(is_too_thin(object, derived),
+             sentence("view.too_thin",
+                      "{object} covers less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
+                      "little or nothing of it is drawn",
+                      "object"_a = name));
     }
+}
+
+/// Reports the objects that near and far cut off. `seen`: the objects in view, wherever near and far are.
+void say_cut(std::vector<Problem>& problems, const Params& params, const std::vector<SeenThing>& seen) {
+    constexpr double rounding = 1e-6;
+    const double near = params.projection.near, far = params.projection.far;
+    std::vector<std::string> before, beyond;
+    double nearest = near, farthest = far;
+    for (const SeenThing& thing : seen) {
+        if (thing.nearest < near - rounding * std::abs(near)) before.push_back(object_text(thing.name));
+        if (thing.farthest > far * (1.0 + rounding)) beyond.push_back(object_text(thing.name));
+        nearest = std::min(nearest, thing.nearest);
+        farthest = std::max(farthest, thing.farthest);
+    }
+    Sayer tell(problems, group);
+    const std::optional<double> nearer = largest_near(seen);
+    tell.broken(
+        !before.empty() && nearer,
+        sentence("view.near_cuts", "near = {near} cuts into {objects}: the nearest point is at z = {z}",
+                 "near"_a = figures(near, 3), "objects"_a = viewing::joined(before), "z"_a = figures(nearest, 3)),
+        nearer ? "projection.near=" + plain_number(*nearer) : "");
+    tell(!before.empty() && !nearer,
+         sentence("view.near_cuts", "near = {near} cuts into {objects}, which reach up to the eye",
+                  "near"_a = figures(near, 3), "objects"_a = viewing::joined(before)));
+    tell.broken(
+        !beyond.empty(),
+        sentence("view.far_cuts", "far = {far} cuts off {objects}: the farthest point is at z = {z}",
+                 "far"_a = figures(far, 3), "objects"_a = viewing::joined(beyond), "z"_a = figures(farthest, 3)),
+        "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }
 
 /// Reports images that far cuts off: they are as far behind the mirror as their objects are in front of it.
@@ -159,9 +164,10 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
     if (names.empty() || !shows_effects(params)) return;
     Sayer(problems, group)
         .broken(true,
-                say("far = {far} cuts off the mirror image of {objects}, which reaches to z = {z}",
-                    "far"_a = figures(params.projection.far, 3), "objects"_a = viewing::joined(names),
-                    "z"_a = figures(farthest, 3)),
+                sentence("view.image_beyond_far",
+                         "far = {far} cuts off the mirror image of {objects}, which reaches to z = {z}",
+                         "far"_a = figures(params.projection.far, 3), "objects"_a = viewing::joined(names),
+                         "z"_a = figures(farthest, 3)),
                 "projection.far=" + plain_number(2.0 * rounded_down(farthest)));
 }
 
@@ -170,13 +176,16 @@ void say_far(std::vector<Problem>& problems, const Params& params, const std::ve
 void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene, const std::vector<SeenImage>& images) {
     say_too_small(problems, params, derived, scene);
-    const auto is_there = [&](const SceneObject& object) { return is_in_view(object, params, derived); };
-    if (std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) return say_far(problems, params, images);
     if (scene.objects.empty()) return;
     Params unlimited = params;
     unlimited.projection.far = 1e12;
     std::vector<SeenThing> seen = seen_things(unlimited, derived, scene);
     std::erase_if(seen, [](const SeenThing& thing) { return thing.is_plane; });
+    const auto is_there = [&](const SceneObject& object) { return is_in_view(object, params, derived); };
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) {
+        say_cut(problems, params, seen);
+        return say_far(problems, params, images);
+    }
     if (seen.empty()) {
         Sayer(problems, group).window(images.empty(), beside_the_view(params, derived, scene));
         return say_far(problems, params, images);
@@ -187,7 +196,10 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     const auto is_beyond = [far](const SeenThing& thing) { return thing.nearest > far; };
     const auto before = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_before));
     const auto beyond = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_beyond));
-    if (before + beyond < seen.size()) return;
+    if (before + beyond < seen.size()) {
+        say_cut(problems, params, seen);
+        return say_far(problems, params, images);
+    }
     double nearest = seen.front().nearest, farthest = seen.front().farthest;
     for (const SeenThing& thing : seen) {
         nearest = std::min(nearest, thing.nearest);
@@ -200,16 +212,19 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
     const std::string near_now = figures(near, 3), far_now = figures(far, 3);
     Sayer tell(problems, group);
     tell.broken(beyond == 0,
-                say("every object in the view is closer than near = {near}: the farthest ends at z = {z}",
-                    "near"_a = near_now, "z"_a = figures(farthest, 3)),
+                sentence("view.before_near",
+                         "every object in the view is closer than near = {near}: the farthest ends at z = {z}",
+                         "near"_a = near_now, "z"_a = figures(farthest, 3)),
                 "projection.near=" + plain_number(nearer));
-    tell.broken(before == 0,
-                say("every object in the view is beyond far = {far}: the nearest starts at z = {z}", "far"_a = far_now,
-                    "z"_a = figures(nearest, 3)),
-                "projection.far=" + plain_number(farther));
+    tell.broken(
+        before == 0,
+        sentence("view.beyond_far", "every object in the view is beyond far = {far}: the nearest starts at z = {z}",
+                 "far"_a = far_now, "z"_a = figures(nearest, 3)),
+        "projection.far=" + plain_number(farther));
     tell.broken(before > 0 && beyond > 0,
-                say("every object in the view is closer than near = {near} or beyond far = {far}", "near"_a = near_now,
-                    "far"_a = far_now));
+                sentence("view.before_near_or_beyond_far",
+                         "every object in the view is closer than near = {near} or beyond far = {far}",
+                         "near"_a = near_now, "far"_a = far_now));
 }
 
 }  // namespace viewing

@@ -59,7 +59,7 @@ public:
     Parts(const Json& step, Language language) : step_(step), language_(language) {}
 
     /// Adds a sentence; an absent one is empty.
-    void sentence(StepPart::Kind kind, const std::string& place, std::size_t number = 0) {
+    void add_sentence(StepPart::Kind kind, const std::string& place, std::size_t number = 0) {
         const Pointer at(place);
         parts_.push_back({kind, number, place, step_.contains(at) ? sentence_in(step_[at], language_) : ""});
     }
@@ -95,26 +95,26 @@ std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, L
     const Result<Json> lesson = guarded([&] { return lesson_document(source.text, source.name); });
     if (!lesson || step >= (*lesson)["steps"].size()) return {};
     Parts parts((*lesson)["steps"][step], language);
-    parts.sentence(Kind::say, "/say");
-    parts.sentence(Kind::question, "/ask/question");
+    parts.add_sentence(Kind::say, "/say");
+    parts.add_sentence(Kind::question, "/ask/question");
     for (std::size_t i = 0; i < parts.count("/ask/choices"); ++i) {
         const std::string choice = "/ask/choices/" + std::to_string(i);
         const bool is_right = parts.mark(choice, i);
-        parts.sentence(Kind::choice, choice + "/say", i);
-        if (!is_right) parts.sentence(Kind::why, choice + "/why", i);
+        parts.add_sentence(Kind::choice, choice + "/say", i);
+        if (!is_right) parts.add_sentence(Kind::why, choice + "/why", i);
     }
     for (std::size_t i = 0; i < parts.count("/ask/items"); ++i)
-        parts.sentence(Kind::item, "/ask/items/" + std::to_string(i), i);
+        parts.add_sentence(Kind::item, "/ask/items/" + std::to_string(i), i);
     for (const char* place : {"/ask/expect", "/ask/until", "/ask/tolerance"}) parts.value(Kind::answer, place);
     for (std::size_t i = 0; i < parts.count("/ask/hints"); ++i)
-        parts.sentence(Kind::hint, "/ask/hints/" + std::to_string(i), i);
+        parts.add_sentence(Kind::hint, "/ask/hints/" + std::to_string(i), i);
     for (std::size_t i = 0; i < parts.count("/ask/wrong"); ++i) {
         const std::string wrong = "/ask/wrong/" + std::to_string(i);
         parts.value(Kind::wrong_when, wrong + "/when", i);
-        parts.sentence(Kind::wrong_say, wrong + "/say", i);
+        parts.add_sentence(Kind::wrong_say, wrong + "/say", i);
     }
-    parts.sentence(Kind::reveal, "/reveal/say");
-    parts.sentence(Kind::note, "/note");
+    parts.add_sentence(Kind::reveal, "/reveal/say");
+    parts.add_sentence(Kind::note, "/note");
     return parts.take();
 }
 

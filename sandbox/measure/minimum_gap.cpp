@@ -26,6 +26,7 @@ Params plain(const Params& state) {
     Params params;
     params.projection = state.projection.centered();
     params.depth = state.depth;
+    params.depth.clear_value = 1.0;
     params.depth.clear = params.depth.write_while_clearing = params.depth.reversed_clear = true;
     params.camera.position = glm::dvec3(0.0);
     params.camera.yaw = params.camera.pitch = params.camera.roll = 0.0;

@@ -34,7 +34,7 @@ GpuDrawing upload_triangles(const HiddenDrawing& drawing) {
         GLint components;
         std::size_t offset;
     };
-    static constexpr Attribute attributes[] = {{3, offsetof(OrderedVertex, position_world)},
+    static constexpr Attribute attributes[] = {{3, offsetof(OrderedVertex, position_relative)},
                                                {3, offsetof(OrderedVertex, normal_world)},
                                                {3, offsetof(OrderedVertex, color)},
                                                {2, offsetof(OrderedVertex, object)}};
@@ -51,7 +51,7 @@ GpuDrawing upload_triangles(const HiddenDrawing& drawing) {
 GpuDrawing upload_pixels(const HiddenDrawing& drawing) {
     GpuDrawing made;
     std::vector<glm::vec4> texels(drawing.pixels.size());
-    static constexpr glm::vec4 SurfacePixel::*parts[] = {&SurfacePixel::position_world, &SurfacePixel::normal_world,
+    static constexpr glm::vec4 SurfacePixel::*parts[] = {&SurfacePixel::position_relative, &SurfacePixel::normal_world,
                                                          &SurfacePixel::color};
     for (std::size_t part = 0; part < std::size(parts); ++part) {
         for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = drawing.pixels[i].*parts[part];

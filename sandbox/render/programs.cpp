@@ -62,6 +62,7 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
     if (kind.has_gloss) defines += "#define HAS_GLOSS\n";
     if (kind.mask_test) defines += "#define MASK_TEST\n";
     if (kind.mask_write) defines += "#define MASK_WRITE\n";
+    if (kind.depth_of_plane) defines += "#define DEPTH_OF_PLANE\n";
     if (from_picture) defines += "#define FROM_PICTURE\n";
 
     if (from_picture || !capabilities_.shared_stages) {

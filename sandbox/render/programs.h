@@ -33,6 +33,7 @@ struct SurfaceKind {
     std::size_t lights = 0;  ///< for Shading::lit: number of lights, at least 1
     bool has_gloss = false;
     bool forces_sign = false;
+    bool depth_of_plane = false;  ///< with write_depth: of the plane on which a shadow lies
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
@@ -43,6 +44,7 @@ struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
     Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};
     Uniform<glm::mat3> world_from_normal{*this, "world_from_normal"};
+    Uniform<glm::vec3> depth_in_plane{*this, "depth_in_plane"};
     Uniform<glm::vec4, most_clip_planes> clip_plane_model{*this, "clip_plane_model"};
 
     Uniform<glm::vec4, most_lights> lights_relative{*this, "lights_relative"};

@@ -2,6 +2,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <utility>
 
@@ -82,16 +83,16 @@ void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pas
     const int triangles = triangles_drawn(frame.plan.limit, call, mesh.triangle_count());
     if (triangles == 0 || is_out_of_sight(mesh.bounds, pass, world_from_model)) return;
     set_placement(program, frame, pass, world_from_model);
-    set_offset(program, frame, pass.offset.value_or(own_offset));
+    set_offset(program, frame, pass, pass.offset.value_or(own_offset));
     mesh.draw(triangles);
 }
 
 void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
     const std::shared_ptr<const HiddenDrawing>& hidden = frame.plan.drawing_of(pass);
     const GpuDrawing& drawing = drawings.of(hidden);
-    set_placement(program, frame, pass, glm::dmat4(1.0));
+    set_placement(program, frame, pass, glm::translate(glm::dmat4(1.0), hidden->origin_world));
     for (const HiddenDrawing::Run& run : hidden->runs) {
-        set_offset(program, frame, pass.offset.value_or(run.is_decal ? frame.plan.decal_offset : DepthOffset{}));
+        set_offset(program, frame, pass, pass.offset.value_or(run.is_decal ? frame.plan.decal_offset : DepthOffset{}));
         drawing.draw(run.first_vertex, run.vertex_count);
     }
 }
@@ -104,13 +105,12 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
     for (const auto* sampler :
          {&program.surface_positions, &program.surface_normals, &program.surface_colors, &program.surface_counts})
         sampler->set(Sampler{unit++});
-    set_placement(program, frame, pass, glm::dmat4(1.0));
+    set_placement(program, frame, pass, glm::translate(glm::dmat4(1.0), hidden->origin_world));
     set_turned_normals(program, pass);
-    glDisable(GL_CULL_FACE);           // the method has already culled; this triangle only shows its result
-    if (capabilities.clip_distance) {  // and the shader has its own clipping
-        glDisable(GL_CLIP_DISTANCE0);
-        glDisable(GL_CLIP_DISTANCE1);
-    }
+    glDisable(GL_CULL_FACE);         // the method has already culled; this triangle only shows its result
+    if (capabilities.clip_distance)  // and the shader has its own clipping
+        for (std::size_t plane = 0; plane < most_clip_planes; ++plane)
+            glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane));
     presenter.fullscreen().draw(program);
 }
 
@@ -166,14 +166,15 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
         programs.surface({.shading = shading,
                           .is_patch = has_pattern,
                           .clips = !pass.clip_planes.empty(),
-                          .write_depth = frame.writes_depth || !has_vertices,
+                          .write_depth = frame.shader_writes_depth(pass),
                           .source = source,
                           .mask_test = mask.tests,
                           .mask_write = mask.writes,
                           .logarithm_per_vertex = frame.plan.has_logarithm_per_vertex() && has_vertices,
                           .lights = lights,
                           .has_gloss = is_patch && lights > 0 && pass.has_gloss,
-                          .forces_sign = pass.forces_sign});
+                          .forces_sign = pass.forces_sign,
+                          .depth_of_plane = frame.takes_depth_of_plane(pass)});
     if (!found) return Error{found.error()};
     const SurfaceProgram& program = **found;
     program.use();

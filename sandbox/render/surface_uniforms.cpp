@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "geometry/normals.h"
 #include "render/pass_state.h"
@@ -11,9 +12,7 @@ namespace {
 
 /// Returns the translation that moves a point to the origin.
 glm::dmat4 moved_to_origin(const glm::dvec3& point) {
-    glm::dmat4 made(1.0);
-    made[3] = glm::dvec4(-point, 1.0);
-    return made;
+    return glm::translate(glm::dmat4(1.0), -point);
 }
 
 /// Converts a plane from world space to the space of relative positions.
@@ -63,6 +62,24 @@ glm::dvec3 patch_normal(const Pass& pass, const glm::dmat4& placed_from_model) {
     return normal / (glm::dot(normal, to_eye) < 0.0 ? -length : length);
 }
 
+/// Returns how the window depth of a shadow's plane depends on x and y, in pixels from the lower left, and 1; 0 if the
+/// plane is seen edge-on.
+glm::dvec3 depth_in_plane(const FrameState& frame, const Pass& pass) {
+    const PlanePatch& patch = frame.plan.patches[pass.plane];
+    glm::dmat3 columns(1.0);
+    glm::dvec3 depths(0.0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 way = i == 0 ? glm::dvec3(0.0) : patch.extent * (i == 1 ? patch.u : patch.v);
+        const glm::dvec4 clip = pass.clip_from_world * pass.world_from_scene * glm::dvec4(patch.center + way, 1.0);
+        columns[i] = glm::dvec3(clip.x, clip.y, clip.w);
+        depths[i] = frame.plan.clip_zero_to_one ? clip.z : 0.5 * (clip.z + clip.w);
+    }
+    if (glm::determinant(columns) == 0.0) return glm::dvec3(0.0);
+    const glm::dvec3 of_clip = depths * glm::inverse(columns);  // depth = of_clip · (x, y, w) ÷ w
+    const glm::dvec2 per_pixel = glm::dvec2(of_clip) * 2.0 / glm::dvec2(frame.target.size_px());
+    return {per_pixel, of_clip.z - of_clip.x - of_clip.y};
+}
+
 }  // namespace
 
 glm::dvec3 relative_origin(const Pass& pass) {
@@ -90,7 +107,8 @@ void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const 
     }
     program.vertex_near_far.set(glm::dvec2(plan.lens.logarithmic_near(), plan.lens.logarithmic_far()));
     if (frame.shading_of(pass) == Shading::heat) set_heat(program, plan, pass);
-    if (frame.writes_depth || pass.subject == Subject::pixels) set_depth(program, plan);
+    if (frame.takes_depth_of_plane(pass)) program.depth_in_plane.set(depth_in_plane(frame, pass));
+    if (frame.shader_writes_depth(pass)) set_depth(program, plan);
 }
 
 void set_placement(const SurfaceProgram& program, const FrameState& frame, const Pass& pass,
@@ -105,7 +123,7 @@ void set_placement(const SurfaceProgram& program, const FrameState& frame, const
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
     program.clip_plane_model.set_first(planes_model);
-    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex() && pass.subject != Subject::pixels) return;
+    if (!frame.shader_writes_depth(pass) && !frame.plan.has_logarithm_per_vertex()) return;
     const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
     program.view_z_of_model.set(rows[2]);
     program.view_w_of_model.set(rows[3]);
@@ -116,8 +134,8 @@ void set_turned_normals(const SurfaceProgram& program, const Pass& pass) {
     program.world_from_normal.set(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
 }
 
-void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset) {
-    if (frame.writes_depth) {
+void set_offset(const SurfaceProgram& program, const FrameState& frame, const Pass& pass, const DepthOffset& offset) {
+    if (frame.writes_depth || frame.takes_depth_of_plane(pass)) {
         const double step = 1.0 / ((1 << std::min(precision_of(frame.plan.depth_format).bits, 24)) - 1);
         program.depth_offset.set(glm::dvec2(offset.factor, offset.units * step));
         return;

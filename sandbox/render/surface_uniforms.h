@@ -17,6 +17,17 @@ struct FrameState {
     std::optional<Shading> identify;  ///< draws numbers instead of colors, for reading back
 
     Shading shading_of(const Pass& pass) const { return identify.value_or(pass.shading); }
+
+    /// Whether the shader computes the depth of the plane on which a shadow lies, for shadows that are clipped around
+    /// their patch: near w = 0, float32 is too coarse for the positions of S p.
+    bool takes_depth_of_plane(const Pass& pass) const {
+        constexpr std::size_t planes_of_other_passes = 2;
+        return pass.shading == Shading::flat && pass.clip_planes.size() > planes_of_other_passes &&
+               plan.depth_mapping != DepthMapping::logarithmic;
+    }
+    bool shader_writes_depth(const Pass& pass) const {
+        return writes_depth || pass.subject == Subject::pixels || takes_depth_of_plane(pass);
+    }
 };
 
 /// Returns the origin of relative positions, in world space: the eye, or the position of an orthographic camera. Any
@@ -35,7 +46,7 @@ void set_placement(const SurfaceProgram& program, const FrameState& frame, const
 void set_turned_normals(const SurfaceProgram& program, const Pass& pass);
 
 /// Sets the polygon offset, which either GL or the fragment shader applies.
-void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset);
+void set_offset(const SurfaceProgram& program, const FrameState& frame, const Pass& pass, const DepthOffset& offset);
 
 /// Sets the identity of the next object drawn, as the red and green bytes. It must be below 2^16.
 void set_identity(const SurfaceProgram& program, int identity);

@@ -36,6 +36,24 @@ Json as_json(const std::vector<Problem>& problems) {
     return sentences;
 }
 
+Json details_of(const std::vector<Problem>& problems) {
+    static constexpr const char* kinds[] = {"wrong", "note", "window"};
+    Json details = Json::array();
+    for (const Problem& problem : problems) {
+        Json values = Json::object();
+        for (const auto& [name, text] : problem.values) {
+            const std::optional<double> number = read_figures(text);
+            values[name] = number ? Json(*number) : Json(text);
+        }
+        details.push_back({{"id", problem.id},
+                           {"kind", kinds[static_cast<std::size_t>(problem.kind)]},
+                           {"values", std::move(values)},
+                           {"say", problem.sentence},
+                           {"fix", problem.fixed_by.empty() ? Json() : Json(problem.fixed_by)}});
+    }
+    return details;
+}
+
 Json without_times(Json json) {
     if (json.is_object())
         for (const char* const key : {"time_ms", "time_least_ms", "time_most_ms", "runs", "painting_ms", "build_ms"})

@@ -22,6 +22,10 @@ std::string as_text(const Color& color);
 /// Returns the sentences that describe the problems.
 Json as_json(const std::vector<Problem>& problems);
 
+/// Returns an object for each problem: {"id", "kind": "wrong" | "note" | "window", "values", "say", "fix"}. Values that
+/// are numbers in the sentence are JSON numbers; "fix" is null if there is none.
+Json details_of(const std::vector<Problem>& problems);
+
 /// Removes all measured times, at any nesting level.
 Json without_times(Json json);
 

@@ -65,7 +65,8 @@ Json matrices_as_json(const Derived& derived, const std::vector<Problem>& proble
              {"mirror_from_world", as_json(mirror)},
              {"facts", facts_as_json(derived.facts, mirror, cast)},
              {"planes", planes_as_json(derived)},
-             {"problems", as_json(problems)}};
+             {"problems", as_json(problems)},
+             {"problem_details", details_of(problems)}};
     if (derived.followed) all["followed"] = followed_as_json(*derived.followed);
     return all;
 }

@@ -25,6 +25,9 @@ struct DepthParams {
     DepthOffset offset;
     DecalMethod decals = DecalMethod::offset;  ///< keeps objects marked "decal" from fighting with the surface below
 
+    double clear_value =
+        1.0;  ///< of glClearDepth for standard depth: 0 near, 1 far; reversed depth clears to 1 minus it
+
     // These are correct by default; changing one shows the error that its default prevents.
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1

@@ -326,6 +326,16 @@ const Field all_fields[] = {
              "drawing them last where depth is EQUAL, which needs identical triangles; or by a stencil mark on the "
              "surface below, with no depth test at all.",
      .gl_call = "glPolygonOffset | glDepthFunc(GL_EQUAL) | glStencilFunc"},
+    {.path = "depth.clear_value",
+     .place = IN(depth.clear_value),
+     .label = "clear value",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help =
+         "The depth that every pixel starts with: 1 is the farthest, so that every surface is nearer. With 0, nothing "
+         "is nearer, and nothing is drawn. Reversed depth is cleared to 1 minus this value.",
+     .gl_call = "glClearDepth(1)"},
     {.path = "depth.write_while_clearing",
      .place = IN(depth.write_while_clearing),
      .label = "mask on while clearing",
@@ -1056,6 +1066,18 @@ const Field all_fields[] = {
      .help = "Fills R from (a, b, c, d) as entered. The formula needs a normal of length 1; with a longer normal, "
              "points move too far.",
      .formula = mirror_formula},
+    {.path = "slips.shadow_by_rows",
+     .place = IN(slips.shadow_by_rows),
+     .label = "S by rows",
+     .help = "Fills S row by row. OpenGL reads columns and gets Sᵀ, which sends points out of the plane.",
+     .formula = "Sᵀ = (Π·L) I − Π Lᵀ"},
+    {.path = "slips.oblique_in_world",
+     .place = IN(slips.oblique_in_world),
+     .label = "oblique plane in world space",
+     .help =
+         "Gives the oblique near plane in world space, although P needs it in view space: the image is cut at another "
+         "plane.",
+     .formula = "c = V⁻ᵀ Π"},
 
     // animation
     {.path = "animation.jiggle",

@@ -104,6 +104,8 @@ struct SlipParams {
     bool degrees_as_radians = false;  ///< P gets fovy in degrees instead of radians
     bool plus_2ab = false;            ///< row 2, column 1 of R is +2ab, as in one line of the slide
     bool normal_not_unit = false;     ///< fills R from (a, b, c, d) as entered, not divided by |n|
+    bool shadow_by_rows = false;      ///< fills S by rows; GL reads them as columns
+    bool oblique_in_world = false;    ///< the oblique near plane stays in world space; P needs it in view space
     bool operator==(const SlipParams&) const = default;
 };
 

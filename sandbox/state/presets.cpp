@@ -36,7 +36,7 @@ NamedFile named_file(const fs::path& path) {
         take("title", named.title);
         take("about", named.about);
         take("group", named.group);
-        take("mended_by", named.mended_by);
+        take("mended_by", named.fixed_by);
         const Result<std::vector<int>> slides = guarded([&] { return read_slides(*document, Where{"", ""}); });
         if (slides) named.slides = *slides;
         named.sets_looks = document->contains("ui");

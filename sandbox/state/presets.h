@@ -23,7 +23,7 @@ struct NamedFile {
     std::string group;  ///< its "group" field: the heading above it in a list; "" for none
     /// Its "mended_by" field, for a preset that breaks the picture: the setting that fixes the picture, written as on
     /// the command line.
-    std::string mended_by;
+    std::string fixed_by;
     std::filesystem::path path;
     /// Whether its state sets the theme or the text size; if so, the preset opens only from the list, and Page Down
     /// skips it.

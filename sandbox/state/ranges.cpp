@@ -26,7 +26,7 @@ FieldRef default_ref(const Field& field) {
     return field.in(defaults);
 }
 
-double mended(double value, double fallback, const Field& field, int component) {
+double fixed(double value, double fallback, const Field& field, int component) {
     if (std::isnan(value)) {
         return fallback;
     }
@@ -40,54 +40,54 @@ double mended(double value, double fallback, const Field& field, int component) 
 }
 
 template <typename Vector>
-void mend_vector(Vector& vector, const Vector& fallback, const Field& field) {
+void fix_vector(Vector& vector, const Vector& fallback, const Field& field) {
     for (int i = 0; i < Vector::length(); ++i) {
-        vector[i] = mended(vector[i], fallback[i], field, i);
+        vector[i] = fixed(vector[i], fallback[i], field, i);
     }
 }
 
-void mend_light(glm::dvec4& position) {
+void fix_light(glm::dvec4& position) {
     if (glm::length(position) < min_length) {
         position = {0.0, 1.0, 0.0, 0.0};
     }
 }
 
-void mend_plane(glm::dvec4& equation) {
+void fix_plane(glm::dvec4& equation) {
     if (glm::length(glm::dvec3(equation)) < min_length) {
         equation = {0.0, 1.0, 0.0, equation.w};
     }
 }
 
-void mend_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
+void fix_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
     for (int i = 0; matrix && i < 16; ++i) {
         double& entry = (*matrix)[i / 4][i % 4];
-        entry = mended(entry, 0.0, field, i);
+        entry = fixed(entry, 0.0, field, i);
     }
 }
 
-void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
+void fix_span(std::optional<glm::dvec2>& span, const Field& field) {
     if (!span) {
         return;
     }
-    mend_vector(*span, glm::dvec2(field.min, field.max), field);
+    fix_vector(*span, glm::dvec2(field.min, field.max), field);
     if (!(span->x < span->y)) {
         span.reset();
     }
 }
 
 /// Replaces a number in the gap above 0 with the nearer end.
-void mend_gap(double& value, double least_above_zero) {
+void fix_gap(double& value, double least_above_zero) {
     if (value > 0.0 && value < least_above_zero) value = value < least_above_zero / 2.0 ? 0.0 : least_above_zero;
 }
 
-void mend_pin(std::optional<Pin>& pin, const Field& field) {
+void fix_pin(std::optional<Pin>& pin, const Field& field) {
     if (!pin) return;
-    if (pin->at) mend_vector(*pin->at, glm::dvec2(0.5), field);
+    if (pin->at) fix_vector(*pin->at, glm::dvec2(0.5), field);
     if (*pin == Pin{}) pin.reset();
 }
 
 /// Keeps `low` below `high`, and the two far enough apart for P to have an inverse.
-void mend_edges(double& low, double& high) {
+void fix_edges(double& low, double& high) {
     const double least = least_window(low, high), limit = field("projection.left").max - least;
     if (high - low >= least) return;
     const double middle = std::clamp(0.5 * (low + high), -limit, limit);
@@ -96,45 +96,45 @@ void mend_edges(double& low, double& high) {
 }
 
 /// Removes overrides for planes and lights that do not exist.
-void mend_overrides(Params& params) {
+void fix_overrides(Params& params) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
         PlaneOverrides& overrides = params.overrides[plane];
         if (plane >= params.planes.size()) {
             overrides = {};
         }
-        mend_matrix(overrides.mirrored_world_from_world, field("overrides.mirror_from_world"));
+        fix_matrix(overrides.mirrored_world_from_world, field("overrides.mirror_from_world"));
         for (std::size_t light = 0; light < most_lights; ++light) {
             std::optional<glm::dmat4>& shadow = overrides.shadowed_world_from_world[light];
             if (light >= params.lights.size()) {
                 shadow.reset();
             }
-            mend_matrix(shadow, field("overrides.shadow_from_world"));
+            fix_matrix(shadow, field("overrides.shadow_from_world"));
         }
     }
 }
 
-void mend_field(const Field& field, Params& params, std::size_t element) {
+void fix_field(const Field& field, Params& params, std::size_t element) {
     const FieldRef fallback = default_ref(field);
     std::visit(Overloaded{
                    [&](int* value) {
-                       *value = static_cast<int>(mended(*value, 0.0, field, 0));
+                       *value = static_cast<int>(fixed(*value, 0.0, field, 0));
                        if (is_samples(field)) {
                            *value = *value >= 2 ? 4 : 0;
                        }
                    },
                    [&](double* value) {
-                       *value = mended(*value, *std::get<double*>(fallback), field, 0);
-                       mend_gap(*value, field.least_above_zero);
+                       *value = fixed(*value, *std::get<double*>(fallback), field, 0);
+                       fix_gap(*value, field.least_above_zero);
                    },
-                   [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
-                   [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
-                   [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
+                   [&](glm::dvec3* value) { fix_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
+                   [&](glm::dvec4* value) { fix_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
+                   [&](std::optional<glm::dvec2>* value) { fix_span(*value, field); },
                    [&](std::optional<glm::ivec2>* value) {
                        if (*value)
                            **value = glm::clamp(**value, glm::ivec2(static_cast<int>(field.min)),
                                                 glm::ivec2(static_cast<int>(field.max)));
                    },
-                   [&](std::optional<Pin>* value) { mend_pin(*value, field); },
+                   [&](std::optional<Pin>* value) { fix_pin(*value, field); },
                    [](auto&&) {},
                },
                field.in(params, element));
@@ -250,7 +250,7 @@ void clamp_to_ranges(Params& params) {
     params.planes.resize(std::clamp<std::size_t>(params.planes.size(), 1, most_planes));
     for (const Field& field : fields()) {
         for (std::size_t element = 0; element < element_count(field, params); ++element) {
-            mend_field(field, params, element);
+            fix_field(field, params, element);
         }
     }
     double& far = params.projection.far;
@@ -258,22 +258,22 @@ void clamp_to_ranges(Params& params) {
         far = *std::get<double*>(default_ref(field("projection.far")));
     params.projection.near = std::max(params.projection.near, least_near(params));
     if (params.projection.near >= far) far = params.projection.near * 1.01;
-    mend_edges(params.projection.left, params.projection.right);
-    mend_edges(params.projection.bottom, params.projection.top);
+    fix_edges(params.projection.left, params.projection.right);
+    fix_edges(params.projection.bottom, params.projection.top);
     for (LightParams& light : params.lights) {
-        mend_light(light.position);
+        fix_light(light.position);
     }
     for (PlaneParams& plane : params.planes) {
-        mend_plane(plane.equation);
+        fix_plane(plane.equation);
     }
-    mend_overrides(params);
+    fix_overrides(params);
     const Choice chosen = params.chosen();
     params.view.plane = static_cast<int>(chosen.plane + 1);
     params.view.light = static_cast<int>(chosen.light + 1);
     if (params.follow) {
         params.follow->vertex = std::max(params.follow->vertex, 0);
         const Field& range = field("follow");
-        if (params.follow->point) mend_vector(*params.follow->point, glm::dvec3(0.0), range);
+        if (params.follow->point) fix_vector(*params.follow->point, glm::dvec3(0.0), range);
     }
 }
 

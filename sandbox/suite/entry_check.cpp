@@ -98,10 +98,13 @@ private:
     void check_problems(const std::vector<Problem>& told) {
         const auto tells = [&](const std::string& part) {
             return std::any_of(told.begin(), told.end(), [&](const Problem& problem) {
-                return problem.sentence.find(part) != std::string::npos;
+                return problem.id == part || problem.sentence.find(part) != std::string::npos;
             });
         };
-        if (!told.empty()) result_.details["problems"] = as_json(told);
+        if (!told.empty()) {
+            result_.details["problems"] = as_json(told);
+            result_.details["problem_details"] = details_of(told);
+        }
         for (const std::string& part : entry_.wanted_problems)
             if (!tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is not reported");
         for (const std::string& part : entry_.unwanted_problems)

@@ -47,7 +47,7 @@ struct SuiteEntry {
     MaskSource mask;                           ///< parts of the picture that are not compared
     std::optional<double> matrices_tolerance;  ///< empty: matrices are not checked
     std::vector<SuiteMeasure> measures;
-    std::vector<std::string> wanted_problems;  ///< parts of sentences; each must occur in a reported problem's sentence
+    std::vector<std::string> wanted_problems;  ///< ids or parts of sentences; a reported problem must have each
     std::vector<std::string> unwanted_problems;
     bool allows_no_problem = false;
 };

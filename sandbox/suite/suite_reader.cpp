@@ -230,7 +230,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     read_settings_of(object, where, folder, like);
 
     const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
-    const bool are_mended = each_names[static_cast<std::size_t>(each)] == std::string_view("mended");
+    const bool are_fixed = each_names[static_cast<std::size_t>(each)] == std::string_view("mended");
     const std::vector<NamedFile> files = are_scenes ? scenes() : presets();
     if (files.empty()) where.key("each").refuse("there are none: the assets were not found");
     for (const std::string& name : except)
@@ -238,7 +238,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
             where.key("except").refuse("there is no " + excerpt(name));
     std::vector<SuiteEntry> entries;
     for (const NamedFile& file : files) {
-        if (are_mended && file.mended_by.empty()) continue;
+        if (are_fixed && file.fixed_by.empty()) continue;
         if (std::find(except.begin(), except.end(), file.name) != except.end()) continue;
         SuiteEntry entry = like;
         entry.name = pattern.substr(0, place) + file.name + pattern.substr(place + 2);
@@ -246,7 +246,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
             entry.inline_state = Json{{"scene", file.name}}.dump();
         else
             entry.state = file.name;
-        if (are_mended) entry.settings.insert(entry.settings.begin(), file.mended_by);
+        if (are_fixed) entry.settings.insert(entry.settings.begin(), file.fixed_by);
         entries.push_back(std::move(entry));
     }
     return entries;

@@ -164,6 +164,19 @@ std::string figures(double value, int digits) {
            raised_text(exponent);
 }
 
+std::optional<double> read_figures(std::string_view text) {
+    static constexpr std::string_view ten = "·10";
+    const std::size_t power = text.find(ten);
+    std::string plain(text.substr(0, power));
+    if (plain.starts_with(minus)) plain.replace(0, std::string_view(minus).size(), "-");
+    if (power == std::string_view::npos) return parse_double(plain);
+    constexpr int largest = 330;
+    for (int exponent = -largest; exponent <= largest; ++exponent)
+        if (text.substr(power + ten.size()) == raised_text(exponent))
+            return parse_double(plain + "e" + std::to_string(exponent));
+    return std::nullopt;
+}
+
 std::string steady_figures(double value) {
     if (value == 0.0) return "0";
     if (!std::isfinite(value)) return number_text(value, 0);

@@ -23,6 +23,9 @@ std::string number_text(double value, int decimals);
 /// "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
 
+/// Reads a number that figures() wrote; nothing for any other text, and for "∞" and "—".
+std::optional<double> read_figures(std::string_view text);
+
 /// Returns a number with three significant digits, or all digits before the point if there are more. Keeps zeros at the
 /// end, so that a changing value does not jump: "4.00", "12.5", "12345", "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);

@@ -33,7 +33,8 @@ TEST_F(ChosenMatrices, ArePrintedInTheGivenOrder) {
     for (const auto& [key, value] : some.items()) keys += key + " ";
     EXPECT_EQ(keys,
               "mirror_from_world shadow_from_world[2,1] shadow_sign[2,1] clip_from_world shadow_from_world[2,2] "
-              "shadow_sign[2,2] mirror_from_world[2] world_from_view shadow_from_world shadow_sign problems ");
+              "shadow_sign[2,2] mirror_from_world[2] world_from_view shadow_from_world shadow_sign problems "
+              "problem_details ");
     const Json chosen = some;
     EXPECT_EQ(chosen["shadow_from_world"], all["shadow_from_world"]);
     EXPECT_EQ(chosen["clip_from_world"], all["clip_from_world"]);
@@ -124,6 +125,33 @@ assert worst < 1e-12, worst
 )");
     EXPECT_EQ(std::system(("cd '" + folder().string() + "' && python3 compare.py > told 2>&1").c_str()), 0)
         << read("told") << read("compare.py");
+}
+
+/// Cameras whose matrices people have asked about in public, computed by hand from right, up and back.
+TEST_F(ChosenMatrices, ViewMatricesOfPublicReportsAreRight) {
+    const double a = std::sqrt(10.0), b = std::sqrt(110.0), c = std::sqrt(11.0);
+    const double steep = 89.99 / 180.0 * std::acos(-1.0), sine = std::sin(steep), cosine = std::cos(steep);
+    using Rows = std::vector<std::vector<double>>;
+    struct Report {
+        const char* camera;
+        Rows view;
+    };
+    const Report reports[] = {
+        {R"({"look_at":{"eye":[100,30,100],"center":[100,0,100],"up":[0,0,-1]}})",
+         {{1, 0, 0, -100}, {0, 0, -1, 100}, {0, 1, 0, -30}, {0, 0, 0, 1}}},
+        {R"({"look_at":{"eye":[1,1,3],"center":[0,0,0],"up":[0,1,0]}})",  // tinyrenderer's camera
+         {{3 / a, 0, -1 / a, 0}, {-1 / b, 10 / b, -3 / b, 0}, {1 / c, 1 / c, 3 / c, -c}, {0, 0, 0, 1}}},
+        {R"({"position":[0,0,0],"yaw":0,"pitch":89.99,"roll":0})",
+         {{1, 0, 0, 0}, {0, cosine, sine, 0}, {0, -sine, cosine, 0}, {0, 0, 0, 1}}},
+        {R"({"position":[0,0,0],"yaw":0,"pitch":-89.99,"roll":0})",
+         {{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}}}};
+    for (const Report& report : reports) {
+        const Json view = matrices({"--set", std::string("camera=") + report.camera, "--only", "V"}).json();
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                EXPECT_NEAR(view["view_from_world"][row][column].get<double>(), report.view[row][column], 1e-9)
+                    << report.camera << " row " << row + 1 << ", column " << column + 1;
+    }
 }
 
 TEST_F(ChosenMatrices, LatexAcceptsThemBetweenDollars) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "cli/program.h"
 
@@ -223,6 +224,30 @@ TEST_F(Matrices, HaveTheDocumentedFields) {
     const double step = z * z * (40.0 - 0.5) / (40.0 * 0.5 * 16777215.0);
     EXPECT_NEAR(json.at("facts").at("depth_step_at_target").get<double>() / step, 1.0, 1e-9);
     EXPECT_EQ(json.at("problems"), Json::array());
+    EXPECT_EQ(json.at("problem_details"), Json::array());
+}
+
+TEST_F(Matrices, ProblemsHaveIdsAndValues) {
+    const Json json = expect(0, {"matrices", "--set", "light.position=[4,9,2,-0.0]", "--set", "projection.near=30",
+                                 "--set", "projection.aspect=0.5", "--set", "slips.camera_as_view=true"})
+                          .json();
+    std::set<std::string> ids;
+    ASSERT_EQ(json["problem_details"].size(), json["problems"].size());
+    for (std::size_t i = 0; i < json["problems"].size(); ++i) {
+        const Json& one = json["problem_details"][i];
+        EXPECT_EQ(one["say"], json["problems"][i]);
+        EXPECT_TRUE(std::set<std::string>({"wrong", "note", "window"}).contains(one["kind"])) << one;
+        ids.insert(one["id"]);
+        if (one["id"] == "projection.other_aspect") {
+            EXPECT_EQ(one["kind"], "wrong");
+            EXPECT_EQ(one["values"]["aspect"], 0.5);
+            EXPECT_EQ(one["fix"], "projection.aspect=0.0");
+        }
+        const bool has_none = one["values"].empty() && one["fix"].is_null();
+        EXPECT_TRUE(has_none || one["id"] != "camera.camera_as_view") << one;
+    }
+    EXPECT_TRUE(ids.contains("projection.other_aspect")) << json["problem_details"];
+    EXPECT_TRUE(ids.contains("camera.camera_as_view"));
 }
 
 TEST_F(Matrices, AreRowsOfTheMathematicalMatrix) {

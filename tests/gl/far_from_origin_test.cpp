@@ -1,5 +1,6 @@
 // A scene far from the world's origin gives the same picture: lit surfaces must not become speckled where float32
 // lacks precision for world positions.
+#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 
 namespace viewing {
@@ -38,6 +39,26 @@ TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
         const Image picture = draw(there.params, there.scene, far_away_px);
         EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";
         EXPECT_LE(pixels_beyond(expected, picture, 3), 300) << far_away;
+    }
+}
+
+/// The other methods draw polygons and surface points of their own, relative to the eye.
+TEST_F(FarFromOrigin, OtherMethodsDrawTheSamePicture) {
+    const auto drawn = [](const Place& place, VisibilityMethod method) {
+        Params params = place.params;
+        params.visibility.method = method;
+        const Derived derived = derive_for(params, place.scene, far_away_px);
+        HiddenSurfaceSolver solver(place.scene);
+        const auto question = hidden_question(params, derived, far_away_px);
+        EXPECT_TRUE(question);
+        const HiddenPictures pictures = answer_hidden_question(solver, *question).pictures;
+        return draw(plan(params, derived, pictures), place.scene, far_away_px);
+    };
+    const Place here = moved_by(glm::dvec3(0.0)), there = moved_by({0.0, 9e5, 0.0});
+    for (const VisibilityMethod method : {VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
+                                          VisibilityMethod::ray_cast, VisibilityMethod::software_depth_buffer}) {
+        const Image expected = drawn(here, method), picture = drawn(there, method);
+        EXPECT_LE(pixels_beyond(expected, picture, 16), 60) << static_cast<int>(method);
     }
 }
 

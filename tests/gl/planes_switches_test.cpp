@@ -19,7 +19,7 @@ constexpr glm::ivec2 switches_px(160, 90);
 /// A broken preset and the same preset after its own fix.
 struct Artefact {
     std::string name;
-    Params broken, mended;
+    Params broken, fixed;
     Scene scene;
 };
 
@@ -27,7 +27,7 @@ struct Artefact {
 struct Variant {
     const char* preset;
     std::vector<std::string> settings;
-    const char* mended_by = "";  ///< if it differs from the preset's own fix
+    const char* fixed_by = "";  ///< if it differs from the preset's own fix
 };
 
 const Variant variants[] = {
@@ -44,18 +44,18 @@ Artefact artefact(const NamedFile& preset, const Variant& variant) {
     settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
     const Result<Params> broken = apply_settings(params, settings);
     EXPECT_TRUE(broken) << broken.error();
-    const std::string mended_by = *variant.mended_by == '\0' ? preset.mended_by : variant.mended_by;
-    const Result<Params> mended = apply_settings(*broken, std::vector<std::string>{mended_by});
-    EXPECT_TRUE(mended) << mended.error();
+    const std::string fixed_by = *variant.fixed_by == '\0' ? preset.fixed_by : variant.fixed_by;
+    const Result<Params> fixed = apply_settings(*broken, std::vector<std::string>{fixed_by});
+    EXPECT_TRUE(fixed) << fixed.error();
     std::string name = preset.name;
     for (const std::string& setting : variant.settings) name += " " + setting;
-    return {std::move(name), *broken, *mended, scene};
+    return {std::move(name), *broken, *fixed, scene};
 }
 
 std::vector<Artefact> artefacts() {
     std::vector<Artefact> all;
     for (const NamedFile& preset : presets()) {
-        if (preset.mended_by.empty()) continue;
+        if (preset.fixed_by.empty()) continue;
         all.push_back(artefact(preset, {}));
         for (const Variant& variant : variants)
             if (preset.name == variant.preset) all.push_back(artefact(preset, variant));
@@ -104,15 +104,15 @@ class Switches : public testing::GlTest {};
 
 TEST_F(Switches, ChangeThePictureThatTheyBreak) {
     for (const Artefact& artefact : artefacts()) {
-        const Image mended = draw(artefact.mended, artefact.scene, switches_px);
+        const Image fixed = draw(artefact.fixed, artefact.scene, switches_px);
         const Image broken = draw(artefact.broken, artefact.scene, switches_px);
-        EXPECT_GT(pixels_beyond(broken, mended, 8), 40) << artefact.name;
+        EXPECT_GT(pixels_beyond(broken, fixed, 8), 40) << artefact.name;
     }
 }
 
 TEST_F(Switches, AreReportedWhenTheyBreakThePicture) {
     for (const Artefact& artefact : artefacts()) {
-        const std::vector<Problem> without = problems_of(artefact.mended, artefact.scene, switches_px);
+        const std::vector<Problem> without = problems_of(artefact.fixed, artefact.scene, switches_px);
         const std::vector<Problem> with = problems_of(artefact.broken, artefact.scene, switches_px);
         EXPECT_TRUE(std::any_of(with.begin(), with.end(), [&](const Problem& told) {
             return told.kind == ProblemKind::wrong && !says(without, told.group, told.sentence);

@@ -40,6 +40,7 @@ std::vector<SurfaceKind> surface_kinds() {
             kinds.push_back(kind);
         }
     }
+    kinds.push_back({.shading = Shading::flat, .clips = true, .write_depth = true, .depth_of_plane = true});
     kinds.push_back({.shading = Shading::unlit, .is_patch = true});
     for (std::size_t lights = 1; lights <= most_lights; ++lights)
         for (const bool has_gloss : {false, true})

@@ -253,10 +253,10 @@ TEST_F(WhyThisPixel, NamesTheMistakeWhereItChangesThePicture) {
     std::mt19937 random(3850);
     int tried = 0;
     for (const NamedFile& preset : presets()) {
-        if (preset.mended_by.empty()) continue;
+        if (preset.fixed_by.empty()) continue;
         auto [params, scene] = testing::preset_named(preset.name);
         params.view.samples = 0;
-        const Result<Params> fixed = apply_settings(params, std::vector<std::string>{preset.mended_by});
+        const Result<Params> fixed = apply_settings(params, std::vector<std::string>{preset.fixed_by});
         ASSERT_TRUE(fixed) << preset.name;
         const Viewport viewport = renderer().viewport(why_px, params.depth.format);
         const Derived derived = derive(params, scene, viewport), right = derive(*fixed, scene, viewport);
@@ -272,7 +272,7 @@ TEST_F(WhyThisPixel, NamesTheMistakeWhereItChangesThePicture) {
             for (int x = 0; x < why_px.x; ++x)
                 if (testing::worst_channel(testing::rgb_at(before, {x, y}), testing::rgb_at(after, {x, y})) > 8)
                     differing.emplace_back(x, y);
-        ASSERT_FALSE(differing.empty()) << preset.name << " looks the same with " << preset.mended_by;
+        ASSERT_FALSE(differing.empty()) << preset.name << " looks the same with " << preset.fixed_by;
         std::shuffle(differing.begin(), differing.end(), random);
         differing.resize(std::min<std::size_t>(differing.size(), is_sanitized ? 5 : 40));
         int named = 0;
@@ -280,11 +280,11 @@ TEST_F(WhyThisPixel, NamesTheMistakeWhereItChangesThePicture) {
             const Why explained =
                 why({params, derived, frame, finder, viewport, problems, pixel, color_at(before, pixel), solve});
             named += std::any_of(explained.rows.begin(), explained.rows.end(),
-                                 [&](const WhyRow& row) { return row.fix == preset.mended_by; });
+                                 [&](const WhyRow& row) { return row.fix == preset.fixed_by; });
         }
         ++tried;
         EXPECT_GE(named, 0.95 * static_cast<double>(differing.size()))
-            << preset.name << ": " << named << " of " << differing.size() << " pixels name " << preset.mended_by;
+            << preset.name << ": " << named << " of " << differing.size() << " pixels name " << preset.fixed_by;
     }
     EXPECT_GE(tried, 30);
 }

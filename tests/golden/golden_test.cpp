@@ -21,19 +21,19 @@ protected:
 };
 
 TEST_F(FixedPreset, DiffersFromTheBrokenPreset) {
-    int mended = 0;
+    int fixed = 0;
     for (const NamedFile& preset : presets()) {
-        if (preset.mended_by.empty()) continue;
+        if (preset.fixed_by.empty()) continue;
         Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
         const Image broken = picture_of(*state);
-        const Result<Params> params = apply_settings(state->params, std::vector<std::string>{preset.mended_by});
+        const Result<Params> params = apply_settings(state->params, std::vector<std::string>{preset.fixed_by});
         ASSERT_TRUE(params) << params.error();
         state->params = *params;
         EXPECT_GT(compare_images(broken, picture_of(*state), {3, 0.0}).beyond, 40) << preset.name;
-        ++mended;
+        ++fixed;
     }
-    EXPECT_GT(mended, 20);
+    EXPECT_GT(fixed, 20);
 }
 
 }  // namespace

@@ -286,6 +286,49 @@ TEST_F(Fighting, At24BitsIsPredictedOnlyWhenCertainAndVariesByCamera) {
     EXPECT_GT(at_24.most - at_24.least, 0.3) << "a single picture says little";
 }
 
+/// A gap just above the safe one has no wrong pixel anywhere on the pair, also at its farthest corner.
+TEST_F(Fighting, HasNoWrongPixelAboveTheSafeGap) {
+    Random random(seed);
+    int checked = 0;
+    for (int trial = 0; trial < testing::trials(60); ++trial) {
+        Params params = testing::preset_named("fighting-16-bit").params;
+        const int kind = static_cast<int>(random.number(0.0, 3.0));
+        params.depth.format = kind == 0 ? DepthFormat::d16 : kind == 1 ? DepthFormat::d24 : DepthFormat::d12;
+        params.depth.mapping = static_cast<DepthMapping>(static_cast<int>(random.number(0.0, 3.0)));
+        params.projection.near = std::exp(random.number(std::log(0.03), std::log(1.0)));
+        params.camera.yaw = random.number(-2.5, 2.5);
+        params.coplanar.tilt = random.number(0.0, 45.0);
+        params.coplanar.gap = 1e-6;
+        const auto scene_of_gap = [&] { return load_scene(params.scene, "", params.coplanar); };
+        const auto viewed = [&](const Scene& scene) {
+            return derive(params, scene, {fighting_px, renderer().capabilities().clip_control});
+        };
+        const Result<Scene> close = scene_of_gap();
+        ASSERT_TRUE(close) << close.error();
+        const std::vector<FlatPair> pairs = near_coplanar_pairs(*close);
+        ASSERT_EQ(pairs.size(), 6U);
+        const auto chosen = static_cast<std::size_t>(random.number(0.0, 6.0));
+        const auto needed = [&](const FlatPair& pair, const Scene& scene) {
+            const PairPrediction found = predict_pair(pair, params, viewed(scene), fighting_px);
+            return found.onset.is_reachable ? found.onset.gap() * found.slant : 1e300;
+        };
+        params.coplanar.gap = 1.003 * needed(pairs[chosen], *close);
+        if (params.coplanar.gap > 0.09) continue;  // as wide as the slider goes
+        const Result<Scene> apart = scene_of_gap();
+        ASSERT_TRUE(apart) << apart.error();
+        for (const CountedPair& counted : count(params, *apart).pairs) {
+            if (counted.pair.gap() < 1.001 * needed(counted.pair, *apart)) continue;
+            ++checked;
+            EXPECT_EQ(counted.wrong, 0) << "seed " << seed << " trial " << trial << " format " << kind << " mapping "
+                                        << static_cast<int>(params.depth.mapping) << " near " << params.projection.near
+                                        << " tilt " << params.coplanar.tilt << " z " << counted.pair.center_world.z
+                                        << " gap " << params.coplanar.gap << " of " << counted.pixels;
+        }
+    }
+    std::printf("%d pairs above the safe gap\n", checked);
+    EXPECT_GT(checked, 60);
+}
+
 TEST_F(Fighting, DistinguishesVanishingFromBleeding) {
     const FightingCounts few_bits = count("depth-few-bits");
     EXPECT_GT(few_bits.pairs.back().vanished, 1000) << "the pair at 84 has the cleared code";
@@ -326,8 +369,8 @@ TEST_F(Fighting, HasTheSameSmallestGapForEveryClearValue) {
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
         const MinimumGap expected = search(testing::params_with({mapping}), 5.0);
         ASSERT_TRUE(expected.gap);
-        for (const char* const slip :
-             {"depth.clear=false", "depth.write_while_clearing=false", "depth.reversed_clear=false"})
+        for (const char* const slip : {"depth.clear=false", "depth.write_while_clearing=false",
+                                       "depth.reversed_clear=false", "depth.clear_value=0"})
             EXPECT_EQ(search(testing::params_with({mapping, slip}), 5.0).gap, expected.gap) << mapping << " " << slip;
     }
 }

@@ -49,6 +49,7 @@ constexpr Control controls[] = {
     {"buffer/Window has a buffer", "depth.buffer"},
     {"buffer/depth format", "depth.format"},
     {"buffer/depth mapping", "depth.mapping"},
+    {"buffer/clear value", "depth.clear_value"},
     {"buffer/Mask on while clearing", "depth.write_while_clearing"},
     {"buffer/scale/Window", "view.depth_scale"},
     {"buffer/scale/Linear", "view.depth_scale"},
@@ -87,6 +88,7 @@ constexpr Control controls[] = {
     {"shadow/Clip at light", "shadow.clip_at_light"},
     {"shadow/Own stencil", "shadow.own_stencil"},
     {"shadow/sign of S", "shadow.sign"},
+    {"shadow/S by rows", "slips.shadow_by_rows"},
     {"reflection/Reflection", "reflection.enabled"},
     {"reflection/Clip to mirror", "reflection.stencil"},
     {"reflection/Flip winding", "reflection.flip_winding"},
@@ -221,6 +223,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "reflection.printed_by_rows",
                     "slips.plus_2ab",
                     "slips.normal_not_unit",
+                    "slips.oblique_in_world",
                     "follow",
                     "view.shows",
                     "view.depth_range",
@@ -299,6 +302,16 @@ TEST_F(PanelTest, TheMistakesOfRHaveSwitchesIfTheyAffectThePlane) {
         EXPECT_EQ(differing_fields(before, params), Paths{field});
         desk.undo();
     }
+}
+
+TEST_F(PanelTest, TheObliquePlaneCanStayInWorldSpace) {
+    desk.fold_out_all();
+    EXPECT_FALSE(ui.find("reflection/Oblique in world").enabled);
+    params.reflection.clip = MirrorClip::oblique;
+    desk.settle();
+    const Params before = params;
+    desk.click("reflection/Oblique in world");
+    EXPECT_EQ(differing_fields(before, params), Paths{"slips.oblique_in_world"});
 }
 
 TEST_F(PanelTest, DecalsHaveTheirOwnOffset) {

@@ -1,4 +1,4 @@
-// A matrix pasted in the window: a right one is taken, of any other a dialog says what it is and mends it.
+// A matrix pasted in the window: a right one is taken, of any other a dialog says what it is and fixes it.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "desk.h"

@@ -58,10 +58,10 @@ TEST(ProjectionWindow, AStretchedPictureIsMendedByLeftAndRight) {
     desk.settle();
     ASSERT_EQ(desk.problems.size(), 1U);
     EXPECT_NE(desk.problems.front().sentence.find("the window is 3 times as wide as it is high"), std::string::npos);
-    const std::vector<std::string> fix{desk.problems.front().mended_by};
-    const Result<Params> mended = apply_settings(desk.params(), fix, "fix");
-    ASSERT_TRUE(mended) << mended.error();
-    desk.params() = *mended;
+    const std::vector<std::string> fix{desk.problems.front().fixed_by};
+    const Result<Params> fixed = apply_settings(desk.params(), fix, "fix");
+    ASSERT_TRUE(fixed) << fixed.error();
+    desk.params() = *fixed;
     desk.settle();
     EXPECT_TRUE(desk.problems.empty());
     EXPECT_NEAR(desk.params().projection.window().center().x, 0.2, 1e-9) << "about the same middle";

@@ -202,8 +202,8 @@ private:
                   Shown(color), label);
     }
 
-    /// Draws the traversal number above the node, on the side away from the edge to the parent, and in smaller type if
-    /// it would overlap a neighbor's number.
+    /// Draws the traversal number above the node, on the side away from the edge to the parent, in smaller type if it
+    /// would overlap a neighbor's number, and not at all if even the least type would.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);
@@ -214,6 +214,7 @@ private:
         const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
         const float share = std::min(small, room / face.Measure(digits).x);
         face.size = std::max(std::floor(face.size * share), Px(least_type));
+        if (face.Measure(digits).x > room + Px(1)) return;
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;
         const float above = std::floor(center.y - half_.y - face.size - Px(node == selected_ ? 4 : 1));
         const ImVec2 at(std::floor(left), std::max(above, draw_->GetClipRectMin().y - Px(2)));

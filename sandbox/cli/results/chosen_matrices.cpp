@@ -74,7 +74,7 @@ ChosenMatrix matrix_of(const Word& word, const Choice& pair, const Params& param
             return {key,
                     key,
                     cast.shadowed_world_from_world,
-                    cast.by_hand ? std::nullopt : std::optional(shadow_symbols()),
+                    cast.by_hand ? std::nullopt : std::optional(shadow_symbols(slips.shadow_by_rows)),
                     cast.sign,
                     "shadow_sign",
                     "shadow_sign"};

@@ -23,6 +23,7 @@ Cure with_mapping(const Params& params, CureKind kind, DepthMapping mapping, Dep
     DepthParams& depth = cure.params.depth;
     depth.mapping = mapping;
     depth.format = format;
+    depth.clear_value = 1.0;
     depth.reversed_zero_to_one = depth.reversed_clear = depth.reversed_offset = true;
     depth.logarithm_per_vertex = false;
     return cure;

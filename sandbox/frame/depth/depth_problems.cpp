@@ -15,9 +15,11 @@
 namespace viewing {
 namespace {
 
-bool shows_anything(const Params& params, const Derived& derived, const Scene& scene) {
+bool shows_anything(const Derived& derived, const Scene& scene) {
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
     return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return is_in_view(object, params, derived); }) ||
+                       [&](const SceneObject& object) { return may_reach(object, sides); }) ||
            std::any_of(derived.planes.begin(), derived.planes.end(),
                        [&](const DerivedPlane& plane) { return is_in_view(plane.patch, derived.clip_from_world); });
 }
@@ -57,59 +59,123 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-void say_tests(Sayer& tell, const DepthParams& depth, const Derived& derived, const Scene& scene) {
-    // If two switches let the last fragment win, fixing one of them changes nothing.
-    const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
-    if (!depth.buffer) {
-        tell.broken(true,
-                    tr("the window has no depth buffer (GLUT_DEPTH is missing): whatever the settings, the depth test "
-                       "always passes and the last fragment drawn wins"),
-                    alone("depth.buffer"));
-        return;
-    }
-    if (!depth.test) {
-        tell.broken(true,
-                    tr("depth test off: the last fragment drawn wins, and no depth is written either, so the depth "
-                       "buffer keeps its cleared value"),
-                    alone("depth.test"));
-        return;
-    }
-    tell.broken(depth.func == CompareFunc::always && !is_painted_right(derived, scene),
-                tr("GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still written"),
-                alone("depth.func"));
-    tell.broken(depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
-                tr("GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
-                alone("depth.func"));
-    // A buffer that is cleared to the nearest depth rejects everything with GL_LESS, too, so GL_LESS would fix nothing.
-    const char* const as_usual = clears_to_nearest(depth) ? "" : "depth.func";
-    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), as_usual);
-    const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
-    tell.broken(wants_farther && rejects_all(depth),
-                tr("only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
-                "depth.func");
-    tell.broken(depth.func == CompareFunc::equal, tr("GL_EQUAL: only fragments at exactly the stored depth pass"),
-                as_usual);
-    tell.broken(!depth.write && !rejects_all(depth),
-                tr("depth mask off: surfaces are tested but write no depth, so they hide nothing that is drawn later"),
-                alone("depth.write"));
-}
-
-void say_clears(Sayer& tell, const DepthParams& depth) {
-    const bool compares = wants_nearer(depth) || (depth.tests() && depth.func == CompareFunc::notequal);
-    if (!compares || rejects_all(depth) || !depth.write) return;
-    tell.broken(!depth.clear, tr("depth is not cleared: depths from the previous frame keep hiding new fragments"),
-                depth.write_while_clearing ? "depth.clear" : "");
-    tell.broken(depth.clear && !depth.write_while_clearing,
-                tr("glClear obeys the depth mask: with the mask off it clears no depth, so depths from the previous "
-                   "frame keep hiding new fragments"),
-                "depth.write_while_clearing");
-}
-
 /// Returns the eye distance beyond which depth is stored as the code of the cleared buffer.
 double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
     const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
     const double half = 0.5 * code_width(precision_of(depth.format), farthest);
     return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
+}
+
+/// Returns the setting that replaces a depth function that lets nothing pass; "" if the clear value lets nothing pass
+/// either. With so few bits that everything has the code of the cleared buffer, GL_LESS lets nothing pass.
+std::string usual_func(const Params& params, const Derived& derived, const Scene& scene) {
+    if (clears_to_nearest(params.depth)) return "";
+    const double start = start_of_cleared_code(params.depth, params.lens());
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    const bool is_less_enough =
+        std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
+    return is_less_enough ? "depth.func" : "depth.func=lequal";
+}
+
+void say_tests(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    // If two switches let the last fragment win, fixing one of them changes nothing.
+    const auto alone = [&depth](const char* fix) { return count_of_last_wins(depth) == 1 ? fix : ""; };
+    if (!depth.buffer) {
+        tell.broken(
+            true,
+            sentence("depth.no_buffer",
+                     "the window has no depth buffer (GLUT_DEPTH is missing): whatever the settings, the depth test "
+                     "always passes and the last fragment drawn wins"),
+            alone("depth.buffer"));
+        return;
+    }
+    if (!depth.test) {
+        tell.broken(
+            true,
+            sentence("depth.test_off",
+                     "depth test off: the last fragment drawn wins, and no depth is written either, so the depth "
+                     "buffer keeps its cleared value"),
+            alone("depth.test"));
+        return;
+    }
+    tell.broken(
+        depth.func == CompareFunc::always && !is_painted_right(derived, scene),
+        sentence("depth.always",
+                 "GL_ALWAYS: the last fragment drawn wins, as with the test off, but here depth is still written"),
+        alone("depth.func"));
+    tell.broken(
+        depth.func == CompareFunc::notequal && !is_painted_right(derived, scene),
+        sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
+        alone("depth.func"));
+    const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
+    const std::string as_usual = is_closed ? usual_func(params, derived, scene) : "";
+    tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
+    const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
+    tell.broken(
+        wants_farther && rejects_all(depth),
+        sentence("depth.only_farther",
+                 "only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
+        "depth.func");
+    tell.broken(depth.func == CompareFunc::equal,
+                sentence("depth.equal", "GL_EQUAL: only fragments at exactly the stored depth pass"), as_usual);
+    tell.broken(
+        !depth.write && !rejects_all(depth),
+        sentence("depth.mask_off",
+                 "depth mask off: surfaces are tested but write no depth, so they hide nothing that is drawn later"),
+        alone("depth.write"));
+}
+
+/// Reports a buffer that is cleared to another depth than the farthest.
+void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const bool is_reversed = depth.mapping == DepthMapping::reversed;
+    if (!depth.tests() || clears_to_farthest(depth)) return;
+    const std::string value = figures(cleared_depth(depth), 3);
+    if (depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal)
+        return tell.broken(true,
+                           sentence("depth.farthest_wins",
+                                    "depth is cleared to {value} and farther fragments pass: the farthest surface wins",
+                                    "value"_a = value));
+    if (!wants_nearer(depth)) return;
+    if (clears_to_nearest(depth)) {
+        if (is_reversed && !depth.reversed_clear)
+            return tell.broken(true,
+                               sentence("depth.reversed_clear",
+                                        "reversed depth is 0 at the far plane, but the buffer is cleared to 1: nothing "
+                                        "can be nearer, so nothing is drawn"),
+                               "depth.reversed_clear");
+        return tell.broken(true,
+                           sentence("depth.clear_value",
+                                    "glClearDepth({value}) is the nearest depth: nothing can be nearer, so nothing is "
+                                    "drawn",
+                                    "value"_a = value),
+                           "depth.clear_value");
+    }
+    const double z = distance_of_window_depth(params.lens(), depth.mapping, cleared_depth(depth));
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    const bool cuts = std::any_of(seen.begin(), seen.end(), [z](const SeenThing& thing) { return thing.farthest > z; });
+    tell.broken(cuts,
+                sentence("depth.clear_value_cuts",
+                         "glClearDepth({value}): every pixel starts with the depth of z = {z}, so nothing beyond is "
+                         "drawn",
+                         "value"_a = value, "z"_a = figures(z, 3)),
+                is_reversed && !depth.reversed_clear ? "depth.clear_value=0" : "depth.clear_value");
+}
+
+void say_clears(Sayer& tell, const DepthParams& depth) {
+    const bool compares = wants_nearer(depth) || (depth.tests() && depth.func == CompareFunc::notequal);
+    if (!compares || rejects_all(depth) || !depth.write) return;
+    tell.broken(
+        !depth.clear,
+        sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments"),
+        depth.write_while_clearing ? "depth.clear" : "");
+    tell.broken(
+        depth.clear && !depth.write_while_clearing,
+        sentence("depth.cleared_with_mask_off",
+                 "glClear obeys the depth mask: with the mask off it clears no depth, so depths from the previous "
+                 "frame keep hiding new fragments"),
+        "depth.write_while_clearing");
 }
 
 /// Reports objects whose depth code equals that of the cleared buffer, so that GL_LESS rejects them.
@@ -125,111 +191,13 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
     std::vector<std::string> names;
     for (const SeenThing& thing : seen)
         if (!thing.is_plane && thing.farthest > start) names.push_back(object_text(thing.name));
-    tell.broken(!names.empty(),
-                say("from z = {z} on, depth has the same code as the cleared buffer: GL_LESS rejects every fragment of "
-                    "{objects} there",
-                    "z"_a = figures(start, 3), "objects"_a = joined(names)),
-                "depth.format");
-}
-
-/// Returns the largest gap that depth may fail to distinguish at an eye distance, as a share of the picture's height
-/// there.
-double unresolved_share(const Params& params, const Derived& derived, double distance) {
-    return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
-}
-
-/// Returns the setting that makes depth fine enough for the things in view: a larger near or, without perspective, a
-/// smaller far; "" if it does not make depth fine enough.
-std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
-    Params finer = params;
-    std::string setting;
-    if (params.lens().orthographic && z > 0.0) {
-        finer.projection.far = 2.0 * rounded_down(z);
-        setting = "projection.far=" + plain_number(finer.projection.far);
-    } else if (const std::optional<double> near = largest_near(seen); near && !params.lens().orthographic) {
-        finer.projection.near = *near;
-        setting = "projection.near=" + plain_number(*near);
-    }
-    return unresolved_share(finer, derived, z) < visible_share ? setting : "";
-}
-
-/// Reports that depth is too coarse for the objects in view. Reports nothing if the scene has nearly coplanar surfaces,
-/// which have a view of their own.
-void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
-                      const std::vector<SeenImage>& images) {
-    const DepthParams& depth = params.depth;
-    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
-    if (has_bent_depth(depth) || scene.objects.empty()) return;
-    const Lens lens = params.lens();
-    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
-    const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
-    const double reach = 0.5 * glm::length(scene.bounds_world.max - scene.bounds_world.min);
-    double farthest = glm::dot(distance, glm::dvec4(center, 1.0)) + reach;
-    for (const SeenImage& image : images) farthest = std::max(farthest, image.farthest);
-    farthest = std::clamp(farthest, lens.near, lens.far);
-    if (unresolved_share(params, derived, farthest) < visible_share || !near_coplanar_pairs(scene).empty()) return;
-    std::vector<SeenThing> seen = seen_things(params, derived, scene), mirrored;
-    for (SeenThing& thing : seen) thing.name = object_text(thing.name);
-    // An oblique near plane changes the depth of images: mirror_problems.cpp reports that.
-    for (const SeenImage& image : images)
-        if (image.is_shown && params.reflection.clip != MirrorClip::oblique)
-            mirrored.push_back({say("the mirror image of {object}", "object"_a = object_text(image.name)),
-                                image.nearest, std::min(image.farthest, lens.far)});
-    const auto farthest_of = [](const std::vector<SeenThing>& things) {
-        const SeenThing* found = nullptr;
-        for (const SeenThing& thing : things)
-            if (!thing.is_plane && (!found || thing.farthest > found->farthest)) found = &thing;
-        return found;
-    };
-    const SeenThing* worst = farthest_of(seen);
-    if (!worst || unresolved_share(params, derived, worst->farthest) < visible_share) worst = farthest_of(mirrored);
-    if (!worst) return;
-    const double share = unresolved_share(params, derived, worst->farthest);
-    if (share < visible_share) return;
-    const double gap = fighting_onset(depth_coding(params, derived), worst->farthest).gap();
-    tell.broken(true,
-                say("at {object} (z = {z}), depths that differ by less than {gap} are not distinguished, {percent} of "
-                    "the picture's height there: where surfaces meet, the wrong one may win",
-                    "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
-                    "percent"_a = percent(share)),
-                finer_depth(params, derived, seen, worst->farthest));
-}
-
-/// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
-void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
-    const DepthParams& depth = params.depth;
-    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
-    const Lens lens = params.lens();
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
-    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
-    for (std::size_t index = 0; index < planes.size(); ++index) {
-        const DerivedPlane& plane = planes[index];
-        if (plane.eye_side == 0.0) continue;
-        std::vector<glm::dvec4> seen = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
-        for (const glm::dvec4& edge : forms_of_edges(glm::dmat4(1.0), plane.patch)) seen.push_back(edge);
-        for (const SceneObject& object : scene.objects) {
-            const double least_apart = 1e-3 * plane.patch.extent;
-            if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
-            const glm::dvec4 center =
-                object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
-            const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * glm::dvec3(center);
-            const double cosine =
-                std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);
-            const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
-            const double fights = fighting_onset(depth_coding(params, derived), z).gap() * cosine;
-            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, seen)) continue;
-            glm::dvec4 equation = params.planes[index].equation;
-            const double apart = std::max(least_apart, 8.0 * fights / std::max(cosine, 1e-3));
-            equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
-            tell.broken(true,
-                        say("{object} lies in {plane} itself: where their depths round alike, the two fight",
-                            "object"_a = object_text(object.description.name),
-                            "plane"_a = planes_name(std::array{index}, planes.size())),
-                        index > 0 ? ""
-                                  : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
-                                        "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]");
-        }
-    }
+    tell.broken(
+        !names.empty(),
+        sentence("depth.code_of_cleared",
+                 "from z = {z} on, depth has the same code as the cleared buffer: GL_LESS rejects every fragment of "
+                 "{objects} there",
+                 "z"_a = figures(start, 3), "objects"_a = joined(names)),
+        "depth.format");
 }
 
 /// Returns whether a polygon offset moves decals or shadows.
@@ -244,28 +212,33 @@ bool has_offset(const Params& params, const Scene& scene) {
 
 void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
-    tell.broken(has_bent_depth(depth),
-                tr("the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
-                   "so the wrong surface can win"),
-                "depth.logarithm_per_vertex");
+    tell.broken(
+        has_bent_depth(depth),
+        sentence("depth.logarithm_per_vertex",
+                 "the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
+                 "so the wrong surface can win"),
+        "depth.logarithm_per_vertex");
     tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, scene),
-         tr("the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
-            "the offset"));
+         sentence(
+             "depth.offset_in_shader",
+             "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
+             "the offset"));
     if (depth.mapping != DepthMapping::reversed) return;
-    tell.broken(!derived.clip_zero_to_one,
-                depth.reversed_zero_to_one
-                    ? tr("this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
-                         "away a float's fine steps near 0, so little is gained")
-                    : tr("reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
-                         "float's fine steps near 0, so little is gained"));
-    tell.broken(!depth.reversed_clear && wants_nearer(depth),
-                tr("reversed depth is 0 at the far plane, but the buffer is cleared to 1: nothing can be nearer, so "
-                   "nothing is drawn"),
-                "depth.reversed_clear");
-    tell.broken(!depth.reversed_offset && has_offset(params, scene),
-                tr("with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
-                   "instead of pulling them nearer"),
-                "depth.reversed_offset");
+    tell.broken(
+        !derived.clip_zero_to_one,
+        depth.reversed_zero_to_one
+            ? sentence("depth.no_clip_control",
+                       "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
+                       "away a float's fine steps near 0, so little is gained")
+            : sentence("depth.reversed_range",
+                       "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
+                       "float's fine steps near 0, so little is gained"));
+    tell.broken(
+        !depth.reversed_offset && has_offset(params, scene),
+        sentence("depth.reversed_offset",
+                 "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
+                 "instead of pulling them nearer"),
+        "depth.reversed_offset");
 }
 
 /// Reports that the driver does not store the requested depth format.
@@ -273,39 +246,51 @@ void say_driver(Sayer& tell, const DepthParams& depth, const DepthPrecision& sto
     const DepthPrecision asked = precision_of(depth.format);
     if (stored == asked) return;
     if (stored.is_float)
-        return tell(true, say("this driver stores {bits}-bit depth as a 32-bit float, whose steps below a depth of 1/2 "
-                              "are finer than {bits}-bit codes",
-                              "bits"_a = asked.bits));
-    tell(true, say("this driver stores {bits} bits of depth instead of the {asked} requested", "bits"_a = stored.bits,
-                   "asked"_a = asked.bits));
+        return tell(true,
+                    sentence("depth.driver_format",
+                             "this driver stores {bits}-bit depth as a 32-bit float, whose steps below a depth of 1/2 "
+                             "are finer than {bits}-bit codes",
+                             "bits"_a = asked.bits));
+    tell(true,
+         sentence("depth.driver_format", "this driver stores {bits} bits of depth instead of the {asked} requested",
+                  "bits"_a = stored.bits, "asked"_a = asked.bits));
 }
 
 void say_decals(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || !has_decals(scene)) return;
-    tell.broken(method == DecalMethod::equal, tr("GL_EQUAL: a decal passes only where its depth rounds to exactly that "
-                                                 "of the surface below; with different triangles, it is stippled"));
+    tell.broken(method == DecalMethod::equal,
+                sentence("depth.decal_equal",
+                         "GL_EQUAL: a decal passes only where its depth rounds to exactly that "
+                         "of the surface below; with different triangles, it is stippled"));
     for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
         if (scene.objects[i].description.decal && derived.object_marks[i] == 0)
             return tell.broken(
                 true,
-                tr("a decal that lies on no flat object is left out: no mark in the stencil says where to draw it"));
+                sentence(
+                    "depth.decal_without_base",
+                    "a decal that lies on no flat object is left out: no mark in the stencil says where to draw it"));
 }
 
 /// Reports what is missing from a picture that is otherwise correct.
 void say_omissions(Sayer& tell, const Params& params) {
     tell.window(
         params.view.call >= 0,
-        tr("the frame is drawn only up to the step chosen in the cell view: go to the last step there, or undo"),
+        sentence("window.call",
+                 "the frame is drawn only up to the step chosen in the cell view: go to the last step there, or undo"),
         "view.call");
-    tell.window(params.view.pass >= 0,
-                tr("the frame is drawn only up to one of its passes: click that pass in the list of passes to draw the "
-                   "whole frame, or undo"),
-                "view.pass");
+    tell.window(
+        params.view.pass >= 0,
+        sentence("window.pass",
+                 "the frame is drawn only up to one of its passes: click that pass in the list of passes to draw the "
+                 "whole frame, or undo"),
+        "view.pass");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
-    tell.window(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
-                tr("16-bit depth comes without a stencil: the shadow and mirror masks hold one value per pixel, so "
-                   "there is no multisampling"));
+    tell.window(
+        params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
+        sentence("window.no_multisampling",
+                 "16-bit depth comes without a stencil: the shadow and mirror masks hold one value per pixel, so "
+                 "there is no multisampling"));
 }
 
 }  // namespace
@@ -314,12 +299,12 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
                          const Scene& scene, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
-    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(params, derived, scene)) return;
-    say_tests(tell, params.depth, derived, scene);
+    if (params.visibility.method != VisibilityMethod::depth_buffer || !shows_anything(derived, scene)) return;
+    say_tests(tell, params, derived, scene);
     say_clears(tell, params.depth);
+    say_clear_value(tell, params, derived, scene);
     say_cleared_code(tell, params, derived, scene);
-    say_coarse_depth(tell, params, derived, scene, images);
-    say_in_plane(tell, params, derived, scene);
+    find_coarse_depth_problems(problems, params, derived, scene, images);
     say_driver(tell, params.depth, derived.stored_depth.precision);
     say_mappings(tell, params, derived, scene);
     say_decals(tell, params, derived, scene);

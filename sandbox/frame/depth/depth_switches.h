@@ -5,10 +5,20 @@
 
 namespace viewing {
 
+/// Returns the window depth of glClearDepth.
+inline double cleared_depth(const DepthParams& depth) {
+    const bool is_turned = depth.mapping == DepthMapping::reversed && depth.reversed_clear;
+    return is_turned ? 1.0 - depth.clear_value : depth.clear_value;
+}
+
+/// Returns whether the buffer is cleared to the farthest depth, so that everything is nearer.
+inline bool clears_to_farthest(const DepthParams& depth) {
+    return cleared_depth(depth) == (depth.mapping == DepthMapping::reversed ? 0.0 : 1.0);
+}
+
 /// Returns whether every frame begins with the farthest depth everywhere.
 inline bool is_cleared_to_farthest(const DepthParams& depth) {
-    return depth.clear && depth.write_while_clearing &&
-           (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
+    return depth.clear && depth.write_while_clearing && clears_to_farthest(depth);
 }
 
 /// Returns whether depth is computed only at the vertices and interpolated in between. Interpolated depth then does not
@@ -19,7 +29,7 @@ inline bool has_bent_depth(const DepthParams& depth) {
 
 /// Returns whether the buffer is cleared to the nearest depth, so that nothing can be nearer.
 inline bool clears_to_nearest(const DepthParams& depth) {
-    return depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
+    return cleared_depth(depth) == (depth.mapping == DepthMapping::reversed ? 1.0 : 0.0);
 }
 
 /// Returns whether no fragment passes the depth test, or only those at exactly the depth that the buffer is cleared to.
@@ -31,13 +41,19 @@ inline bool rejects_all(const DepthParams& depth) {
             return true;
         case CompareFunc::greater:
         case CompareFunc::gequal:
-            return !clears_to_nearest(depth);
+            return clears_to_farthest(depth);
         case CompareFunc::less:
         case CompareFunc::lequal:
             return clears_to_nearest(depth);
         default:
             return false;
     }
+}
+
+/// Returns whether the depths of the previous, equal frame stay and hide this frame altogether.
+inline bool hides_next_frame(const DepthParams& depth) {
+    return depth.tests() && depth.func == CompareFunc::less && depth.write &&
+           !(depth.clear && depth.write_while_clearing);
 }
 
 /// Returns how many switches, each by itself, let the last fragment drawn win.

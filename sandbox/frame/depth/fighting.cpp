@@ -162,22 +162,34 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
+/// Returns the distance of a float32 from the next larger one, in units of 2⁻²⁴: at least the value, less than twice
+/// it.
+double float_step(double value) {
+    return value > 0.0 ? std::exp2(std::floor(std::log2(value)) + 1.0) : 0.0;
+}
+
 /// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. Each
 /// rounding to float32 on the way is off by up to half a unit in the last place for each surface, so by up to one unit
 /// between the two. The rounded values are clip z and clip w, which both affect their quotient, and the depth, first as
 /// computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded at the end.
 double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
-    const double depth = window_depth(lens, coding.mapping, z);
+    const double depth = window_depth(lens, coding.mapping, z), of_depth = float_step(depth);
+    const double of_w = float_step(z) / z;  // relative
     if (coding.mapping == DepthMapping::logarithmic) {
         // Relative errors of eye z, w and their quotient change the logarithm by the same amount; then the logarithm
         // and the depth are rounded.
         const double start = lens.logarithmic_near(), range = std::log(lens.logarithmic_far() / start);
-        return (3.0 + 2.0 * std::log(std::max(z, start) / start)) / range + depth;
+        return (3.0 * of_w + 2.0 * float_step(std::log(std::max(z, start) / start))) / range + of_depth;
     }
-    if (coding.clip_zero_to_one) return lens.orthographic ? depth : 2.0 * lens.depth_per_inverse_distance() / z + depth;
+    if (coding.clip_zero_to_one && lens.orthographic) return of_depth;
+    if (coding.clip_zero_to_one) {
+        const double clip_z = lens.depth_per_inverse_distance();
+        return (float_step(clip_z) + clip_z * of_w) / z + of_depth;
+    }
     const double ndc_z = std::abs(2.0 * depth - 1.0);  // later halved and shifted to 0 … 1
-    return (lens.orthographic ? 0.5 * ndc_z : ndc_z) + 2.0 * depth;
+    if (lens.orthographic) return 0.5 * float_step(ndc_z) + 2.0 * of_depth;
+    return 0.5 * (float_step(ndc_z * z) / z + ndc_z * of_w) + 2.0 * of_depth;
 }
 
 }  // namespace

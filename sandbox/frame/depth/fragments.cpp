@@ -2,6 +2,7 @@
 #include "frame/depth/fragments.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 #include <span>
 
@@ -59,13 +60,15 @@ public:
         std::sort(found.begin() + before, found.end(), [](const Met& a, const Met& b) { return a.place < b.place; });
     }
 
-    void ordered(std::span<const OrderedVertex> vertices) {
-        const glm::dmat4 in_place(1.0);
+    void ordered(const HiddenDrawing& drawing) {
+        const std::vector<OrderedVertex>& vertices = drawing.triangles;
+        const glm::dmat4 in_place = glm::translate(glm::dmat4(1.0), drawing.origin_world);
         const PixelView view = view_of(in_place);
         for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
-            triangle(static_cast<int>(vertices[i].object) - 1, i / 3, view,
-                     {vertices[i].position_world, vertices[i + 1].position_world, vertices[i + 2].position_world},
-                     in_place, {});
+            triangle(
+                static_cast<int>(vertices[i].object) - 1, i / 3, view,
+                {vertices[i].position_relative, vertices[i + 1].position_relative, vertices[i + 2].position_relative},
+                in_place, {});
         }
     }
 
@@ -373,7 +376,7 @@ std::vector<Fragment> FragmentFinder::replayed(const FramePlan& plan, glm::ivec2
             if (!lists_all && !is_mask(pass) && !patches.insert(pass.plane).second) continue;
             meet(-1 - static_cast<int>(pass.plane), quad, quad_tree, plan.patches[pass.plane].world_from_patch(), {});
         } else if (pass.subject == Subject::ordered) {
-            meeting.ordered(plan.drawing_of(pass)->triangles);
+            meeting.ordered(*plan.drawing_of(pass));
         } else {
             for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
                 const SceneObject& object = scene_.objects[i];

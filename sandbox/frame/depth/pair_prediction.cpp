@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "frame/depth/depth_switches.h"
@@ -133,6 +134,25 @@ SeenCodes seen_codes(const FlatPair& pair, std::span<const Polygon> seen, const 
     return made;
 }
 
+/// Replaces the onset at the center by the one at the corner of the visible part that needs the widest gap along the
+/// normal: usually the farthest.
+void set_onset_where_worst(PairPrediction& made, const FlatPair& pair, std::span<const Polygon> seen,
+                           const DepthCoding& coding, const Derived& derived, double span) {
+    const glm::dvec3 normal_view(derived.view_from_world * glm::dvec4(pair.normal_world, 0.0));
+    double widest = 0.0;
+    for (const Polygon& part : seen)
+        for (const glm::dvec3& corner : part.vertices)
+            for (const glm::dvec3& at : {corner, corner + pair.offset * normal_view}) {
+                const double z = -at.z, slant = coding.lens.orthographic ? std::abs(normal_view.z)
+                                                                         : std::abs(glm::dot(normal_view, at)) / z;
+                const FightingOnset onset = fighting_onset(coding, z, span);
+                if (!(onset.gap() * slant > widest) && onset.is_reachable) continue;
+                widest = onset.is_reachable ? onset.gap() * slant : std::numeric_limits<double>::infinity();
+                made.onset = onset;
+                made.slant = slant;
+            }
+}
+
 /// Returns the share for a decal that is drawn only where the stencil shows its base.
 std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right,
                                                     const std::vector<int>& marks) {
@@ -216,6 +236,7 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     made.slant = std::abs(glm::dot(normal_view, sight));
     const std::vector<Polygon> seen = seen_part(pair, derived, coding.lens);
     if (seen.empty()) return made;
+    set_onset_where_worst(made, pair, seen, coding, derived, span);
     const auto share = wrong_share_of(pair, params, derived, seen_codes(pair, seen, coding, derived, span, size_px));
     if (share && share->most - share->least < says_nothing) made.wrong_share = share;
     return made;

@@ -2,6 +2,7 @@
 // plan().
 #include <algorithm>
 
+#include "frame/depth/depth_switches.h"
 #include "frame/plan_parts.h"
 
 namespace viewing {
@@ -14,7 +15,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     const DepthParams& depth = params.depth;
     frame.clear_depth = depth.clear;
     frame.mask_on_while_clearing = depth.write_while_clearing;
-    frame.clear_depth_value = depth.mapping == DepthMapping::reversed && depth.reversed_clear ? 0.0 : 1.0;
+    frame.clear_depth_value = cleared_depth(depth);
     frame.depth_format = depth.format;
     frame.stored_depth = derived.stored_depth;
     frame.depth_mapping = depth.mapping;

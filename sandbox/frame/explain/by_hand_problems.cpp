@@ -100,57 +100,68 @@ bool is_right_transposed(const ExplainedMatrix& found, const glm::dmat4& matrix)
     return off <= 1e-3 * largest_entry(right);
 }
 
-/// Returns what an S or R entered by hand is instead of the right one; "" if it is right or not recognized. `matrix` is
-/// its name, `letter` what it should be.
-std::string recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
-                       const std::string& matrix) {
-    if (found.letter != 'S' && found.letter != 'R') return "";
+/// Returns what an S or R entered by hand is instead of the right one; nothing if it is right or not recognized.
+/// `matrix` is its name, `letter` what it should be.
+std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
+                                   const std::string& matrix) {
+    if (found.letter != 'S' && found.letter != 'R') return std::nullopt;
     const std::string plane = found.found_plane ? plane_text(*found.found_plane) : "";
     const std::string light = found.found_light ? light_text(*found.found_light) : "";
     const bool is_shadow = found.letter == 'S', is_transposed = found.fault == MatrixFault::transposed;
     if (found.letter != letter) {
         if (is_transposed || found.fault == MatrixFault::not_unit_normal || found.fault == MatrixFault::plus_2ab)
-            return "";
+            return std::nullopt;
         return is_shadow
-                   ? say("{matrix} entered by hand is the shadow of the light {light} on the plane {plane}, not a "
-                         "mirror",
-                         "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
-                   : say("{matrix} entered by hand is the mirror of the plane {plane}, not a shadow",
-                         "matrix"_a = matrix, "plane"_a = plane);
+                   ? sentence("by_hand.shadow_for_mirror",
+                              "{matrix} entered by hand is the shadow of the light {light} on the plane {plane}, not a "
+                              "mirror",
+                              "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
+                   : sentence("by_hand.mirror_for_shadow",
+                              "{matrix} entered by hand is the mirror of the plane {plane}, not a shadow",
+                              "matrix"_a = matrix, "plane"_a = plane);
     }
     if (is_right_transposed(found, entries))
-        return is_shadow ? say("{matrix} entered by hand is the transpose of the right S: OpenGL reads columns",
-                               "matrix"_a = matrix)
-                         : say("{matrix} entered by hand is Rᵀ, the transpose of the right R: OpenGL reads columns",
-                               "matrix"_a = matrix);
+        return is_shadow
+                   ? sentence("by_hand.shadow_transposed",
+                              "{matrix} entered by hand is the transpose of the right S: OpenGL reads columns",
+                              "matrix"_a = matrix)
+                   : sentence("by_hand.mirror_transposed",
+                              "{matrix} entered by hand is Rᵀ, the transpose of the right R: OpenGL reads columns",
+                              "matrix"_a = matrix);
     switch (found.fault) {
         case MatrixFault::transposed:
-            return is_shadow ? say("{matrix} entered by hand is the transpose of a shadow matrix: of the light {light} "
-                                   "on the plane {plane}",
-                                   "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
-                             : say("{matrix} entered by hand is the transpose of a mirror matrix: of the plane {plane}",
-                                   "matrix"_a = matrix, "plane"_a = plane);
+            if (is_shadow) return std::nullopt;  // of another plane and light, Sᵀ is a shadow matrix too
+            return sentence("by_hand.other_mirror_transposed",
+                            "{matrix} entered by hand is the transpose of a mirror matrix: of the plane {plane}",
+                            "matrix"_a = matrix, "plane"_a = plane);
         case MatrixFault::other_light:
-            return say("{matrix} entered by hand is the shadow of the light {light}, not of this one",
-                       "matrix"_a = matrix, "light"_a = light);
+            return sentence("by_hand.other_light",
+                            "{matrix} entered by hand is the shadow of the light {light}, not of this one",
+                            "matrix"_a = matrix, "light"_a = light);
         case MatrixFault::other_plane:
-            return is_shadow ? say("{matrix} entered by hand is the shadow on the plane {plane}, not on this one",
-                                   "matrix"_a = matrix, "plane"_a = plane)
-                             : say("{matrix} entered by hand is the mirror of the plane {plane}, not of this one",
-                                   "matrix"_a = matrix, "plane"_a = plane);
+            return is_shadow ? sentence("by_hand.shadow_of_other_plane",
+                                        "{matrix} entered by hand is the shadow on the plane {plane}, not on this one",
+                                        "matrix"_a = matrix, "plane"_a = plane)
+                             : sentence("by_hand.mirror_of_other_plane",
+                                        "{matrix} entered by hand is the mirror of the plane {plane}, not of this one",
+                                        "matrix"_a = matrix, "plane"_a = plane);
         case MatrixFault::different:
-            return say("{matrix} entered by hand is the shadow of the light {light} on the plane {plane}",
-                       "matrix"_a = matrix, "light"_a = light, "plane"_a = plane);
+            return sentence("by_hand.other_shadow",
+                            "{matrix} entered by hand is the shadow of the light {light} on the plane {plane}",
+                            "matrix"_a = matrix, "light"_a = light, "plane"_a = plane);
         case MatrixFault::not_unit_normal:
-            return say(
+            return sentence(
+                "by_hand.normal_not_unit",
                 "{matrix} entered by hand is filled from a normal that is not a unit vector: divide (a, b, c, d) "
                 "by |n| first",
                 "matrix"_a = matrix);
         case MatrixFault::plus_2ab:
-            return say("{matrix} entered by hand has +2ab in row 2, column 1, as in one line of the slide: it is −2ab",
-                       "matrix"_a = matrix);
+            return sentence(
+                "by_hand.plus_2ab",
+                "{matrix} entered by hand has +2ab in row 2, column 1, as in one line of the slide: it is −2ab",
+                "matrix"_a = matrix);
         default:
-            return "";
+            return std::nullopt;
     }
 }
 
@@ -162,15 +173,21 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
     // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
     const bool lands = largest_component(of.unit_plane * s) <= size;
     const bool loses_light = largest_component(s * cast.light_world) <= size * glm::length(cast.light_world);
-    tell.broken(!lands, say("{matrix} entered by hand does not land in the plane: Π·S p ≠ 0", "matrix"_a = matrix));
-    tell.broken(lands && !loses_light,
-                say("{matrix} entered by hand does not send the light to 0: S L ≠ 0, so its shadow does not lie on the "
-                    "rays from the light",
-                    "matrix"_a = matrix));
-    tell.broken(lands && loses_light && !cast.light_in_plane && !keeps_plane(s, of.patch),
-                say("{matrix} entered by hand moves the points of the plane itself, so the shadow does not touch its "
-                    "caster",
-                    "matrix"_a = matrix));
+    tell.broken(!lands,
+                sentence("by_hand.not_in_plane", "{matrix} entered by hand does not land in the plane: Π·S p ≠ 0",
+                         "matrix"_a = matrix));
+    tell.broken(
+        lands && !loses_light,
+        sentence("by_hand.light_not_to_0",
+                 "{matrix} entered by hand does not send the light to 0: S L ≠ 0, so its shadow does not lie on the "
+                 "rays from the light",
+                 "matrix"_a = matrix));
+    tell.broken(
+        lands && loses_light && !cast.light_in_plane && !keeps_plane(s, of.patch),
+        sentence("by_hand.shadow_moves_plane",
+                 "{matrix} entered by hand moves the points of the plane itself, so the shadow does not touch its "
+                 "caster",
+                 "matrix"_a = matrix));
 }
 
 /// Reports the first property of R that a matrix lacks: it leaves the plane's points where they are, and sends a point
@@ -179,13 +196,15 @@ void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& m
     const PlanePatch& patch = of.patch;
     const glm::dvec3 normal(of.unit_plane), q = patch.center + normal;
     const bool keeps = keeps_plane(of.mirrored_world_from_world, patch);
-    tell.broken(!keeps, say("{matrix} entered by hand moves the points of the plane itself, so the image does not "
-                            "fit its mirror",
-                            "matrix"_a = matrix));
+    tell.broken(!keeps, sentence("by_hand.mirror_moves_plane",
+                                 "{matrix} entered by hand moves the points of the plane itself, so the image does not "
+                                 "fit its mirror",
+                                 "matrix"_a = matrix));
     tell.broken(keeps && !sends(of.mirrored_world_from_world, q, patch.center - normal, patch),
-                say("{matrix} entered by hand keeps the plane, but sends no other point to its mirror image: "
-                    "R q ≠ q − 2 (n·q + d) n",
-                    "matrix"_a = matrix));
+                sentence("by_hand.no_mirror_image",
+                         "{matrix} entered by hand keeps the plane, but sends no other point to its mirror image: "
+                         "R q ≠ q − 2 (n·q + d) n",
+                         "matrix"_a = matrix));
 }
 
 /// Reports one S: what it is or, if that is not recognized, what is wrong with it.
@@ -195,15 +214,26 @@ void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& deriv
     const CastShadow& cast = of.shadows[light];
     const glm::dmat4& s = cast.shadowed_world_from_world;
     const std::string matrix = shadow_name(plane, light);
-    tell(true, say("{matrix} is entered by hand: the plane and the light no longer change it", "matrix"_a = matrix));
-    if (!params.shadow.enabled) return;
-    const std::string what = recognized(explained(s, 'S', params, derived, plane, light), s, 'S', matrix);
-    tell.broken(!what.empty(), what, plane == 0 && light == 0 ? "overrides.shadow_from_world" : "");
-    if (what.empty()) tell_wrong_shadow(tell, s, of, cast, matrix);
-    tell.broken(!cast.light_in_plane && uploaded_w(of, cast) < 0.0,
-                say("{matrix} entered by hand gives a negative w to points between the light and the "
-                    "plane: clipping removes the shadow; −S is the same projection with a positive w",
-                    "matrix"_a = matrix));
+    tell(true, sentence("by_hand.shadow", "{matrix} is entered by hand: the plane and the light no longer change it",
+                        "matrix"_a = matrix));
+    if (!params.shadow.enabled || !of.receives_shadow || !cast.reaches(of.eye_side)) return;
+    const std::optional<Sentence> what = recognized(explained(s, 'S', params, derived, plane, light), s, 'S', matrix);
+    if (what)
+        tell.broken(true, *what, plane == 0 && light == 0 ? "overrides.shadow_from_world" : "");
+    else
+        tell_wrong_shadow(tell, s, of, cast, matrix);
+    const bool is_clipped = !cast.light_in_plane && uploaded_w(of, cast) < 0.0;
+    tell.broken(is_clipped && cast.sign < 0.0,
+                sentence("by_hand.sign",
+                         "{matrix} entered by hand gives points between the light and the plane a positive w, but "
+                         "sign(n·ℓ + d) = −1 turns it: clipping removes the shadow",
+                         "matrix"_a = matrix),
+                "shadow.sign=none");
+    tell.broken(is_clipped && cast.sign > 0.0,
+                sentence("by_hand.negative_w",
+                         "{matrix} entered by hand gives a negative w to points between the light and the "
+                         "plane: clipping removes the shadow; −S is the same projection with a positive w",
+                         "matrix"_a = matrix));
 }
 
 }  // namespace
@@ -218,12 +248,15 @@ void find_by_hand_problems(std::vector<Problem>& problems, const Params& params,
         const DerivedPlane& of = derived.planes[plane];
         if (!of.mirror_by_hand) continue;
         const std::string matrix = mirror_name(plane);
-        tell_mirror(true, say("{matrix} is entered by hand: the plane no longer changes it", "matrix"_a = matrix));
-        if (!params.reflection.enabled || !of.mirrors) continue;
+        tell_mirror(true, sentence("by_hand.mirror", "{matrix} is entered by hand: the plane no longer changes it",
+                                   "matrix"_a = matrix));
+        if (!params.reflection.enabled || !of.mirrors || of.eye_side == 0.0) continue;
         const glm::dmat4& r = of.mirrored_world_from_world;
-        const std::string what = recognized(explained(r, 'R', params, derived, plane, 0), r, 'R', matrix);
-        tell_mirror.broken(!what.empty(), what, plane == 0 ? "overrides.mirror_from_world" : "");
-        if (what.empty()) tell_wrong_mirror(tell_mirror, of, matrix);
+        const std::optional<Sentence> what = recognized(explained(r, 'R', params, derived, plane, 0), r, 'R', matrix);
+        if (what)
+            tell_mirror.broken(true, *what, plane == 0 ? "overrides.mirror_from_world" : "");
+        else
+            tell_wrong_mirror(tell_mirror, of, matrix);
     }
 }
 

@@ -101,7 +101,7 @@ bool is_takeable(const ExplainedMatrix& found) {
     }
 }
 
-std::optional<dmat4> fixed(const dmat4& pasted, const ExplainedMatrix& found) {
+std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& found) {
     if (found.letter != 'V' && found.letter != 'C' && found.letter != 'P') return std::nullopt;
     switch (found.fault) {
         case MatrixFault::inverse:

@@ -12,7 +12,7 @@ namespace viewing {
 bool is_takeable(const ExplainedMatrix& found);
 
 /// Returns the pasted V, C or P without its fault; none for other matrices and unknown faults.
-std::optional<glm::dmat4> fixed(const glm::dmat4& pasted, const ExplainedMatrix& found);
+std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const ExplainedMatrix& found);
 
 /// Gives the state the camera, projection, S or R of a matrix that can be taken, so that its own is the same, and
 /// switches off mistakes that would change it. P is read for the clip range −1 … 1 or, if it is

@@ -20,7 +20,10 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
     Sayer tell(problems, "visibility");
     if (cull.face == CullFace::front_and_back)
         return tell.broken(
-            true, tr("GL_FRONT_AND_BACK: both sides of every polygon are culled, so no polygon is drawn"), "cull.face");
+            true,
+            sentence("cull.front_and_back",
+                     "GL_FRONT_AND_BACK: both sides of every polygon are culled, so no polygon is drawn"),
+            "cull.face");
     const bool removes_fronts = (cull.face == CullFace::front) != (cull.front_face == FrontFace::cw);
     std::vector<std::string> usual, mirrored;
     for (const SceneObject& object : scene.objects)
@@ -28,18 +31,22 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
             (is_mirrored(object) ? mirrored : usual).push_back(object_text(object.description.name));
     const bool removes_usual = removes_fronts && !usual.empty();
     tell.broken(removes_usual && cull.front_face == FrontFace::ccw,
-                tr("GL_FRONT culls the sides that face the eye: the picture shows the inside of the far sides"),
+                sentence("cull.front",
+                         "GL_FRONT culls the sides that face the eye: the picture shows the inside of the far sides"),
                 "cull.face");
     tell.broken(
         removes_usual && cull.front_face == FrontFace::cw,
-        tr("GL_CW declares clockwise polygons front-facing, but fronts are counterclockwise here: GL_BACK culls "
-           "the sides that face the eye"),
+        sentence("cull.clockwise",
+                 "GL_CW declares clockwise polygons front-facing, but fronts are counterclockwise here: GL_BACK culls "
+                 "the sides that face the eye"),
         "cull.front_face");
-    tell.broken(!removes_fronts && !mirrored.empty(),
-                say("the scale of {objects} is negative, which turns the winding around: the fronts are clockwise and "
-                    "are culled as backs",
-                    "objects"_a = joined(mirrored)),
-                "cull.enabled");
+    tell.broken(
+        !removes_fronts && !mirrored.empty(),
+        sentence("cull.negative_scale",
+                 "the scale of {objects} is negative, which turns the winding around: the fronts are clockwise and "
+                 "are culled as backs",
+                 "objects"_a = joined(mirrored)),
+        "cull.enabled");
 }
 
 }  // namespace viewing

@@ -9,6 +9,13 @@
 namespace viewing {
 namespace {
 
+/// Returns the eye's position, also for an orthographic camera; 0 for a view matrix that has none.
+glm::dvec3 origin_of(const Viewpoint& viewpoint) {
+    const glm::dmat3 turned(viewpoint.view_from_world);
+    if (glm::determinant(turned) == 0.0) return glm::dvec3(0.0);
+    return glm::inverse(turned) * -glm::dvec3(viewpoint.view_from_world[3]);
+}
+
 void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, const WorkProgress* progress) {
     const SceneSurface& surface = *result.surface;
     std::vector<OrderedVertex>& vertices = drawing.triangles;
@@ -24,8 +31,9 @@ void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, c
         drawing.runs.back().vertex_count += static_cast<int>(3 * (polygon.vertices.size() - 2));
         const auto vertex = [&](std::size_t corner) {
             const glm::dvec3& point = polygon.vertices[corner];
-            return OrderedVertex{point, normal_at(surface, polygon.source, point), linear_from_srgb(object.color),
-                                 static_cast<float>(polygon.object + 1), static_cast<float>(polygon.source + 1)};
+            return OrderedVertex{point - drawing.origin_world, normal_at(surface, polygon.source, point),
+                                 linear_from_srgb(object.color), static_cast<float>(polygon.object + 1),
+                                 static_cast<float>(polygon.source + 1)};
         };
         for (std::size_t corner = 2; corner < polygon.vertices.size(); ++corner)
             for (const std::size_t at : {std::size_t{0}, corner - 1, corner}) vertices.push_back(vertex(at));
@@ -35,8 +43,9 @@ void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, c
 /// Converts a pixel and its depth to a point, and the point to the inputs of shading.
 class Pixels {
 public:
-    explicit Pixels(const HiddenResult& result)
+    Pixels(const HiddenResult& result, const glm::dvec3& origin_world)
         : result_(result),
+          origin_world_(origin_world),
           world_from_clip_(glm::inverse(result.request.viewpoint.clip_from_world())),
           eye_(result.request.viewpoint.eye_world()),
           mirrors_(glm::determinant(glm::dmat3(result.request.viewpoint.view_from_world)) < 0.0) {
@@ -62,7 +71,7 @@ public:
         if ((glm::dot(normal, face_normal) > 0.0) != seen_from_front) normal = -normal;
         const int object = surface.object_of(source);
         const Color& color = surface.scene.objects[static_cast<std::size_t>(object)].description.color;
-        return {glm::vec4(point, depth), glm::vec4(normal, is_front(seen_from_front) ? 1.0F : 0.0F),
+        return {glm::vec4(point - origin_world_, depth), glm::vec4(normal, is_front(seen_from_front) ? 1.0F : 0.0F),
                 glm::vec4(linear_from_srgb(color), static_cast<float>(object + 1))};
     }
 
@@ -74,6 +83,7 @@ private:
     }
 
     const HiddenResult& result_;
+    const glm::dvec3 origin_world_;
     const glm::dmat4 world_from_clip_;
     const glm::dvec4 eye_;
     const bool mirrors_;
@@ -92,6 +102,7 @@ glm::vec3 linear_from_srgb(const Color& color) {
 
 HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress) {
     HiddenDrawing made;
+    made.origin_world = origin_of(result.request.viewpoint);
     if (!draws_pixels(result.request.visibility)) {
         add_ordered_triangles(made, result, progress);
         return made;
@@ -100,7 +111,7 @@ HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* pro
     made.share = result.request.share;
     made.overdraw = result.written_per_pixel;
     made.pixels.reserve(result.image.ids.size());
-    const Pixels pixels(result);
+    const Pixels pixels(result, made.origin_world);
     for (int y = 0; y < result.image.height; ++y)
         for (int x = 0; x < result.image.width; ++x) made.pixels.push_back(pixels.at(x, y));
     return made;

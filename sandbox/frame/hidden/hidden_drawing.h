@@ -11,9 +11,10 @@
 
 namespace viewing {
 
-/// A corner of a triangle, in world space; named like the vertex attributes.
+/// A corner of a triangle, along the world's axes; named like the vertex attributes.
 struct OrderedVertex {
-    glm::vec3 position_world, normal_world;
+    glm::vec3 position_relative;  ///< to HiddenDrawing::origin_world
+    glm::vec3 normal_world;
     glm::vec3 color;         ///< linear
     float object = 0.0F;     ///< object ID, from 1
     float source_id = 0.0F;  ///< Polygon::source + 1
@@ -21,9 +22,9 @@ struct OrderedVertex {
 
 /// The surface point visible at a pixel. It consists of floats because each vector becomes a texel of its own texture.
 struct SurfacePixel {
-    glm::vec4 position_world{0.0F};  ///< w: window depth; 2 if nothing is seen
-    glm::vec4 normal_world{0.0F};    ///< toward the eye; w: 1 front face, 0 back face
-    glm::vec4 color{0.0F};           ///< linear; w: the object ID, from 1
+    glm::vec4 position_relative{0.0F};  ///< to HiddenDrawing::origin_world; w: window depth, or 2 if nothing is seen
+    glm::vec4 normal_world{0.0F};       ///< toward the eye; w: 1 front face, 0 back face
+    glm::vec4 color{0.0F};              ///< linear; w: the object ID, from 1
 };
 
 /// Either `triangles` or `pixels` is filled. Immutable once made: the renderer uploads it once.
@@ -34,6 +35,7 @@ struct HiddenDrawing {
         bool is_decal;
     };
 
+    glm::dvec3 origin_world{0.0};  ///< the eye: far from the world's origin, float32 is too coarse for world positions
     std::vector<OrderedVertex> triangles;  ///< three vertices per triangle, in drawing order
     std::vector<Run> runs;                 ///< the runs of all triangles, in order
     glm::ivec2 size_px{0};

@@ -18,7 +18,7 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const bool has_other_camera = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
                                   params.mirror_picture_scale() != 1.0;
     return plane.mirror_by_hand || plane.mirror_has_slip || reflection.printed_by_rows || !reflection.side_of_eye ||
-           has_other_camera;
+           has_other_camera || (params.slips.oblique_in_world && reflection.clip == MirrorClip::oblique);
 }
 
 /// Returns the worst error of the painter's algorithm. Looks for it in a small picture, which takes little time

@@ -78,8 +78,9 @@ void clip_at_mirror(Level& inside, const glm::dvec4& kept) {
     if (reflection.clip == MirrorClip::oblique && has_view) {
         const bool by_camera = reflection.mirrored == MirroredThing::camera;
         const glm::dvec4 kept_world = by_camera ? kept : kept * inside.scene_from_world;
-        inside.clip_from_view = with_oblique_near_plane(
-            inside.projection, kept_world * glm::inverse(inside.view_from_world), clip_range(inside));
+        const glm::dvec4 kept_view =
+            inside.params.slips.oblique_in_world ? kept_world : kept_world * glm::inverse(inside.view_from_world);
+        inside.clip_from_view = with_oblique_near_plane(inside.projection, kept_view, clip_range(inside));
     } else if (reflection.clip != MirrorClip::none) {
         inside.clip = kept;
     }

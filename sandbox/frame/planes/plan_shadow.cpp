@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/object_reach.h"
 #include "frame/plan_parts.h"
 #include "frame/say.h"
 
@@ -11,8 +12,11 @@ namespace viewing {
 namespace {
 
 /// Returns clip planes that keep the space between the light and the plane: in front of the plane, with a positive w.
-std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4& unit_plane, const CastShadow& cast) {
-    const glm::dvec4 towards_light = plane_facing(unit_plane, cast.light_world);
+/// Where triangles may land many patch sizes away, they are also clipped around the patch if `ends_at_patch`: float32
+/// computes the depth of triangles that long too coarsely to compare it with the plane's.
+std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
+                                    bool ends_at_patch) {
+    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
     std::vector<ClipPlane> clips;
     if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
@@ -22,6 +26,14 @@ std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4
         glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
         w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
         clips.push_back(w_of_point);
+    }
+    if (cast.lands_far && ends_at_patch) {
+        // The stencil decides where exactly the shadow ends.
+        constexpr double margin = 1.25;
+        PlanePatch around = plane.patch;
+        around.extent *= margin;
+        for (const glm::dvec4& edge : forms_of_edges(cast.sign * cast.shadowed_world_from_world, around))
+            clips.push_back(edge);
     }
     return clips;
 }
@@ -63,7 +75,8 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
     pass.cull = CullParams{};  // culling must never remove a shadow
-    pass.clip_planes = caster_clips(shadow, level.plane(plane).unit_plane, cast);
+    const bool ends_at_patch = (shadow.clip_to_receiver || !level.is_real()) && !pass.forces_sign;
+    pass.clip_planes = caster_clips(shadow, level.plane(plane), cast, ends_at_patch);
     return pass;
 }
 

@@ -21,7 +21,10 @@ struct Thrown {
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
     /// Returns a vector whose dot product with p is the correct w of p's projection: positive between the light and the
     /// plane.
-    glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
+    glm::dvec4 right_w() const {
+        const glm::dmat4& s = cast.shadowed_world_from_world;
+        return side() * glm::transpose(cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : s)[3];
+    }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
@@ -47,23 +50,31 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
         across.empty()
-            ? tell.broken(true,
-                          say("the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
-                              "casts an anti-shadow",
-                              "objects"_a = beyond),
-                          "shadow.sign")
-            : tell.broken(true,
-                          say("the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
-                              "casts an anti-shadow, and triangles that cross w = 0 stretch to infinity",
-                              "objects"_a = beyond),
-                          "shadow.clip_at_light");
+            ? tell.broken(
+                  true,
+                  sentence("shadow.anti_shadow",
+                           "the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
+                           "casts an anti-shadow",
+                           "objects"_a = beyond),
+                  "shadow.sign")
+            : tell.broken(
+                  true,
+                  sentence("shadow.anti_shadow",
+                           "the part of {objects} beyond the light has w ≤ 0: the sign of w is forced, so this part "
+                           "casts an anti-shadow, and triangles that cross w = 0 stretch to infinity",
+                           "objects"_a = beyond),
+                  "shadow.clip_at_light");
     else if (!across.empty())
-        tell(true, say("the plane w = 0 through the light cuts {objects}: the shadow extends to infinity, and only "
-                       "GL's clipping removes the part beyond (w ≤ 0)",
-                       "objects"_a = across));
+        tell(true,
+             sentence("shadow.to_infinity",
+                      "the plane w = 0 through the light cuts {objects}: the shadow extends to infinity, and only "
+                      "GL's clipping removes the part beyond (w ≤ 0)",
+                      "objects"_a = across));
     else
-        tell(true, say("the part of {objects} that is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
-                       "objects"_a = beyond, "light"_a = one.light_name, "plane"_a = one.plane_name));
+        tell(true,
+             sentence("shadow.beyond_light",
+                      "the part of {objects} that is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
+                      "objects"_a = beyond, "light"_a = one.light_name, "plane"_a = one.plane_name));
     return true;
 }
 
@@ -78,24 +89,29 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                                  one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
-    tell.broken(vanishes && all_vanish,
-                tr("S is uploaded unchanged, and n·ℓ + d < 0: every caster gets a negative w, so clipping removes "
-                   "every shadow"),
-                "shadow.sign");
+    tell.broken(
+        vanishes && all_vanish,
+        sentence("shadow.vanishes",
+                 "S is uploaded unchanged, and n·ℓ + d < 0: every caster gets a negative w, so clipping removes "
+                 "every shadow"),
+        "shadow.sign");
     tell.broken(
         vanishes && !all_vanish,
-        say("S is uploaded unchanged, and n·ℓ + d < 0 for {shadows}: every caster gets a negative w, so clipping "
-            "removes that shadow",
-            "shadows"_a = joined(vanishing)),
+        sentence("shadow.vanishes",
+                 "S is uploaded unchanged, and n·ℓ + d < 0 for {shadows}: every caster gets a negative w, so clipping "
+                 "removes that shadow",
+                 "shadows"_a = joined(vanishing)),
         "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
-        tell.broken(true,
-                    say("behind the plane, w is positive too: the part of {objects} there is not clipped and casts a "
-                        "false shadow",
-                        "objects"_a = names),
-                    "shadow.clip_casters");
+        tell.broken(
+            true,
+            sentence("shadow.false_shadow",
+                     "behind the plane, w is positive too: the part of {objects} there is not clipped and casts a "
+                     "false shadow",
+                     "objects"_a = names),
+            "shadow.clip_casters");
         break;
     }
     if (all_vanish && vanishes) return false;
@@ -107,7 +123,8 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.depth.tests() && params.depth.func != CompareFunc::always &&
+                       params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
     const bool by_polygon = shadow.offset == ShadowOffset::polygon_offset,
                by_lift = shadow.offset == ShadowOffset::lift;
@@ -115,34 +132,45 @@ void say_offset(Sayer& tell, const Params& params) {
     const bool is_nothing = shadow.offset == ShadowOffset::none || (by_polygon && factor == 0.0 && units == 0.0) ||
                             (by_lift && shadow.lift == 0.0);
     if (is_nothing)
-        return tell.broken(
-            true,
-            tr("nothing lifts the shadow off its plane: the two depths differ only by rounding, so the surfaces fight"),
-            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
-    tell.broken(by_polygon && factor >= 0.0 && units >= 0.0,
-                tr("the polygon offset pushes the shadow away from the eye: the plane hides it"));
-    tell.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
-                tr("the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
-                "shadow.write_depth");
-    tell.broken(by_lift,
-                say("the shadow floats {height} above the plane: at a grazing angle it slides away from its caster",
-                    "height"_a = figures(shadow.lift, 3)),
-                "shadow.offset");
+        return tell.broken(true,
+                           sentence("shadow.fights",
+                                    "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
+                                    "so the surfaces fight"),
+                           shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
+    tell.broken(
+        by_polygon && factor >= 0.0 && units >= 0.0,
+        sentence("shadow.pushed_away", "the polygon offset pushes the shadow away from the eye: the plane hides it"));
+    tell.broken(
+        shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
+        sentence("shadow.writes_depth",
+                 "the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
+        "shadow.write_depth");
+    tell.broken(
+        by_lift,
+        sentence("shadow.floats",
+                 "the shadow floats {height} above the plane: at a grazing angle it slides away from its caster",
+                 "height"_a = figures(shadow.lift, 3)),
+        "shadow.offset");
 }
 
 /// Reports errors of painted shadows that would not occur with shadows drawn as missing light.
 void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
-    tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
-                tr("each face of each caster is blended separately: unless the stencil counts them, the shadow is "
-                   "darker wherever faces overlap"),
-                "shadow.stencil_once");
+    tell.broken(
+        !shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
+        sentence("shadow.blended_twice",
+                 "each face of each caster is blended separately: unless the stencil counts them, the shadow is "
+                 "darker wherever faces overlap"),
+        "shadow.stencil_once");
     const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
     tell.broken(
         has_gloss && shadow.opacity > 0.0,
-        tr("blending only darkens the highlight, which should be gone: where no light arrives, nothing can shine"),
+        sentence(
+            "shadow.keeps_highlight",
+            "blending only darkens the highlight, which should be gone: where no light arrives, nothing can shine"),
         "shadow.style=missing_light");
     tell.broken(shadow.opacity >= 1.0,
-                tr("opacity 1 covers the plane's pattern: in a true shadow, ambient light still shows it"),
+                sentence("shadow.opaque",
+                         "opacity 1 covers the plane's pattern: in a true shadow, ambient light still shows it"),
                 "shadow.style=missing_light");
 }
 
@@ -168,6 +196,29 @@ bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow
     return false;
 }
 
+/// Reports an S filled by rows. With ℓ on the plane's normal, S is symmetric and nothing is wrong.
+void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
+    for (const Thrown& one : thrown) {
+        if (!one.cast.has_slip) continue;
+        // Where Sᵀ sends the patch's center, which S leaves where it is.
+        const glm::dvec4 sent = one.cast.shadowed_world_from_world * glm::dvec4(one.plane.patch.center, 1.0);
+        const double height = glm::dot(one.plane.unit_plane, sent) / sent.w;
+        return tell.broken(
+            true,
+            std::isfinite(height)
+                ? sentence(
+                      "shadow.by_rows",
+                      "mistake: S is filled by rows, but OpenGL reads columns: Sᵀ sends the center of {plane} {height} "
+                      "away from the plane, so the shadow does not lie in it",
+                      "plane"_a = one.plane_name, "height"_a = figures(std::abs(height), 3))
+                : sentence("shadow.by_rows",
+                           "mistake: S is filled by rows, but OpenGL reads columns: Sᵀ sends the center of {plane} to "
+                           "infinity, so the shadow does not lie in it",
+                           "plane"_a = one.plane_name),
+            "slips.shadow_by_rows");
+    }
+}
+
 }  // namespace
 
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
@@ -177,16 +228,19 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     const ShadowParams& shadow = params.shadow;
     Sayer tell(problems, "shadow");
     if (!say_casters(tell, shadow, thrown, derived, scene)) return;
+    say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
             !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
                 return lands_beyond(scene, {one.cast.sign * one.cast.shadowed_world_from_world, derived.clip_from_world,
                                             one.towards_light(), one.plane.patch});
             });
-        tell.broken(beyond_edge,
-                    tr("S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
-                       "past the floor's edge into the air"),
-                    "shadow.clip_to_receiver");
+        tell.broken(
+            beyond_edge,
+            sentence("shadow.beyond_edge",
+                     "S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
+                     "past the floor's edge into the air"),
+            "shadow.clip_to_receiver");
         say_paint(tell, shadow, thrown);
         say_offset(tell, params);
     }
@@ -195,14 +249,19 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
                planes = shadow.style == ShadowStyle::blend &&
                         std::any_of(thrown.begin(), thrown.end(),
                                     [&](const Thrown&one) { return may_leak(params, derived, one, scene); });
-    tell.broken(lights && !planes,
-                tr("the lights share one stencil bit: where one light's shadow was counted, another's is missing"),
-                "shadow.own_stencil");
+    tell.broken(
+        lights && !planes,
+        sentence("shadow.shared_stencil",
+                 "the lights share one stencil bit: where one light's shadow was counted, another's is missing"),
+        "shadow.own_stencil");
     tell.broken(planes,
-                lights ? tr("planes and lights share one stencil value: where one shadow was counted, the next is "
-                            "missing, and shadows leak from plane to plane")
-                       : tr("the planes share one stencil value: where one shadow was counted, the next is missing, "
-                            "and shadows leak from plane to plane"),
+                lights
+                    ? sentence("shadow.shared_stencil",
+                               "planes and lights share one stencil value: where one shadow was counted, the next is "
+                               "missing, and shadows leak from plane to plane")
+                    : sentence("shadow.shared_stencil",
+                               "the planes share one stencil value: where one shadow was counted, the next is missing, "
+                               "and shadows leak from plane to plane"),
                 "shadow.own_stencil");
 }
 

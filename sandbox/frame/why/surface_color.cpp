@@ -55,10 +55,11 @@ ShadedPoint point_of(const FramePlan& plan, const Pass& pass, const Scene& scene
     const auto first = 3 * static_cast<std::size_t>(fragment.triangle);
     std::array<glm::dvec3, 3> positions, normals;
     if (pass.subject == Subject::ordered) {
-        const std::vector<OrderedVertex>& vertices = plan.drawing_of(pass)->triangles;
+        const HiddenDrawing& drawing = *plan.drawing_of(pass);
+        const std::vector<OrderedVertex>& vertices = drawing.triangles;
         glm::dvec3 albedo(0.0);
         for (std::size_t i = 0; i < 3; ++i) {
-            positions[i] = vertices[first + i].position_world;
+            positions[i] = drawing.origin_world + glm::dvec3(vertices[first + i].position_relative);
             normals[i] = vertices[first + i].normal_world;
             albedo += fragment.weights[static_cast<int>(i)] * glm::dvec3(vertices[first + i].color);
         }
@@ -72,7 +73,8 @@ ShadedPoint point_of(const FramePlan& plan, const Pass& pass, const Scene& scene
         if (!own) return {};
         const SurfacePixel& seen = picture.pixels[static_cast<std::size_t>(own->y * picture.size_px.x + own->x)];
         const glm::dmat3 turn(pass.world_from_scene);
-        return {placed(pass.world_from_scene, glm::dvec3(seen.position_world)),
+        const glm::dvec3 point = picture.origin_world + glm::dvec3(seen.position_relative);
+        return {placed(pass.world_from_scene, point),
                 normal_matrix(turn) * glm::dvec3(seen.normal_world) * (glm::determinant(turn) < 0.0 ? -1.0 : 1.0),
                 glm::dvec3(0.0), glm::dvec3(seen.color)};
     }

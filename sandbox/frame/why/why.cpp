@@ -34,14 +34,14 @@ std::optional<Color> color_with(const WhyQuestion& question, const std::string& 
 void add_fault_rows(Why& made, const WhyQuestion& question) {
     if (!made.predicted) return;
     for (const Problem& problem : question.problems) {
-        if (problem.mended_by.empty()) continue;
-        const std::optional<Color> fixed = color_with(question, problem.mended_by);
+        if (problem.fixed_by.empty()) continue;
+        const std::optional<Color> fixed = color_with(question, problem.fixed_by);
         if (!fixed || is_same_color(*fixed, *made.predicted)) continue;
         made.rows.push_back({.kind = WhyRow::Kind::fault,
                              .title = tr("Wrong here"),
                              .sentence = ended(problem.sentence),
                              .after = fixed,
-                             .fix = problem.mended_by});
+                             .fix = problem.fixed_by});
     }
 }
 

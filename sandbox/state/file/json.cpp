@@ -89,7 +89,7 @@ std::string write_state(const Params& params, const Titles& titles) {
     put("title", titles.title);
     put("about", titles.about);
     put("group", titles.group);
-    put("mended_by", titles.mended_by);
+    put("mended_by", titles.fixed_by);
     if (!titles.slides.empty()) document["slides"] = titles.slides;
     document.update(params_as_document(params));
     return print_document(document) + "\n";

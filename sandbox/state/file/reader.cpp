@@ -365,7 +365,7 @@ Titles take_titles(Json& document, const Where& where) {
     take("title", titles.title);
     take("about", titles.about);
     take("group", titles.group);
-    take("mended_by", titles.mended_by);
+    take("mended_by", titles.fixed_by);
     titles.slides = read_slides(document, where);
     document.erase("slides");
     return titles;

@@ -12,7 +12,7 @@ struct Titles {
     std::string title;             ///< a few words
     std::string about;             ///< a sentence
     std::string group;             ///< the heading above it in a list
-    std::string mended_by;         ///< for a state that breaks the picture: the setting that fixes it
+    std::string fixed_by;          ///< for a state that breaks the picture: the setting that fixes it
     std::vector<int> slides = {};  ///< the slides of the lecture that it is for
     bool operator==(const Titles&) const = default;
 };

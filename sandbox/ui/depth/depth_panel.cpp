@@ -62,6 +62,7 @@ void draw_depth_section(Session& session, const Derived& derived) {
     control(params, "depth.format", {.width = 130.0F, .names = depth_format_names});
     control(params, "depth.mapping", {.width = 130.0F, .names = depth_mapping_names});
     mapping_switches(params);
+    control(params, "depth.clear_value", {.decimals = 2, .slider = true});
     control(params, "depth.write_while_clearing", {.label = marked("Mask on while clearing")});
     decal_controls(params, session.scene(), derived.stored_depth);
     coplanar_controls(params, session.scene());

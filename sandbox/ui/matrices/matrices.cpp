@@ -29,12 +29,7 @@ struct Column {
     const Derived& derived;
     const Derived& before;
     bool has_symbols = true;  ///< shows symbols below the numbers
-    char* pastes = nullptr;   ///< receives the letter of a matrix that is to be pasted
-
-    ShownMatrix with_paste(ShownMatrix shown) const {
-        shown.pastes = pastes;
-        return shown;
-    }
+    char& pastes;             ///< receives the letter of a matrix that is to be pasted
 
     MatrixCells shown(MatrixCells cells) const {
         const bool are_covered = widgets::IsCovered("symbols");
@@ -119,15 +114,16 @@ void show_shadow(const Column& column) {
     const auto [plane_index, light_index] = column.derived.chosen;
     const glm::dmat4& shadow = cast.shadowed_world_from_world;
     show_overridable(
-        column.with_paste(
-            {marked("Shadow"), "S", "shadow_from_world",
-             marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point along the ray "
-                    "from the light, so the determinant of S is 0. The uploaded matrix is sign(Π·L) · S: the same "
-                    "map, but the factor in front makes w > 0, so the clipper keeps the shadow."),
-             Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()), shadow_roles(),
-             shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
-             shadow_facts}),
-        shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
+        {marked("Shadow"), "S", "shadow_from_world",
+         marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal. S flattens every point along the ray "
+                "from the light, so the determinant of S is 0. The uploaded matrix is sign(Π·L) · S: the same "
+                "map, but the factor in front makes w > 0, so the clipper keeps the shadow."),
+         Role::light, shadow, cast_before->shadowed_world_from_world,
+         column.shown(shadow_cells(column.session.params.slips.shadow_by_rows)), shadow_roles(),
+         shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
+         shadow_facts},
+        shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index],
+        column.pastes);
 }
 
 void show_mirror(const Column& column) {
@@ -143,40 +139,35 @@ void show_mirror(const Column& column) {
                              : plane.mirror_has_slip ? say("mistake, {fact}", "fact"_a = determinant)
                                                      : determinant;
     show_overridable(
-        column.with_paste(
-            {marked("Reflection"), "R", "mirror_from_world",
-             marked(
-                 "R p = p − 2 (n·p + d) n maps every point to its mirror image. R is its own inverse and reverses the "
-                 "winding."),
-             Role::mirror, mirror, pair.plane_before->mirrored_world_from_world,
-             column.shown(mirror_cells(by_rows, column.session.params.slips.plus_2ab)), mirror_roles(),
-             mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch),
-             mirror_facts}),
-        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand);
+        {marked("Reflection"), "R", "mirror_from_world",
+         marked("R p = p − 2 (n·p + d) n maps every point to its mirror image. R is its own inverse and reverses the "
+                "winding."),
+         Role::mirror, mirror, pair.plane_before->mirrored_world_from_world,
+         column.shown(mirror_cells(by_rows, column.session.params.slips.plus_2ab)), mirror_roles(),
+         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
+        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand, column.pastes);
 }
 
 /// Draws C and the given buttons; returns whether one was pressed.
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
-    return show_matrix(
-        column.with_paste({marked("Camera"), "C", "world_from_view",
-                           marked("The pose of the camera in the world. The columns are right, up, back and the eye."),
-                           Role::camera, column.derived.world_from_view, column.before.world_from_view,
-                           column.shown(camera_cells(swapped)), camera_roles()}),
-        swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons);
+    return show_matrix({marked("Camera"), "C", "world_from_view",
+                        marked("The pose of the camera in the world. The columns are right, up, back and the eye."),
+                        Role::camera, column.derived.world_from_view, column.before.world_from_view,
+                        column.shown(camera_cells(swapped)), camera_roles()},
+                       swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons, column.pastes);
 }
 
 bool show_view(const Column& column, std::span<const char* const> buttons) {
     const SlipParams& slips = column.session.params.slips;
     const std::string inverse = identity_text("V C = I", column.derived.facts.view_residual);
     return show_matrix(
-        column.with_paste(
-            {marked("View"), "V", "view_from_world",
-             marked("V = C⁻¹: the world as the camera sees it. Its rows are right, up and back."), Role::camera,
-             column.derived.view_from_world, column.before.view_from_world,
-             column.shown(slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order)),
-             camera_roles()}),
-        slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse, buttons);
+        {marked("View"), "V", "view_from_world",
+         marked("V = C⁻¹: the world as the camera sees it. Its rows are right, up and back."), Role::camera,
+         column.derived.view_from_world, column.before.view_from_world,
+         column.shown(slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order)),
+         camera_roles()},
+        slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse, buttons, column.pastes);
 }
 
 /// Draws either V or C, which are two ways to look at the camera's movement.
@@ -199,16 +190,16 @@ void show_projection(const Column& column) {
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect = number_text(derived.aspect, 3);
     show_matrix(
-        column.with_paste({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera,
-                           derived.clip_from_view, column.before.clip_from_view,
-                           column.shown(projection_cells(params, derived.clip_zero_to_one)), camera_roles()}),
+        {marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
+         column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)),
+         camera_roles()},
         params.projection.has_window() ? tr(params.projection.is_orthographic() ? marked("glOrtho(l, r, b, t, n, f)")
                                                                                 : marked("glFrustum(l, r, b, t, n, f)"))
         : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
         : params.slips.degrees_as_radians     ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
                                                     "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
                                               : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
-        {});
+        {}, column.pastes);
 }
 
 /// Draws the slide's display().
@@ -334,7 +325,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
             if (folded_heading(number)) choice.opened = matrices_in_order[number];
             return;
         }
-        const Column shown{session, derived, before, parts[number] == MatrixPart::symbols, &choice.pastes};
+        const Column shown{session, derived, before, parts[number] == MatrixPart::symbols, choice.pastes};
         switch (*matrices_in_order[number]) {
             case 'V':
                 show_view_or_camera(shown, choice.shows_camera);
@@ -352,7 +343,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
     column("view space", [&] {
         show(0);
         show(1);
-        if (side_by_side) show_display({session, derived, before});
+        if (side_by_side) show_display({session, derived, before, true, choice.pastes});
     });
     if (side_by_side) ImGui::SameLine(0.0F, px(16.0F));
     column("object space", [&] {
@@ -361,7 +352,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         show(3);
         draw_followed_point(session, derived, point_numbers(about));
     });
-    if (!side_by_side) show_display({session, derived, before});
+    if (!side_by_side) show_display({session, derived, before, true, choice.pastes});
 }
 
 void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
@@ -380,7 +371,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
         static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
     const float with_symbols = matrix_heights().back() + 2.0F * px(4.0F);
     const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * with_symbols,
-                       &choice.pastes};
+                       choice.pastes};
     const float padding = shown.has_symbols ? px(4.0F) : 0.0F;
     if (widgets::CurrentContext().is_on_stage && columns == 1)
         widgets::CurrentContext().matrix_growth = growth_of(listed, shown.has_symbols, padding, session);

@@ -58,7 +58,7 @@ constexpr const char* paste_label = marked("Paste from the clipboard");
 /// The reason why a covered matrix cannot be copied.
 constexpr const char* covered_text = marked("Hidden until answered.");
 
-void copy_menu(const ShownMatrix& shown, bool is_covered) {
+void copy_menu(const ShownMatrix& shown, bool is_covered, char& pastes) {
     struct Entry {
         const char* label;
         MatrixFormat format;
@@ -83,14 +83,12 @@ void copy_menu(const ShownMatrix& shown, bool is_covered) {
                 ImGui::SetClipboardText(matrix_text(shown.name, shown.now, entry.format).c_str());
             widgets::Record(entry.label);
         }
-        if (shown.pastes) {
-            ImGui::Separator();
-            if (ImGui::MenuItem(widgets::LabelText(paste_label).c_str())) *shown.pastes = *shown.letter;
-            widgets::Record(paste_label);
-            widgets::Tooltip("Paste from the clipboard",
-                             "Reads GLM, NumPy, MATLAB, C, JSON, LaTeX or plain text. A right matrix is taken; of any "
-                             "other, a dialog says what it is. Ctrl+V does the same.");
-        }
+        ImGui::Separator();
+        if (ImGui::MenuItem(widgets::LabelText(paste_label).c_str())) pastes = *shown.letter;
+        widgets::Record(paste_label);
+        widgets::Tooltip("Paste from the clipboard",
+                         "Reads GLM, NumPy, MATLAB, C, JSON, LaTeX or plain text. A right matrix is taken; of any "
+                         "other, a dialog says what it is. Ctrl+V does the same.");
         ImGui::EndPopup();
     }
     ImGui::PopID();
@@ -107,7 +105,7 @@ void mark_facts(std::span<const char* const> facts) {
 
 }  // namespace
 
-const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons,
+const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons, char& pastes,
                         std::optional<glm::dmat4>* by_hand) {
     const char* pressed = nullptr;
     const std::string target = "matrix:" + std::string(shown.letter);
@@ -142,7 +140,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;
     }
-    copy_menu(shown, is_part_covered);
+    copy_menu(shown, is_part_covered, pastes);
     if (!has_note) {
         widgets::Note(note.c_str());
         mark_facts(shown.facts);
@@ -167,9 +165,10 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     return pressed;
 }
 
-void show_overridable(const ShownMatrix& shown, const std::string& note, std::optional<glm::dmat4>& by_hand) {
+void show_overridable(const ShownMatrix& shown, const std::string& note, std::optional<glm::dmat4>& by_hand,
+                      char& pastes) {
     const char* const buttons[] = {by_hand ? marked("Release") : marked("Edit")};
-    if (!show_matrix(shown, note, buttons, &by_hand)) return;
+    if (!show_matrix(shown, note, buttons, pastes, &by_hand)) return;
     if (by_hand)
         by_hand.reset();
     else

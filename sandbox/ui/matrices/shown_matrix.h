@@ -33,14 +33,15 @@ struct ShownMatrix {
     std::string heading = "";                 ///< replaces the letter unless it is empty
     std::string property = "";                ///< says how far a matrix entered by hand moves points on the plane
     std::span<const char* const> facts = {};  ///< the lessons' names for the facts in the note
-    char* pastes = nullptr;                   ///< receives the letter if the user pastes a matrix in its place
 };
 
-/// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the text of the note.
-const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons,
+/// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the text of the note;
+/// `pastes` receives the letter if the user pastes a matrix in its place.
+const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons, char& pastes,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 
 /// Draws S or R with a button that starts or ends editing by hand.
-void show_overridable(const ShownMatrix& shown, const std::string& fact, std::optional<glm::dmat4>& by_hand);
+void show_overridable(const ShownMatrix& shown, const std::string& fact, std::optional<glm::dmat4>& by_hand,
+                      char& pastes);
 
 }  // namespace viewing

@@ -47,10 +47,10 @@ std::optional<Params> other_state(OtherState which, const Session& session, cons
         if (session.preset()) other = session.preset()->params;
     } else {
         const auto fixable = std::find_if(problems.begin(), problems.end(),
-                                          [](const Problem& problem) { return !problem.mended_by.empty(); });
+                                          [](const Problem& problem) { return !problem.fixed_by.empty(); });
         const bool may_say = !widgets::IsCovered("sentences") && !widgets::IsCovered("button:fix");
         if (fixable != problems.end() && may_say)
-            if (const Result<Params> fixed = apply_settings(session.params, {&fixable->mended_by, 1})) other = *fixed;
+            if (const Result<Params> fixed = apply_settings(session.params, {&fixable->fixed_by, 1})) other = *fixed;
     }
     Params trial = session.params;
     return other && show_beside(trial, *other) ? other : std::nullopt;

@@ -21,14 +21,15 @@ MatrixCells cells_of(const MatrixSymbols& symbols, const std::array<Links, 16>& 
 
 }  // namespace
 
-MatrixCells shadow_cells() {
-    const MatrixSymbols symbols = shadow_symbols();
+MatrixCells shadow_cells(bool by_rows) {
+    const MatrixSymbols symbols = shadow_symbols(by_rows);
     MatrixCells cells;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column) {
             const auto cell = static_cast<std::size_t>(4 * row + column);
+            const int of_light = by_rows ? column : row, of_plane = by_rows ? row : column;
             const Links links =
-                row == column ? link::all_light | link::all_plane : link::light[row] | link::plane[column];
+                row == column ? link::all_light | link::all_plane : link::light[of_light] | link::plane[of_plane];
             cells[cell] = {symbols[cell], links, false, link::shadow_entry(static_cast<int>(cell))};
         }
     return cells;

@@ -35,7 +35,7 @@ constexpr Links mirror_entry(int cell) {
 using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
 /// Returns the symbol and the links of each entry, row by row.
-MatrixCells shadow_cells();
+MatrixCells shadow_cells(bool by_rows = false);
 /// `printed_by_rows`: the transpose, which GL receives from the slide's code. `plus_2ab`: with the slides' mistake
 /// +2ab.
 MatrixCells mirror_cells(bool printed_by_rows = false, bool plus_2ab = false);

@@ -181,6 +181,7 @@ void shadow_function(const Derived& derived) {
                             shadow_roles()};
     title(function);
     widgets::Note("The code fills the array column by column. The plane has a unit normal.");
+    if (cast.has_slip) widgets::Trouble("Mistake: S is filled by rows, not by this code.");
     if (cast.by_hand) widgets::Trouble("S was entered by hand; it does not come from this code.");
     draw_lines(function, cast.plane_dot_light);
 }

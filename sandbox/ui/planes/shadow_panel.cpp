@@ -169,6 +169,7 @@ void shadow_switches(Params& params) {
     control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
     static constexpr const char* signs[] = {"sign(n·ℓ + d)", marked("none"), marked("forced")};
     control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
+    control(params, "slips.shadow_by_rows", {.label = marked("S by rows")});
 }
 
 void mirror_switches(Params& params) {
@@ -189,6 +190,7 @@ void mirror_switches(Params& params) {
     }
     control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
     control(params, "reflection.same_projection", {.label = marked("Same projection")});
+    control(params, "slips.oblique_in_world", {.label = marked("Oblique in world")});
     control(params, "reflection.fovy", {.decimals = 1, .slider = true});
 }
 
@@ -250,7 +252,7 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
                                                 "control:shadow.offset_units", "control:shadow.lift",
                                                 "control:shadow.write_depth"};
         static constexpr const char* switches[] = {"control:shadow.clip_at_light", "control:shadow.own_stencil",
-                                                   "control:shadow.sign"};
+                                                   "control:shadow.sign", "control:slips.shadow_by_rows"};
         if (details(marked("Shadow: style and offset"), style)) shadow_style(params);
         if (details(marked("Shadow: clip at light, sign, stencil"), switches)) shadow_switches(params);
     }
@@ -265,7 +267,8 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
         "control:reflection.shadows",         "control:reflection.after_objects",
         "control:reflection.printed_by_rows", "control:reflection.mask_writes_depth",
         "control:reflection.same_projection", "control:reflection.fovy",
-        "control:slips.normal_not_unit",      "control:slips.plus_2ab"};
+        "control:slips.normal_not_unit",      "control:slips.plus_2ab",
+        "control:slips.oblique_in_world"};
     if (details(marked("Mirror: drawing method"), drawn)) mirror_switches(params);
 }
 

@@ -136,7 +136,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
     const float margin = px(10.0F), sign = font->FontSize + px(7.0F);
     const float width = std::min(px(560.0F), rect.width() - 4.0F * margin) - sign;
-    const bool has_button = !problem.mended_by.empty() && widgets::OffersButton("Fix");
+    const bool has_button = !problem.fixed_by.empty() && widgets::OffersButton("Fix");
     const auto width_of_button = [](const char* label) { return ImGui::CalcTextSize(tr(label)).x + px(24.0F); };
     const float fix = has_button ? width_of_button("Fix") : 0.0F, compare = width_of_button("Compare");
     const bool compares =
@@ -155,7 +155,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     if (!has_button) return next;
     const ImVec2 buttons(at.x + sign + text.x + px(10.0F), at.y - px(3.0F));
     ImGui::SetCursorScreenPos(buttons);
-    const std::string& setting = problem.mended_by;
+    const std::string& setting = problem.fixed_by;
     ImGui::PushID(setting.c_str());
     const bool fixes = widgets::SmallButton("Fix");
     widgets::Tooltip("Fix it", say("Sets {setting}. Ctrl+Z undoes the fix.", "setting"_a = setting).c_str());
@@ -181,7 +181,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
 bool is_about(const Problem& problem, const std::vector<std::string>& controls) {
     const auto group_of = [](std::string_view path) { return path.substr(0, path.find_first_of(".=[")); };
     return controls.empty() || std::any_of(controls.begin(), controls.end(), [&](const std::string& path) {
-               return group_of(path) == problem.group || group_of(path) == group_of(problem.mended_by);
+               return group_of(path) == problem.group || group_of(path) == group_of(problem.fixed_by);
            });
 }
 
@@ -194,7 +194,7 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
         if (!widgets::HasPlainTitles() ||
             (problem.kind == ProblemKind::wrong && is_about(problem, params.view.layout.controls)))
             told.push_back(&problem);
-    const auto rank = [](const Problem* problem) { return std::pair(problem->kind, problem->mended_by.empty()); };
+    const auto rank = [](const Problem* problem) { return std::pair(problem->kind, problem->fixed_by.empty()); };
     std::stable_sort(told.begin(), told.end(),
                      [&](const Problem* one, const Problem* other) { return rank(one) < rank(other); });
     return told;

@@ -158,7 +158,7 @@ struct Said {
     bool is_trouble = false;
 };
 
-Said said(int step, const Derived& derived, const CameraWay& way) {
+Said said(int step, const Derived& derived, const CameraWay& way, bool is_logarithmic) {
     if (!derived.followed) return {tr("click a vertex of an object to follow it"), tr("click a vertex"), false};
     const bool is_cut = step >= 2 && way.cut_by != FrustumPlane::none;
     if (is_cut) {
@@ -179,6 +179,9 @@ Said said(int step, const Derived& derived, const CameraWay& way) {
             return {tr("the division by w carries it to NDC: the frustum is a box"), tr("÷ w carries it to NDC"),
                     false};
         default:
+            if (is_logarithmic)
+                return {tr("the viewport carries it to the window; then the shader replaces z with the logarithm"),
+                        tr("the viewport: pixels"), false};
             return {tr("the viewport carries it to the window, in pixels"), tr("the viewport: pixels"), false};
     }
 }
@@ -298,7 +301,7 @@ void draw_way_view(ViewState& state, Session& session, const Derived& derived, c
             const bool is_small = fitting_size(inner, exact) < px(11.0F);
             draw_rows(draw, inner, is_small ? rows_of(step, derived, way, window_px, 2) : exact);
         }
-        const Said told = said(step, derived, way);
+        const Said told = said(step, derived, way, params.depth.mapping == DepthMapping::logarithmic);
         overlay.keep_labels_off(sentence_over_picture(
             draw, places.picture, told.is_trouble && !is_covered ? palette().trouble : palette().camera,
             told.whole.c_str(), told.brief.c_str()));

@@ -46,7 +46,7 @@ void MatrixDialog::take(const Paste& paste, Session& session, const Derived& der
         explain_matrix(pasted->matrix, letter, session.params, derived.view_aspect, pasted->tolerance);
     if (is_takeable(found))
         return take_into(session, found.letter, pasted->matrix, derived.view_aspect, pasted->tolerance);
-    trouble_ = Trouble{*pasted, found, fixed(pasted->matrix, found)};
+    trouble_ = Trouble{*pasted, found, fixed_matrix(pasted->matrix, found)};
 }
 
 void MatrixDialog::draw(Session& session, const Derived& derived) {
@@ -58,7 +58,7 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
         ImGui::CloseCurrentPopup();
         return ImGui::EndPopup();
     }
-    const auto& [pasted, found, mended] = *trouble_;
+    const auto& [pasted, found, fixed] = *trouble_;
     const FaultWords words = fault_words(found);
     dialog_title(marked("The pasted matrix"));
     ImGui::BeginChild("sentences", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
@@ -70,10 +70,10 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
     widgets::Trouble(tr(words.wrong));
     if (*words.fix != '\0') widgets::Note(say("Fix: {how}", "how"_a = tr(words.fix)).c_str());
     ImGui::EndChild();
-    const bool fixes = mended && widgets::Button("Fix and take it");
-    if (mended) ImGui::SameLine();
+    const bool fixes = fixed && widgets::Button("Fix and take it");
+    if (fixed) ImGui::SameLine();
     const bool closes = widgets::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (fixes) take_into(session, found.letter, *mended, derived.view_aspect, pasted.tolerance);
+    if (fixes) take_into(session, found.letter, *fixed, derived.view_aspect, pasted.tolerance);
     if (fixes || closes) {
         trouble_.reset();
         ImGui::CloseCurrentPopup();

@@ -72,9 +72,9 @@ void add_field(Entries& entries, const Field& field, const Params& params) {
 
 void add_preset(Entries& entries, const NamedFile& preset) {
     std::string about = in_both_languages(preset.about.c_str()) + in_both_languages(preset.group.c_str());
-    const std::string_view mended = std::string_view(preset.mended_by).substr(0, preset.mended_by.find('='));
-    if (const Field* const field = find_field(mended)) about += in_both_languages(std::string(field->label).c_str());
-    entries.add(preset.mended_by.empty() ? EntryKind::preset : EntryKind::trouble, tr(preset.title.c_str()),
+    const std::string_view fixed = std::string_view(preset.fixed_by).substr(0, preset.fixed_by.find('='));
+    if (const Field* const field = find_field(fixed)) about += in_both_languages(std::string(field->label).c_str());
+    entries.add(preset.fixed_by.empty() ? EntryKind::preset : EntryKind::trouble, tr(preset.title.c_str()),
                 tr(preset.group.c_str()), PresetChoice{preset.name}, preset.title + "\n" + preset.name, about);
     entries.all.back().slides = preset.slides;
 }

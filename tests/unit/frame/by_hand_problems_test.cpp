@@ -44,6 +44,7 @@ struct HandSample {
         other_plane = dvec4(random.direction(), random.number(0.5, 3));
         light = beside(random);
         other_light = beside(random);
+        params.camera.position = dvec3(plane) * (5.0 - plane.w);  // on the light's side: the shadow is drawn
         params.planes.front().equation = random.number(0.5, 3) * plane;
         params.lights.front().position = light;
     }

@@ -106,7 +106,7 @@ TEST(FightingOnset, IsAboutAStepForWideCodes) {
         const FightingOnset onset = fighting_onset(coding, z);
         EXPECT_NEAR(onset.quantisation, step, step * 0.02);
         EXPECT_GT(onset.arithmetic, 0.0);
-        EXPECT_LT(onset.arithmetic, 0.02 * step);
+        EXPECT_LT(onset.arithmetic, 0.03 * step);
         EXPECT_TRUE(onset.is_reachable);
     }
 }
@@ -266,12 +266,12 @@ TEST(FightingPrediction, IsAbsentWithoutAFormula) {
 
 TEST(FightingPrediction, MeasuresAlongTheViewRay) {
     const Scene scene = scene_of({square(0.0), square(0.1)});
-    // At 45° above the horizon, the same gap is √2 times as long along the view ray.
+    // The far corners (±1, 0, −1) are 10 below the eye and 21 ÷ √2 in front of it: there, the safe gap is widest.
     const Params params = params_with({"camera.position=[0,10,10]", "camera.pitch=-45", "camera.yaw=0"});
     const PairPrediction predicted =
         predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}), Viewport{}.size_px);
     EXPECT_NEAR(predicted.distance, 10.0 * std::sqrt(2.0), 1e-9);
-    EXPECT_NEAR(predicted.slant, 1.0 / std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(predicted.slant, 10.0 / (21.0 / std::sqrt(2.0)), 1e-9);
 }
 
 }  // namespace

@@ -696,6 +696,13 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
     }
 }
 
+/// Where casters are clipped at the light, the w of all that is left has one sign, so forcing it gives the right frame.
+TEST(Plan, ForcesTheSignOfTheWholeShadowWhereCastersAreClippedAtTheLight) {
+    for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-1,0,0]"})
+        for (const char* const light : {"light.position=[2,5,2,1]", "light.position=[2,5,2,0]"})
+            EXPECT_EQ(plan_with({plane, light, "shadow.sign=forced"}), plan_with({plane, light})) << plane << light;
+}
+
 /// A mirror's image with a fovy of its own is the image that a camera with that fovy would draw.
 TEST(Plan, AMirrorsOwnFovyIsThatOfACameraWithThatFovy) {
     const auto image_of = [](const std::vector<std::string>& settings) {

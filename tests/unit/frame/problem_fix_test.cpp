@@ -15,38 +15,38 @@ const Viewport viewport{{480, 270}};
 TEST(ProblemFix, RemovesTheProblemOfEachPreset) {
     const std::vector<NamedFile> all = presets();
     ASSERT_GT(all.size(), 90U);
-    int mended = 0;
+    int fixed = 0;
     for (const NamedFile& preset : all) {
         const Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
         const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
-            if (problem.mended_by.empty()) continue;
+            if (problem.fixed_by.empty()) continue;
             SCOPED_TRACE(preset.name + ": " + problem.sentence);
             EXPECT_NE(problem.kind, ProblemKind::worth_knowing);
             const Result<Params> right =
-                apply_settings(state->params, std::vector<std::string>{std::string(problem.mended_by)});
+                apply_settings(state->params, std::vector<std::string>{std::string(problem.fixed_by)});
             ASSERT_TRUE(right) << right.error();
             EXPECT_FALSE(std::ranges::any_of(problems_of(*right, *scene, viewport), [&](const Problem& left) {
                 return left.sentence == problem.sentence;
-            })) << problem.mended_by;
-            ++mended;
+            })) << problem.fixed_by;
+            ++fixed;
         }
     }
-    EXPECT_GT(mended, 30);
+    EXPECT_GT(fixed, 30);
 }
 
 TEST(ProblemFix, MatchesTheFixOfThePreset) {
     int agreeing = 0;
     for (const NamedFile& preset : presets()) {
-        if (preset.mended_by.empty()) continue;
+        if (preset.fixed_by.empty()) continue;
         SCOPED_TRACE(preset.name);
         const Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
         const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
-        const Result<Params> right = apply_settings(state->params, std::vector<std::string>{preset.mended_by});
+        const Result<Params> right = apply_settings(state->params, std::vector<std::string>{preset.fixed_by});
         ASSERT_TRUE(right) << right.error();
         const std::vector<Problem> left = problems_of(*right, *scene, viewport);
         int gone = 0;
@@ -54,12 +54,12 @@ TEST(ProblemFix, MatchesTheFixOfThePreset) {
         for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
             if (problem.kind != ProblemKind::wrong || says(left, problem.group, problem.sentence)) continue;
             ++gone;
-            if (!problem.mended_by.empty()) offered.push_back(problem.mended_by);
+            if (!problem.fixed_by.empty()) offered.push_back(problem.fixed_by);
         }
         EXPECT_GT(gone, 0) << "no problem explains the broken picture";
         if (offered.empty()) continue;
-        EXPECT_EQ(std::count(offered.begin(), offered.end(), preset.mended_by), 1)
-            << preset.mended_by << " is not offered, but " << offered.front();
+        EXPECT_EQ(std::count(offered.begin(), offered.end(), preset.fixed_by), 1)
+            << preset.fixed_by << " is not offered, but " << offered.front();
         ++agreeing;
     }
     EXPECT_GT(agreeing, 20);

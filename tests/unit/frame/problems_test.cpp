@@ -56,6 +56,13 @@ Scene mirrored_scene() {
     return scene_of({object("twin", box_mesh(), {0, 1, 0}, {-1, 1, 1})});
 }
 
+Scene coplanar_scene() {
+    return scene_of({object("red", quad_mesh(), {0, 1, 0}), object("blue", quad_mesh(), {0, 1, 0})});
+}
+Scene nearly_coplanar_scene() {
+    return scene_of({object("red", quad_mesh(), {0, 1, 0}), object("blue", quad_mesh(), {0, 1.0001, 0})});
+}
+
 const std::string wall = "planes=[{\"equation\":[0,0,1,3]}]";
 const std::string corner = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
 const std::string facing_walls =
@@ -143,6 +150,16 @@ const std::vector<Case>& cases() {
          box_scene,
          {"shadow.sign=none", "plane.equation=[0,-1,0,0]"},
          {"plane.equation=[0,-1,0,0]"}},
+        {"shadow",
+         "Sᵀ sends the center of the plane",
+         box_scene,
+         {"slips.shadow_by_rows=true"},
+         {"slips.shadow_by_rows=true", "light.position=[0,5,0,0]"}},
+        {"shadow",
+         "Sᵀ sends the center of the plane",
+         box_scene,
+         {"slips.shadow_by_rows=true"},
+         {"slips.shadow_by_rows=true", "shadow.enabled=false"}},
         {"shadow",
          "the plane w = 0 through the light cuts tower",
          high_scene,
@@ -317,7 +334,29 @@ const std::vector<Case>& cases() {
          box_scene,
          {"shadow.sign=none", "planes=[{\"equation\":[0,0,-1,-3]}]"},
          {"shadow.sign=none", wall}},
+        {"reflection",
+         "part of plane 2 is behind the mirror of plane 1",
+         box_scene,
+         {"reflection.clip=none", wall},
+         {"reflection.clip=none", "planes=[{\"equation\":[0,1,0,-3],\"extent\":1}]"}},
+        {"reflection",
+         "the oblique near plane is (0, 1, 0, 0)",
+         box_scene,
+         {"reflection.clip=oblique", "slips.oblique_in_world=true"},
+         {"slips.oblique_in_world=true"}},
+        {"reflection",
+         "the oblique near plane is",
+         box_scene,
+         {"reflection.clip=oblique", "slips.oblique_in_world=true"},
+         {"reflection.clip=oblique", "slips.oblique_in_world=true", "camera.position=[0,0,0]", "camera.yaw=0",
+          "camera.pitch=0", "plane.equation=[0,0,1,3]"}},
         // matrices entered by hand
+        {"shadow",
+         "sign(n·ℓ + d) = −1 turns it",
+         box_scene,
+         {"overrides.shadow_from_world=[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", "plane.equation=[0,-1,0,0]"},
+         {"overrides.shadow_from_world=[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", "plane.equation=[0,-1,0,0]",
+          "shadow.sign=none"}},
         {"shadow",
          "S entered by hand is the transpose of the right S",
          box_scene,
@@ -388,6 +427,32 @@ const std::vector<Case>& cases() {
          box_scene,
          {"depth.format=d16", "projection.near=0.01"},
          {"projection.near=0.01"}},
+        {"depth", "red and blue lie in one plane", coplanar_scene, {}, {}, nearly_coplanar_scene},
+        {"depth", "red and blue lie in one plane", coplanar_scene, {}, {"camera.yaw=180"}},
+        {"depth", "red and blue are 0.0001 apart", nearly_coplanar_scene, {"projection.near=0.001"}, {}},
+        {"depth",
+         "red and blue are 0.0001 apart",
+         nearly_coplanar_scene,
+         {"depth.format=d16"},
+         {"depth.format=d16", "depth.test=false"}},
+        {"depth", "glClearDepth(0) is the nearest", box_scene, {"depth.clear_value=0"}, {}},
+        {"depth",
+         "glClearDepth(0) is the nearest",
+         box_scene,
+         {"depth.clear_value=0"},
+         {"depth.clear_value=0", "depth.mapping=reversed", "depth.reversed_clear=false"}},
+        {"depth",
+         "glClearDepth(0.94): every pixel starts with the depth of z = 6.97",
+         box_scene,
+         {"depth.clear_value=0.94"},
+         {"depth.clear_value=0.999"}},
+        {"depth",
+         "the farthest surface wins",
+         box_scene,
+         {"depth.clear_value=0", "depth.func=greater"},
+         {"depth.func=greater"}},
+        {"view", "far = 8 cuts off box", box_scene, {"projection.far=8"}, {"projection.far=12"}},
+        {"view", "near = 8 cuts into box", box_scene, {"projection.near=8"}, {"projection.near=2"}},
         {"depth",
          "gl_FragDepth",
          box_scene,
@@ -467,9 +532,9 @@ TEST(Problems, PlaneMovesAwayFromWhatLiesInIt) {
             return problem.sentence.find("lies in the plane itself") != std::string::npos;
         });
         ASSERT_NE(found, problems.end()) << equation;
-        EXPECT_EQ(all_of(problems_with({settings[0], found->mended_by}, sheet_scene())), "") << found->mended_by;
-        const Params mended = params_with({settings[0], found->mended_by});
-        const glm::dvec4 plane = mended.planes[0].equation;
+        EXPECT_EQ(all_of(problems_with({settings[0], found->fixed_by}, sheet_scene())), "") << found->fixed_by;
+        const Params fixed = params_with({settings[0], found->fixed_by});
+        const glm::dvec4 plane = fixed.planes[0].equation;
         EXPECT_GT(plane.w * plane.y, 0.0) << "the sheet at y = 0 is above the plane, as the eye is";
         EXPECT_LT(std::abs(plane.w / plane.y), 0.05);
     }

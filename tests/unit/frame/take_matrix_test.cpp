@@ -1,4 +1,4 @@
-// A pasted V, C or P becomes the state's own: there and back through text in every syntax, and each fault is mended.
+// A pasted V, C or P becomes the state's own: there and back through text in every syntax, and each fault is fixed.
 #include "frame/explain/take_matrix.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -132,11 +132,11 @@ TEST(TakeMatrix, EveryFaultOfACameraIsMended) {
                                   {"C transposed", glm::transpose(c), c, 'C'}}) {
             const ExplainedMatrix found = explain_matrix(each.pasted, each.named, opening, 1.5);
             EXPECT_FALSE(is_takeable(found)) << each.what;
-            const std::optional<dmat4> mended = fixed(each.pasted, found);
-            ASSERT_TRUE(mended) << each.what;
-            EXPECT_LT(worst_entry(*mended, each.right), 1e-9) << each.what;
+            const std::optional<dmat4> fixed = fixed_matrix(each.pasted, found);
+            ASSERT_TRUE(fixed) << each.what;
+            EXPECT_LT(worst_entry(*fixed, each.right), 1e-9) << each.what;
             Params params;
-            EXPECT_TRUE(take_matrix(params, found.letter, *mended, 1.5)) << each.what;
+            EXPECT_TRUE(take_matrix(params, found.letter, *fixed, 1.5)) << each.what;
         }
     }
 }
@@ -154,9 +154,9 @@ TEST(TakeMatrix, FaultsOfAProjectionAreMended) {
     for (const auto& [pasted, wanted] : cases) {
         const ExplainedMatrix found = explain_matrix(pasted, 'P', opening, aspect);
         EXPECT_FALSE(is_takeable(found));
-        const std::optional<dmat4> mended = fixed(pasted, found);
-        ASSERT_TRUE(mended);
-        EXPECT_LT(worst_entry(*mended, wanted), 1e-12);
+        const std::optional<dmat4> fixed = fixed_matrix(pasted, found);
+        ASSERT_TRUE(fixed);
+        EXPECT_LT(worst_entry(*fixed, wanted), 1e-12);
     }
 }
 
@@ -166,10 +166,10 @@ TEST(TakeMatrix, AProjectionForZeroToOneKeepsItsLens) {
     const ExplainedMatrix found = explain_matrix(pasted, 'P', params, 1.3);
     ASSERT_EQ(found.fault, MatrixFault::zero_to_one);
     EXPECT_NEAR(found.lens->near, 0.2, 1e-12);
-    const std::optional<dmat4> mended = fixed(pasted, found);
-    ASSERT_TRUE(mended);
-    EXPECT_LT(worst_entry(*mended, glm::perspectiveRH_NO(1.1, 1.3, 0.2, 70.0)), 1e-12);
-    ASSERT_TRUE(take_matrix(params, 'P', *mended, 1.3));
+    const std::optional<dmat4> fixed = fixed_matrix(pasted, found);
+    ASSERT_TRUE(fixed);
+    EXPECT_LT(worst_entry(*fixed, glm::perspectiveRH_NO(1.1, 1.3, 0.2, 70.0)), 1e-12);
+    ASSERT_TRUE(take_matrix(params, 'P', *fixed, 1.3));
     EXPECT_NEAR(params.projection.near, 0.2, 1e-12);
 
     // Reversed, the third row alone tells the range: here also while the state's switch says −1 … 1.

@@ -47,8 +47,8 @@ TEST(ViewProblems, ReportAndFixClippingByNearAndFar) {
         ASSERT_EQ(problems.size(), 1U) << setting;
         EXPECT_NE(problems[0].sentence.find(setting.ends_with("30") ? "near = 30" : "far = 2"), std::string::npos)
             << problems[0].sentence;
-        ASSERT_FALSE(problems[0].mended_by.empty());
-        EXPECT_TRUE(view_problems({setting, problems[0].mended_by}).empty()) << problems[0].mended_by;
+        ASSERT_FALSE(problems[0].fixed_by.empty());
+        EXPECT_TRUE(view_problems({setting, problems[0].fixed_by}).empty()) << problems[0].fixed_by;
     }
 }
 
@@ -61,7 +61,7 @@ TEST(ViewProblems, AMirrorShowsWhatIsBehindTheCamera) {
     std::vector<Problem> problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_NE(problems[0].sentence.find("reaches to z = 5.5"), std::string::npos) << problems[0].sentence;
-    EXPECT_EQ(problems[0].mended_by, "projection.far=11");
+    EXPECT_EQ(problems[0].fixed_by, "projection.far=11");
     settings.back() = "reflection.enabled=false";
     problems = view_problems(settings);
     ASSERT_EQ(problems.size(), 1U);

@@ -39,6 +39,7 @@ constexpr std::string_view contract_paths[] = {
     "depth.offset.factor",
     "depth.offset.units",
     "depth.decals",
+    "depth.clear_value",
     "depth.write_while_clearing",
     "depth.reversed_zero_to_one",
     "depth.reversed_clear",
@@ -146,6 +147,8 @@ constexpr std::string_view contract_paths[] = {
     "slips.degrees_as_radians",
     "slips.plus_2ab",
     "slips.normal_not_unit",
+    "slips.shadow_by_rows",
+    "slips.oblique_in_world",
     "animation.jiggle",
     "animation.light_orbit",
     "animation.light_speed",
@@ -343,11 +346,11 @@ TEST(Clamp, ReturnsNumbersToTheirRanges) {
 
 // Nothing between 0 and the smallest aspect is valid, so a drag jumps over the gap.
 TEST(Clamp, JumpsOverAspectsThatAreTooNarrow) {
-    for (const auto& [dragged, mended] : {std::pair(-1.0, 0.0), {0.04, 0.0}, {0.06, 0.1}, {0.1, 0.1}, {99.0, 10.0}}) {
+    for (const auto& [dragged, fixed] : {std::pair(-1.0, 0.0), {0.04, 0.0}, {0.06, 0.1}, {0.1, 0.1}, {99.0, 10.0}}) {
         Params params;
         params.projection.aspect = dragged;
         clamp_to_ranges(params);
-        EXPECT_EQ(params.projection.aspect, mended) << dragged;
+        EXPECT_EQ(params.projection.aspect, fixed) << dragged;
     }
 }
 

@@ -112,6 +112,7 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
       "units": 0
     },
     "decals": "offset",
+    "clear_value": 1,
     "write_while_clearing": true,
     "reversed_zero_to_one": true,
     "reversed_clear": true,
@@ -244,7 +245,9 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "camera_as_view": false,
     "degrees_as_radians": false,
     "plus_2ab": false,
-    "normal_not_unit": false
+    "normal_not_unit": false,
+    "shadow_by_rows": false,
+    "oblique_in_world": false
   },
   "animation": {
     "jiggle": false,

@@ -26,6 +26,10 @@ TEST(Numbers, FixedDecimalsHaveARealMinusAndNoNegativeZero) {
 }
 
 TEST(Numbers, FiguresAreSignificantDigitsWithoutTrailingZeros) {
+    for (const double value : {0.25, -3500.0, 1.2e-7, -2e7, 0.0, 1e300, -2e-300})
+        EXPECT_EQ(read_figures(figures(value)), std::optional(value)) << value;
+    for (const char* const text : {"", "∞", "—", "box", "2, 3", "1.2·10", "1·10x", "12%"})
+        EXPECT_FALSE(read_figures(text)) << text;
     EXPECT_EQ(figures(0.25), "0.25");
     EXPECT_EQ(figures(3456.0), "3500");
     EXPECT_EQ(figures(-0.5), "−0.5");

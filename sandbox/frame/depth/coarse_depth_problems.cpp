@@ -1,0 +1,206 @@
+// Reports surfaces that depth cannot tell apart: it is too coarse for the objects in view, or an object lies in a
+// plane. Part of problems.h.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "frame/depth/depth_switches.h"
+#include "frame/depth/fighting.h"
+#include "frame/depth/near_advice.h"
+#include "frame/depth/pair_prediction.h"
+#include "frame/object_reach.h"
+#include "frame/say.h"
+
+namespace viewing {
+namespace {
+
+/// Returns the largest gap that depth may fail to distinguish at an eye distance, as a share of the picture's height
+/// there.
+double unresolved_share(const Params& params, const Derived& derived, double distance) {
+    return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
+}
+
+/// Returns the setting that makes depth fine enough for the things in view: a larger near or, without perspective, a
+/// smaller far; "" if it does not make depth fine enough.
+std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
+    Params finer = params;
+    std::string setting;
+    if (params.lens().orthographic && z > 0.0) {
+        finer.projection.far = 2.0 * rounded_down(z);
+        setting = "projection.far=" + plain_number(finer.projection.far);
+    } else if (const std::optional<double> near = largest_near(seen); near && !params.lens().orthographic) {
+        finer.projection.near = *near;
+        setting = "projection.near=" + plain_number(*near);
+    }
+    return unresolved_share(finer, derived, z) < visible_share ? setting : "";
+}
+
+/// Reports that depth is too coarse for the objects in view. Reports nothing if the scene has nearly coplanar surfaces,
+/// which have a view of their own.
+void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                      const std::vector<SeenImage>& images) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
+    if (has_bent_depth(depth) || scene.objects.empty()) return;
+    const Lens lens = params.lens();
+    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
+    const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
+    const double reach = 0.5 * glm::length(scene.bounds_world.max - scene.bounds_world.min);
+    double farthest = glm::dot(distance, glm::dvec4(center, 1.0)) + reach;
+    for (const SeenImage& image : images) farthest = std::max(farthest, image.farthest);
+    farthest = std::clamp(farthest, lens.near, lens.far);
+    if (unresolved_share(params, derived, farthest) < visible_share || !near_coplanar_pairs(scene).empty()) return;
+    std::vector<SeenThing> seen = seen_things(params, derived, scene), mirrored;
+    for (SeenThing& thing : seen) thing.name = object_text(thing.name);
+    // An oblique near plane changes the depth of images: mirror_problems.cpp reports that.
+    for (const SeenImage& image : images)
+        if (image.is_shown && params.reflection.clip != MirrorClip::oblique)
+            mirrored.push_back({say("the mirror image of {object}", "object"_a = object_text(image.name)),
+                                image.nearest, std::min(image.farthest, lens.far)});
+    const auto farthest_of = [](const std::vector<SeenThing>& things) {
+        const SeenThing* found = nullptr;
+        for (const SeenThing& thing : things)
+            if (!thing.is_plane && (!found || thing.farthest > found->farthest)) found = &thing;
+        return found;
+    };
+    const SeenThing* worst = farthest_of(seen);
+    if (!worst || unresolved_share(params, derived, worst->farthest) < visible_share) worst = farthest_of(mirrored);
+    if (!worst) return;
+    const double share = unresolved_share(params, derived, worst->farthest);
+    if (share < visible_share) return;
+    const double gap = fighting_onset(depth_coding(params, derived), worst->farthest).gap();
+    tell.broken(
+        true,
+        sentence("depth.too_coarse",
+                 "at {object} (z = {z}), depths that differ by less than {gap} are not distinguished, {percent} of "
+                 "the picture's height there: where surfaces meet, the wrong one may win",
+                 "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
+                 "percent"_a = percent(share)),
+        finer_depth(params, derived, seen, worst->farthest));
+}
+
+/// A pair of flat surfaces that fight, or that may: no prediction rules it out.
+struct FightingPair {
+    const FlatPair* pair;
+    double needed, distance;  ///< the gap, along the normal, that depth is sure to distinguish; where it was judged
+};
+
+/// Returns the pairs in view that fight. Decals that are moved by an offset fight only if the offset is surely too
+/// small.
+std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& derived, const Scene& scene,
+                                         std::span<const FlatPair> pairs) {
+    constexpr int height_px = 720;
+    const glm::ivec2 size_px(std::lround(height_px * derived.view_aspect), height_px);
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1],
+                              clip[3] + clip[2]};
+    const auto is_seen = [&](int object) { return may_reach(scene.objects[static_cast<std::size_t>(object)], sides); };
+    std::vector<FightingPair> found;
+    for (const FlatPair& pair : pairs) {
+        const bool is_moved = pair.has_one_decal() && params.depth.offset != DepthOffset{};
+        if (pair.has_one_decal() && params.depth.decals != DecalMethod::offset) continue;
+        if (!is_seen(pair.first) || !is_seen(pair.second)) continue;
+        const PairPrediction predicted = predict_pair(pair, params, derived, size_px);
+        const std::optional<ShareInterval>& share = predicted.wrong_share;
+        const double needed = predicted.onset.gap() * predicted.slant;
+        const bool may_fight = !share || share->most > 0.0;
+        if (is_moved ? share && share->least > 0.0 : may_fight && pair.gap() < needed)
+            found.push_back({&pair, needed, predicted.distance});
+    }
+    return found;
+}
+
+/// Reports nearly coplanar surfaces that fight, by the pair whose gap is the smallest part of the one that is needed.
+void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write || !is_cleared_to_farthest(depth)) return;
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    if (pairs.empty() || has_bent_depth(depth)) return;
+    const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
+    if (fighting.empty()) return;
+    const FightingPair& worst =
+        *std::min_element(fighting.begin(), fighting.end(), [](const FightingPair& a, const FightingPair& b) {
+            return a.pair->gap() * b.needed < b.pair->gap() * a.needed;
+        });
+    const auto name = [&](int object) {
+        return object_text(scene.objects[static_cast<std::size_t>(object)].description.name);
+    };
+    const std::string first = name(worst.pair->first), second = name(worst.pair->second);
+    const bool is_decal = worst.pair->has_one_decal();
+    Params finer = params;
+    if (const std::optional<double> near = largest_near(seen_things(params, derived, scene)))
+        finer.projection.near = std::max(finer.projection.near, *near);
+    const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
+                                fighting_pairs(finer, derived, scene, pairs).empty();
+    // Where a code is a large part of the distance, a few codes more or less help nothing.
+    const bool is_hopeless = worst.needed > 0.05 * worst.distance;
+    const std::string fix = is_hopeless      ? ""
+                            : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"
+                            : is_near_enough ? "projection.near=" + plain_number(finer.projection.near)
+                                             : "";
+    tell.broken(worst.pair->gap() == 0.0,
+                sentence("depth.coplanar",
+                         "{object} and {other} lie in one plane: rounding decides which of the two is visible",
+                         "object"_a = first, "other"_a = second),
+                fix);
+    tell.broken(worst.pair->gap() > 0.0,
+                sentence("depth.fighting",
+                         "{object} and {other} are {gap} apart, but at z = {z}, depth is only sure to distinguish "
+                         "{needed}: where their codes are alike, the two fight",
+                         "object"_a = first, "other"_a = second, "gap"_a = figures(worst.pair->gap(), 2),
+                         "z"_a = figures(worst.distance, 3), "needed"_a = figures(worst.needed, 2)),
+                fix);
+}
+
+/// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
+void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
+    const Lens lens = params.lens();
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const DerivedPlane& plane = planes[index];
+        if (plane.eye_side == 0.0) continue;
+        std::vector<glm::dvec4> seen = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
+        for (const glm::dvec4& edge : forms_of_edges(glm::dmat4(1.0), plane.patch)) seen.push_back(edge);
+        for (const SceneObject& object : scene.objects) {
+            const double least_apart = 1e-3 * plane.patch.extent;
+            if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
+            const glm::dvec4 center =
+                object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+            const glm::dvec3 towards_eye = glm::dvec3(derived.eye_world) - derived.eye_world.w * glm::dvec3(center);
+            const double cosine =
+                std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);
+            const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
+            const double fights = fighting_onset(depth_coding(params, derived), z).gap() * cosine;
+            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, seen) || is_too_thin(object, derived))
+                continue;
+            glm::dvec4 equation = params.planes[index].equation;
+            const double apart = std::max(least_apart, 8.0 * fights / std::max(cosine, 1e-3));
+            equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
+            tell.broken(true,
+                        sentence("depth.object_in_plane",
+                                 "{object} lies in {plane} itself: where their depths round alike, the two fight",
+                                 "object"_a = object_text(object.description.name),
+                                 "plane"_a = planes_name(std::array{index}, planes.size())),
+                        index > 0 ? ""
+                                  : "plane.equation=[" + plain_number(equation.x) + "," + plain_number(equation.y) +
+                                        "," + plain_number(equation.z) + "," + plain_number(equation.w) + "]");
+        }
+    }
+}
+
+}  // namespace
+
+void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                                const Scene& scene, const std::vector<SeenImage>& images) {
+    Sayer tell(problems, "depth");
+    say_coarse_depth(tell, params, derived, scene, images);
+    say_pairs(tell, params, derived, scene);
+    say_in_plane(tell, params, derived, scene);
+}
+
+}  // namespace viewing
