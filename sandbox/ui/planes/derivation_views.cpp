@@ -16,35 +16,66 @@
 namespace viewing {
 namespace {
 
-/// A view with its figure at the left, or at the top if the view is narrow or tall. Closes at the end of its scope.
+constexpr float least_bar = 215.0F;  ///< width of a step bar, in design pixels
+
+/// A view with its figure at the left, or at the top if the view is narrow or tall. Below a figure at the left there is
+/// room for rows of controls, so that the lines have the height of the view. Closes at the end of its scope.
 class FigureView {
 public:
-    FigureView(const char* name, const Rect& rect)
+    FigureView(const char* name, const Rect& rect, int control_rows)
         : view_(name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
         const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
         // A stage's lines are longer: there, a text beside the figure is cut unless the view is very low.
         const float least_aspect = widgets::HasPlainTitles() && room.x < px(520.0F) ? 2.0F : 1.3F;
         is_wide_ = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
         const float width = is_wide_ ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
-        const float height = is_wide_ ? std::max(room.y, 1.0F) : std::max(std::floor(room.y * 0.5F), px(60.0F));
+        const float controls = static_cast<float>(control_rows) * (ImGui::GetFrameHeight() + px(control_gap));
+        const bool has_bar = !widgets::HasPlainTitles() && !widgets::CurrentContext().printed;
+        has_controls_ = is_wide_ && has_bar && width >= px(least_bar) && room.y - controls >= px(least_figure);
+        const float wide = room.y - (has_controls_ ? controls : 0.0F);
+        const float height = is_wide_ ? std::max(wide, 1.0F) : std::max(std::floor(room.y * 0.5F), px(60.0F));
         figure_ = {from, {from.x + width, from.y + height}};
         ImGui::Dummy({width, height});
         widgets::Record("figure");
     }
     const Rect& figure() const { return figure_; }
     bool is_wide() const { return is_wide_; }
+    /// Whether the controls are below the figure, not above the lines.
+    bool has_controls() const { return has_controls_; }
+
+    static constexpr float control_gap = 3.0F, least_figure = 80.0F;  ///< design pixels
 
 private:
     ViewWindow view_;
     Rect figure_;
-    bool is_wide_;
+    bool is_wide_, has_controls_ = false;
+};
+
+/// The controls below the figure. Closes at the end of its scope.
+class FigureControls {
+public:
+    explicit FigureControls(const FigureView& view) : behind_(ImGui::GetCursorScreenPos()) {
+        ImGui::SetCursorScreenPos({view.figure().min.x, view.figure().max.y + px(FigureView::control_gap)});
+        ImGui::BeginChild("controls", {view.figure().width(), 0.0F}, false, ImGuiWindowFlags_NoScrollbar);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6.0F), px(FigureView::control_gap)});
+    }
+    ~FigureControls() {
+        ImGui::PopStyleVar();
+        ImGui::EndChild();
+        ImGui::SetCursorScreenPos(behind_);
+    }
+    FigureControls(const FigureControls&) = delete;
+    FigureControls& operator=(const FigureControls&) = delete;
+
+private:
+    ImVec2 behind_;
 };
 
 /// The scrolling text beside or below the figure. Closes at the end of its scope.
 class Steps {
 public:
     explicit Steps(const FigureView& view) {
-        if (view.is_wide()) ImGui::SameLine(0.0F, px(14.0F));
+        if (view.is_wide()) ImGui::SetCursorScreenPos({view.figure().max.x + px(14.0F), view.figure().min.y});
         ImGui::BeginChild("steps", {0.0F, 0.0F}, false);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6.0F), px(3.0F)});
         is_short_ = ImGui::GetContentRegionAvail().y < px(420.0F);
@@ -166,8 +197,7 @@ bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_sho
 
 /// Draws the step bar. Returns true when a step was chosen.
 bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets::StepPlayer& player) {
-    constexpr float least_room = 215.0F;
-    if (ImGui::GetContentRegionAvail().x < px(least_room)) return false;
+    if (ImGui::GetContentRegionAvail().x < px(least_bar)) return false;
     int& step = params.view.derivation_step;
     const int before = step;
     widgets::StepBar("derivation", step, step_count(lines), player, ImGui::GetIO().DeltaTime);
@@ -208,16 +238,24 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     const DerivedPlane& plane = derived.chosen_plane();
     const ShadowDerivation found = derive_shadow(plane.unit_plane, derived.chosen_light(), derivation_point(derived));
     const ShadowForms forms = shadow_forms(plane.unit_plane, derived.chosen_light());
-    const FigureView view("shadow derivation", rect);
+    const FigureView view("shadow derivation", rect, 3);
     draw_shadow_diagram(view.figure(), found, 3.0 * plane.patch.extent);
 
+    const std::vector<DerivationLine> lines = shadow_lines(found, forms.blinn.has_value());
+    bool is_stepped = false;
+    const auto controls = [&] {
+        is_stepped = step_bar(params, lines, player);
+        light_slider(params);
+    };
+    if (view.has_controls() && !widgets::IsCovered("text:shadow_derivation")) {
+        const FigureControls below(view);
+        controls();
+    }
     const Steps steps(view);
     if (is_part_covered("text:shadow_derivation", ImGui::GetContentRegionAvail().y)) return;
-    const std::vector<DerivationLine> lines = shadow_lines(found, forms.blinn.has_value());
-    const bool is_stepped = step_bar(params, lines, player);
+    if (!view.has_controls()) controls();
     const int step = params.view.derivation_step;
     const bool is_short = steps.is_short() && step < 0;
-    light_slider(params);
     tell_ray(found.ray);
     if (derived.chosen_shadow().by_hand) widgets::Note("S was entered by hand; this view shows S as derived.");
     equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
@@ -235,13 +273,18 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
 
 void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player) {
     const MirrorDerivation found = derive_mirror(derived.chosen_plane().unit_plane, derivation_point(derived));
-    const FigureView view("mirror derivation", rect);
+    const FigureView view("mirror derivation", rect, 2);
     draw_mirror_diagram(view.figure(), found);
 
+    const std::vector<DerivationLine> lines = mirror_lines(found);
+    bool is_stepped = false;
+    if (view.has_controls() && !widgets::IsCovered("text:mirror_derivation")) {
+        const FigureControls below(view);
+        is_stepped = step_bar(session.params, lines, player);
+    }
     const Steps steps(view);
     if (is_part_covered("text:mirror_derivation", ImGui::GetContentRegionAvail().y)) return;
-    const std::vector<DerivationLine> lines = mirror_lines(found);
-    const bool is_stepped = step_bar(session.params, lines, player);
+    if (!view.has_controls()) is_stepped = step_bar(session.params, lines, player);
     if (derived.chosen_plane().mirror_by_hand) widgets::Note("R was entered by hand; this view shows R as derived.");
     if (derived.chosen_plane().mirror_has_slip) widgets::Note("R contains a mistake; this view shows R as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});

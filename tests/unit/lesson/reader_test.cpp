@@ -110,7 +110,7 @@ TEST(LessonReader, ShippedLessonsFollowTheLecture) {
         EXPECT_TRUE(lesson) << (lesson ? "" : lesson.error());
         steps += file.steps;
     }
-    EXPECT_EQ(steps, 115);
+    EXPECT_EQ(steps, 116);
     EXPECT_NE(load_lesson("veiw-is-the-inverse").error().find("view-is-the-inverse"), std::string::npos);
 }
 
