@@ -180,8 +180,8 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
                                     mirror.towards_eye(), mirror.plane.patch});
     };
-    const bool is_distorted = (reflection.mirrored == MirroredThing::camera && !reflection.same_projection) ||
-                              params.mirror_picture_scale() != 1.0;
+    // An image that is drawn larger is told by reflection.fovy's own sentence.
+    const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
     // Where depth hides the patch, it does not mark the stencil either.
     const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
         return loses_part(mirror.plane.patch, params, derived);
