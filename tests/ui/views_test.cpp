@@ -250,7 +250,7 @@ TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
     EXPECT_EQ(fixes(), 3);
     EXPECT_FALSE(ui.has("view/other sentences"));
     params.shadow.offset = ShadowOffset::none;
-    params.depth.clear = false;
+    params.projection.near = 7.0;  // cuts a box
     desk.settle();
     EXPECT_EQ(fixes(), 3);
     desk.click("view/other sentences");
@@ -259,7 +259,7 @@ TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
     desk.click("view/other sentences");
     desk.settle();
     EXPECT_EQ(fixes(), 3);
-    params.depth.clear = true;
+    params.projection.near = 0.5;
     params.shadow.offset = ShadowOffset::polygon_offset;
     desk.settle();
     EXPECT_FALSE(ui.has("view/other sentences"));
