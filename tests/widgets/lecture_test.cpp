@@ -221,7 +221,7 @@ TEST_F(LectureTest, AMatrixGrowsWithoutLosingDigits) {
     context.matrix_growth = 1.0F;
 }
 
-TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndNoSymbols) {
+TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndKeepsItsSymbols) {
     const glm::dmat4 value(1.0);
     std::array<MatrixCell, 16> cells;
     for (MatrixCell& cell : cells) cell.symbol = "l_x";
@@ -242,7 +242,7 @@ TEST_F(LectureTest, AMatrixEnteredByHandHasMarkedBracketsAndNoSymbols) {
     EXPECT_FALSE(drew(context.palette.trouble));
     overridden = true;
     ui.frames(2);
-    EXPECT_FALSE(drew(context.palette.mirror));
+    EXPECT_TRUE(drew(context.palette.mirror));
     EXPECT_TRUE(drew(context.palette.trouble));
 }
 

@@ -30,13 +30,21 @@ std::optional<Color> color_with(const WhyQuestion& question, const std::string& 
     return predicted_color(frame, chain);
 }
 
-/// Names each problem whose fix changes this very pixel.
+/// Names each problem whose fix changes this very pixel. A fight's own row already says it of the pair that fights
+/// here.
 void add_fault_rows(Why& made, const WhyQuestion& question) {
     if (!made.predicted) return;
     for (const Problem& problem : question.problems) {
         if (problem.fixed_by.empty()) continue;
         const std::optional<Color> fixed = color_with(question, problem.fixed_by);
         if (!fixed || is_same_color(*fixed, *made.predicted)) continue;
+        const auto fight = std::find_if(made.rows.begin(), made.rows.end(),
+                                        [](const WhyRow& row) { return row.kind == WhyRow::Kind::fight; });
+        if (fight != made.rows.end() && (problem.id == "depth.fighting" || problem.id == "depth.coplanar")) {
+            fight->after = fixed;
+            fight->fix = problem.fixed_by;
+            continue;
+        }
         made.rows.push_back({.kind = WhyRow::Kind::fault,
                              .title = tr("Wrong here"),
                              .sentence = ended(problem.sentence),
@@ -120,7 +128,7 @@ Why why(const WhyQuestion& question) {
     // Only these pictures are made of the colors that the rows end in.
     if (question.plan.shows != Shows::color && question.plan.shows != Shows::facing)
         for (WhyRow& row : made.rows)
-            if (row.kind != WhyRow::Kind::fault && row.kind != WhyRow::Kind::sum) row.after.reset();
+            if (row.fix.empty() && row.kind != WhyRow::Kind::sum) row.after.reset();
     find_names(made, question);
     made.sentence = sentence_of(made, question);
     const auto fault = std::find_if(made.rows.begin(), made.rows.end(),
@@ -140,7 +148,7 @@ std::string why_as_text(const Why& why) {
     text += "\n" + why.sentence + (why.fault.empty() ? "" : " " + why.fault) + "\n";
     for (const WhyRow& row : why.rows) {
         text += "  " + row.title + ": " + on_one_line(row.sentence);
-        if (row.kind == WhyRow::Kind::fault)
+        if (!row.fix.empty())
             text += " " + say("With {fix}: {color}.", "fix"_a = row.fix, "color"_a = hex_of(*row.after));
         else if (row.after && row.kind != WhyRow::Kind::sum)
             text += " → " + hex_of(*row.after);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 #include "frame/display_code.h"
 #include "ui/parts/look.h"
@@ -52,13 +53,15 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
         longest = std::max(longest, font->CalcTextSizeA(1.0F, FLT_MAX, 0.0F, line.code.c_str()).x);
     constexpr float spacing = 1.15F, largest = 3.0F;
     const float margin = px(8.0F), rows = static_cast<float>(lines.size()) * spacing;
-    const float size = std::min(
-        {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize});
+    // Whole pixels: type of another size would be blurred.
+    const float size = std::floor(std::min(
+        {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize}));
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     for (std::size_t row = 0; row < lines.size(); ++row) {
         const DisplayLine& line = lines[row];
         const char* const code = line.code.c_str();
-        const ImVec2 at(rect.min.x + margin, rect.min.y + margin + size * spacing * static_cast<float>(row));
+        const ImVec2 at(rect.min.x + margin,
+                        std::floor(rect.min.y + margin + size * spacing * static_cast<float>(row)));
         const ImVec2 end(at.x + font->CalcTextSizeA(size, FLT_MAX, 0.0F, code).x, at.y + size);
         const std::string target = target_of_line(line);
         if (widgets::IsCovered(target)) {
