@@ -269,7 +269,7 @@ EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
     push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
 }
 
-/// Presses or releases a button: 0 is left, 1 right, 2 middle.
+/// Presses or releases a button: 0 is left, 1 right, 2 middle; 3, with 1, stands for two fingers.
 EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }

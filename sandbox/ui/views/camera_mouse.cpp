@@ -78,12 +78,14 @@ double world_per_px(const Lens& lens, double distance, float height_px) {
 
 enum class DragAction { look, pan, orbit };
 
+constexpr ImGuiMouseButton two_fingers = 3;  ///< held with the right button while two fingers drag on the page
+
 /// Returns what a drag with the right or the middle button does; none if neither is held. In orbit, where looking is
 /// orbiting, the right button pans.
 std::optional<DragAction> action_of_drag(const MouseHabits& mouse, Navigation mode, bool holds_shift) {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
         return mouse.middle_pans != holds_shift ? DragAction::pan : DragAction::orbit;
-    const bool right_pans = mouse.right_pans || mode == Navigation::orbit;
+    const bool right_pans = mouse.right_pans || mode == Navigation::orbit || ImGui::IsMouseDown(two_fingers);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return right_pans ? DragAction::pan : DragAction::look;
     return std::nullopt;
 }

@@ -179,7 +179,7 @@ const page = (() => {
           Module._page_button(0, 0);
           pair = both();
           Module._page_pointer(pair.x, pair.y, 1);
-          Module._page_button(1, 1);
+          for (const button of [3, 1]) Module._page_button(button, 1);  // 3: these are fingers, so the drag pans
           return;
         }
         if (fingers.size > 2) return;
@@ -210,7 +210,7 @@ const page = (() => {
       const was_finger = fingers.delete(event.pointerId);
       if (was_finger && pair) {
         if (fingers.size < 2) {
-          Module._page_button(1, 0);
+          for (const button of [1, 3]) Module._page_button(button, 0);
           if (fingers.size === 0) pair = null;
         }
       } else {
