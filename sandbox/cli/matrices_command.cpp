@@ -149,10 +149,8 @@ constinit const Command matrices_command{
     "(shadow_sign · S is uploaded), mirror R. look_at is the camera as gluLookAt takes it: eye, "
     "center and up. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S "
     "and R² = I) and sentences about problems; problem_details has an id for each, its kind (wrong, note or window), "
-    "the "
-    "values in its sentence and the setting that fixes it; followed has the followed point p: shadow_homogeneous is S "
-    "p, shadow is "
-    "S p after the division by w, or null, and mirrored is R p. Needs no GL.",
+    "the values in its sentence and the setting that fixes it; followed has the followed point p: "
+    "shadow_homogeneous is S p, shadow is S p after the division by w, or null, and mirrored is R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
     "matrices --only S,R --digits 4 --format latex\n"

@@ -10,15 +10,6 @@
 #include "frame/object_reach.h"
 
 namespace viewing {
-namespace {
-
-/// Returns forms that are positive inside the picture's four sides.
-std::array<glm::dvec4, 4> sides_of_picture(const glm::dmat4& clip_from_world) {
-    const glm::dmat4 rows = glm::transpose(clip_from_world);
-    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
-}
-
-}  // namespace
 
 double start_of_cleared_code(const Params& params) {
     const DepthParams& depth = params.depth;
@@ -36,7 +27,7 @@ bool previous_frame_hides(const Params& params) {
 }
 
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived) {
-    const std::array<glm::dvec4, 4> sides = sides_of_picture(derived.clip_from_world);
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
     std::vector<glm::dvec4> forms(sides.begin(), sides.end());
     const glm::dvec4 towards_eye = glm::transpose(derived.view_from_world)[2];  // minus the eye distance
     const double start = std::min(start_of_cleared_code(params), params.projection.far);
@@ -55,9 +46,8 @@ bool loses_part(const PlanePatch& patch, const Params& params, const Derived& de
 }
 
 bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene) {
-    const std::array<glm::dvec4, 4> sides = sides_of_picture(clip_from_world);
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return may_reach(object, sides); }) ||
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(clip_from_world);
+    return may_reach(scene, sides) ||
            std::any_of(derived.planes.begin(), derived.planes.end(),
                        [&](const DerivedPlane& plane) { return may_reach(plane.patch, sides); });
 }

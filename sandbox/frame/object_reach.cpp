@@ -11,6 +11,7 @@
 
 #include "frame/box_form.h"
 #include "frame/box_tree.h"
+#include "geometry/convex_part.h"
 
 namespace viewing {
 namespace {
@@ -174,18 +175,6 @@ std::optional<Drawn> drawn_size(const Mesh& mesh, const glm::dmat4& clip_from_mo
     return drawn;
 }
 
-/// Keeps the part of a convex polygon where a form is not negative. Source: Sutherland and Hodgman 1974.
-std::vector<glm::dvec4> part_inside(const std::vector<glm::dvec4>& polygon, const glm::dvec4& form) {
-    std::vector<glm::dvec4> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec4 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-        const double at_from = glm::dot(form, from), at_to = glm::dot(form, to);
-        if (at_from >= 0.0) kept.push_back(from);
-        if ((at_from < 0.0) != (at_to < 0.0)) kept.push_back(glm::mix(from, to, at_from / (at_from - at_to)));
-    }
-    return kept;
-}
-
 }  // namespace
 
 double picture_height(const Lens& lens, double distance) {
@@ -250,14 +239,27 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
     return {reach + along_u, reach - along_u, reach + along_v, reach - along_v};
 }
 
+std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world) {
+    const glm::dmat4 rows = glm::transpose(clip_from_world);
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
+}
+
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
     return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
 }
 
+bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms) {
+    return std::none_of(forms.begin(), forms.end(),
+                        [&](const glm::dvec4& form) { return is_clear_of(scene, -form, 0.0); }) &&
+           std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return may_reach(object, forms); });
+}
+
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
-    std::vector<glm::dvec4> part;
+    std::vector<glm::dvec4> part, kept;
     for (const glm::dvec3& corner : patch.corners()) part.emplace_back(corner, 1.0);
-    for (const glm::dvec4& form : forms) part = part_inside(part, form);
+    for (const glm::dvec4& form : forms)
+        keep_part(part, kept, [&form](const glm::dvec4& point) { return glm::dot(form, point); });
     return part.size() >= 3;
 }
 

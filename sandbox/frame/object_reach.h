@@ -54,9 +54,15 @@ glm::dmat4 seen_on_plane(const glm::dvec4& unit_plane, const glm::dvec4& eye_wor
 /// the image is in the patch exactly where all four are nonnegative.
 std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch);
 
+/// Returns four linear forms that are positive inside the picture's left, right, lower and upper side.
+std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
+
 /// Returns false only if no part of an object is where all forms are positive: one of them is positive at none of its
 /// vertices and, since forms are linear, nowhere inside its triangles.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
+
+/// Returns whether any object may reach there. Looks at no mesh if the scene's bounds rule it out.
+bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);

@@ -53,7 +53,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("light.travel_direction",
                  "(x, y, z) of a parallel light points toward the light: if {direction} is the direction in which "
                  "the light travels, enter its negative",
-                 "direction"_a = "(" + figures(at.x, 3) + ", " + figures(at.y, 3) + ", " + figures(at.z, 3) + ")"),
+                 "direction"_a = figures_of({&at.x, 3}, 3)),
         "light.position=" + negated);
     const std::string behind = planes_name(turned_away, planes.size());
     tell(lights == 1,

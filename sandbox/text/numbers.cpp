@@ -164,6 +164,12 @@ std::string figures(double value, int digits) {
            raised_text(exponent);
 }
 
+std::string figures_of(std::span<const double> numbers, int digits) {
+    std::string text;
+    for (const double number : numbers) text += (text.empty() ? "" : ", ") + figures(number, digits);
+    return "(" + text + ")";
+}
+
 std::optional<double> read_figures(std::string_view text) {
     static constexpr std::string_view ten = "·10";
     const std::size_t power = text.find(ten);

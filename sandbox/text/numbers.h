@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ std::string number_text(double value, int decimals);
 /// Returns a number with `digits` significant digits, without zeros at the end, for sentences: "0.25", "−3500",
 /// "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
+
+/// Returns numbers as figures() writes them, as a point or a plane: "(1, 4, 2)".
+std::string figures_of(std::span<const double> numbers, int digits = 2);
 
 /// Reads a number that figures() wrote; nothing for any other text, and for "∞" and "—".
 std::optional<double> read_figures(std::string_view text);

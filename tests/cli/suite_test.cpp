@@ -117,20 +117,21 @@ TEST_F(SuiteCommand, RequiredAndForbiddenProblemsAreChecked) {
       {"name": "in the plane", "set": {"light.position": [1, 0, 0, 1]}, "problems": {"must": ["lies in the plane"]}},
       {"name": "by id", "set": {"light.position": [1, 0, 0, 1]},
        "problems": {"must": ["light.in_plane"], "must_not": ["light.behind_plane"]}},
-      {"name": "id not told", "problems": {"must": ["light.in_plane"]}},
-      {"name": "nothing told", "problems": {"must": ["lies in the plane"]}},
+      {"name": "id not reported", "problems": {"must": ["light.in_plane"]}},
+      {"name": "nothing reported", "problems": {"must": ["lies in the plane"]}},
       {"name": "none at all", "set": {"light.position": [1, 0, 0, 1]}, "problems": {"none": true}}]})");
     run({"suite", "run", "suite.json"});
     EXPECT_EQ(run({"suite", "run", "suite.json"}).status, 1);
     EXPECT_EQ(outcome("in the plane"), "passed");
     EXPECT_EQ(outcome("by id"), "passed");
-    EXPECT_EQ(outcome("id not told"), "different");
-    for (const nlohmann::json& entry : report()["entries"])
+    EXPECT_EQ(outcome("id not reported"), "different");
+    const nlohmann::json reported = report();
+    for (const nlohmann::json& entry : reported["entries"])
         if (entry["name"] == "by id") {
             EXPECT_EQ(entry["problem_details"][0]["id"], "light.in_plane") << entry;
             EXPECT_EQ(entry["problem_details"][0]["say"], entry["problems"][0]);
         }
-    EXPECT_EQ(outcome("nothing told"), "different");
+    EXPECT_EQ(outcome("nothing reported"), "different");
     EXPECT_EQ(outcome("none at all"), "different");
 }
 

@@ -12,6 +12,7 @@
 #include "lesson/lesson.h"
 #include "state/presets.h"
 #include "ui/letters.h"
+#include "ui/main_view.h"
 
 namespace viewing {
 namespace {
@@ -83,15 +84,17 @@ std::optional<Legible> measured(const Letter& letter, const Image& image) {
     return Legible{contrast(ink, ground), drawn, letter.line_height / static_cast<float>(image.height)};
 }
 
-/// The area of the largest rectangle without any mark, outside `main`, relative to the area above `bottom`.
-double largest_empty_share(const Image& image, const Rect& main, int bottom) {
+/// The area of the largest rectangle without any mark, outside the rectangles of `main`, relative to the area above
+/// `bottom`.
+double largest_empty_share(const Image& image, const std::vector<Rect>& main, int bottom) {
     constexpr int cell = 8;
     const auto is_plain = [&](int left, int top) {
         const testing::Rgb first = testing::rgb_at(image, {left, top});
         for (int y = top; y < top + cell; ++y)
             for (int x = left; x < left + cell; ++x)
                 if (testing::rgb_at(image, {x, y}) != first) return false;
-        return !main.contains({static_cast<float>(left + cell / 2), static_cast<float>(top + cell / 2)});
+        const ImVec2 middle(static_cast<float>(left + cell / 2), static_cast<float>(top + cell / 2));
+        return std::none_of(main.begin(), main.end(), [&](const Rect& rect) { return rect.contains(middle); });
     };
     const int columns = image.width / cell, rows = bottom / cell;
     std::vector<int> heights(static_cast<std::size_t>(columns));  // plain cells upward from the current row
@@ -110,17 +113,6 @@ double largest_empty_share(const Image& image, const Rect& main, int bottom) {
         }
     }
     return static_cast<double>(largest) / std::max(columns * rows, 1);
-}
-
-double area(const Rect& rect) {
-    return rect.empty() ? 0.0 : static_cast<double>(rect.width()) * static_cast<double>(rect.height());
-}
-
-const Rect& main_view(const Layout& layout) {
-    const Rect* main = &layout.camera;
-    for (const Rect* other : {&layout.lower_left, &layout.lower_right, &layout.matrices})
-        if (area(*other) > area(*main)) main = other;
-    return *main;
 }
 
 /// A hall: its projector, its theme and its language.
@@ -189,10 +181,9 @@ protected:
         for (int i = 0; i < data.CmdListsCount; ++i)
             for (const Letter& letter : page.letters(*data.CmdLists[i])) all.add(letter, where, image);
         const Layout layout = window.layout();
-        const Rect& main = main_view(layout);
-        const float bottom = layout.strip.min.y;
-        all.empty_parts.push_back(largest_empty_share(image, main, static_cast<int>(bottom)));
-        all.main_views.push_back(area(main) / static_cast<double>(bottom * layout.strip.width()));
+        all.empty_parts.push_back(
+            largest_empty_share(image, test::main_view(layout), static_cast<int>(layout.strip.min.y)));
+        all.main_views.push_back(static_cast<double>(test::main_share(layout)));
     }
 
     static void expect_legible(const Measured& all) {

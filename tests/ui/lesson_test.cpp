@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "desk.h"
+#include "main_view.h"
 #include "readable.h"
 #include "recorded_letters.h"
 
@@ -159,14 +160,6 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
         require(std::ranges::find(found, name, &widgets::Targets::Found::name) != found.end(), name);
     }
     return missing;
-}
-
-/// The share of the area above the lesson's text that the largest view has.
-float main_share(const Layout& layout) {
-    const auto area = [](const Rect& rect) { return rect.empty() ? 0.0F : rect.width() * rect.height(); };
-    const float main = std::max({area(layout.camera) + area(layout.beside), area(layout.lower_left),
-                                 area(layout.lower_right), area(layout.matrices)});
-    return main / (layout.strip.width() * layout.strip.min.y);
 }
 
 /// The whole lecture, before and after each answer: everything that a step names is drawn whole and without switches,

@@ -37,13 +37,10 @@ std::string finer_depth(const Params& params, const Derived& derived, const std:
     return unresolved_share(finer, derived, z) < visible_share ? setting : "";
 }
 
-/// Reports that depth is too coarse for the objects in view. Reports nothing if the scene has nearly coplanar surfaces,
-/// which have a view of their own.
+/// Reports that depth is too coarse for the objects in view.
 void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                       const std::vector<SeenImage>& images) {
-    const DepthParams& depth = params.depth;
-    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
-    if (has_bent_depth(depth) || scene.objects.empty()) return;
+    if (has_bent_depth(params.depth) || scene.objects.empty()) return;
     const Lens lens = params.lens();
     const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
     const glm::dvec3 center = 0.5 * (scene.bounds_world.min + scene.bounds_world.max);
@@ -51,7 +48,7 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     double farthest = glm::dot(distance, glm::dvec4(center, 1.0)) + reach;
     for (const SeenImage& image : images) farthest = std::max(farthest, image.farthest);
     farthest = std::clamp(farthest, lens.near, lens.far);
-    if (unresolved_share(params, derived, farthest) < visible_share || !near_coplanar_pairs(scene).empty()) return;
+    if (unresolved_share(params, derived, farthest) < visible_share) return;
     std::vector<SeenThing> seen = seen_things(params, derived, scene), mirrored;
     for (SeenThing& thing : seen) thing.name = object_text(thing.name);
     // An oblique near plane changes the depth of images: mirror_problems.cpp reports that.
@@ -94,9 +91,12 @@ std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& de
     constexpr int height_px = 720;
     const glm::ivec2 size_px(std::lround(height_px * derived.view_aspect), height_px);
     const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
-    const std::array sides = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1],
-                              clip[3] + clip[2]};
-    const auto is_seen = [&](int object) { return may_reach(scene.objects[static_cast<std::size_t>(object)], sides); };
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
+    const std::array ends = {clip[3] + clip[2]};
+    const auto is_seen = [&](int object) {
+        const SceneObject& one = scene.objects[static_cast<std::size_t>(object)];
+        return may_reach(one, sides) && may_reach(one, ends);
+    };
     std::vector<FightingPair> found;
     for (const FlatPair& pair : pairs) {
         const bool is_moved = pair.has_one_decal() && params.depth.offset != DepthOffset{};
@@ -131,11 +131,9 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
 }
 
 /// Reports nearly coplanar surfaces that fight, by the pair whose gap is the smallest part of the one that is needed.
-void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
-    const DepthParams& depth = params.depth;
-    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write || !is_cleared_to_farthest(depth)) return;
-    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
-    if (pairs.empty() || has_bent_depth(depth)) return;
+void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+               std::span<const FlatPair> pairs) {
+    if (!is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
     say_small_offset(tell, params, derived, pairs);
     const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
     if (fighting.empty()) return;
@@ -175,16 +173,13 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
 
 /// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
-    const DepthParams& depth = params.depth;
-    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
     const Lens lens = params.lens();
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     for (std::size_t index = 0; index < planes.size(); ++index) {
         const DerivedPlane& plane = planes[index];
         if (plane.eye_side == 0.0) continue;
-        std::vector<glm::dvec4> seen = {clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1], clip[3] - clip[1]};
-        for (const glm::dvec4& edge : forms_of_edges(glm::dmat4(1.0), plane.patch)) seen.push_back(edge);
+        const std::array<glm::dvec4, 4> edges = forms_of_edges(glm::dmat4(1.0), plane.patch);
         for (const SceneObject& object : scene.objects) {
             const double least_apart = 1e-3 * plane.patch.extent;
             if (object.description.decal || !lies_in(object, plane.unit_plane, least_apart)) continue;
@@ -195,7 +190,8 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
                 std::abs(glm::dot(glm::dvec3(plane.unit_plane), towards_eye)) / glm::length(towards_eye);
             const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
             const double fights = fighting_onset(depth_coding(params, derived), z).gap() * cosine;
-            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, seen) || is_too_thin(object, derived))
+            if (!lies_in(object, plane.unit_plane, fights) || !may_reach(object, sides) || !may_reach(object, edges) ||
+                is_too_thin(object, derived))
                 continue;
             glm::dvec4 equation = params.planes[index].equation;
             const double apart = std::max(least_apart, 8.0 * fights / std::max(cosine, 1e-3));
@@ -216,9 +212,15 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
 
 void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                                 const Scene& scene, const std::vector<SeenImage>& images) {
+    const DepthParams& depth = params.depth;
+    if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
     Sayer tell(problems, "depth");
-    say_coarse_depth(tell, params, derived, scene, images);
-    say_pairs(tell, params, derived, scene);
+    // Nearly coplanar surfaces have a view and sentences of their own.
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    if (pairs.empty())
+        say_coarse_depth(tell, params, derived, scene, images);
+    else
+        say_pairs(tell, params, derived, scene, pairs);
     say_in_plane(tell, params, derived, scene);
 }
 

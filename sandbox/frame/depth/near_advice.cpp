@@ -9,6 +9,7 @@
 #include "frame/box_form.h"
 #include "frame/box_tree.h"
 #include "frame/depth/depth_precision.h"
+#include "geometry/convex_part.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -43,7 +44,7 @@ std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
     return {{{1, 0, left, 0}, {-1, 0, -right, 0}, {0, 1, bottom, 0}, {0, -1, -top, 0}, front, far}};
 }
 
-/// Finds the range of eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
+/// Finds the range of eye distances of convex polygons inside the view.
 class View {
 public:
     View(const Params& params, const Derived& derived) : sides_(sides_of(params.lens(), derived.aspect)) {}
@@ -52,7 +53,8 @@ public:
     void add(std::span<const glm::dvec3> polygon_view, Reach& reach) {
         polygon_.assign(polygon_view.begin(), polygon_view.end());
         for (const glm::dvec4& side : sides_) {
-            cut(side);
+            keep_part(polygon_, kept_,
+                      [&side](const glm::dvec3& corner) { return glm::dot(side, glm::dvec4(corner, 1.0)); });
             if (polygon_.empty()) return;
         }
         for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
@@ -66,18 +68,6 @@ public:
     }
 
 private:
-    void cut(const glm::dvec4& side) {
-        kept_.clear();
-        const auto distance = [&side](const glm::dvec3& corner) { return glm::dot(side, glm::dvec4(corner, 1.0)); };
-        for (std::size_t i = 0; i < polygon_.size(); ++i) {
-            const glm::dvec3 &from = polygon_[i], &to = polygon_[(i + 1) % polygon_.size()];
-            const double at_from = distance(from), at_to = distance(to);
-            if (at_from >= 0.0) kept_.push_back(from);
-            if ((at_from < 0.0) != (at_to < 0.0)) kept_.push_back(glm::mix(from, to, at_from / (at_from - at_to)));
-        }
-        polygon_.swap(kept_);
-    }
-
     std::array<glm::dvec4, 6> sides_;
     std::vector<glm::dvec3> polygon_, kept_;
 };

@@ -59,8 +59,7 @@ std::string mirror_name(std::size_t plane) {
 
 /// Returns a light as "(1, 4, 2)" or, if it is parallel, as "(1, 4, 2, 0)".
 std::string light_text(const glm::dvec4& light) {
-    std::string text = "(" + figures(light.x, 3) + ", " + figures(light.y, 3) + ", " + figures(light.z, 3);
-    return text + (light.w == 0.0 ? ", 0)" : ")");
+    return figures_of({&light.x, light.w == 0.0 ? 4U : 3U}, 3);
 }
 
 /// Returns a unit plane as "y = 0.5" or "0.6 x + 0.8 y − 2 = 0".

@@ -32,9 +32,8 @@ WayThroughMirrors way_of(const Derived& derived, const FramePlan& frame, const P
         way.inside.push_back(glm::transpose(on_mirror)[3]);
         for (const glm::dvec4& edge : forms_of_edges(on_mirror, plane.patch)) way.inside.push_back(edge);
     }
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * world_from_scene);
-    for (int axis = 0; axis < 2; ++axis)
-        for (const double side : {-1.0, 1.0}) way.inside.push_back(clip[3] + side * clip[axis]);
+    for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world * world_from_scene))
+        way.inside.push_back(side);
     way.distance = -glm::transpose(derived.view_from_world * world_from_scene)[2];
     const glm::dmat4 drawn = glm::transpose(pass.clip_from_world * pass.world_from_scene);
     way.before_far = frame.depth_mapping != DepthMapping::reversed ? drawn[3] - drawn[2]

@@ -63,12 +63,11 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
 std::vector<glm::dvec4> forms_behind(const Params& params, const Derived& derived, const Mirror& mirror) {
     const glm::dmat4& mirrored = mirror.plane.mirrored_world_from_world;
     const glm::dmat4 on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * mirrored);
+    const glm::dmat4 clip_from_world = derived.clip_from_world * mirrored, clip = glm::transpose(clip_from_world);
     glm::dvec4 behind = -mirror.towards_eye();
     behind.w -= standing;
     std::vector<glm::dvec4> forms = {behind, clip[3] + clip[2]};
-    for (int axis = 0; axis < 2; ++axis)
-        for (const double side : {-1.0, 1.0}) forms.push_back(clip[3] + side * clip[axis]);
+    for (const glm::dvec4& side : forms_of_sides(clip_from_world)) forms.push_back(side);
     if (!params.reflection.stencil) return forms;
     forms.push_back(glm::transpose(on_mirror)[3]);
     for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
@@ -253,9 +252,10 @@ void say_shared_value(Sayer& tell, const Params& params, const Derived& derived,
 void say_oblique_in_world(Sayer& tell, const Derived& derived, const std::vector<Mirror>& mirrors) {
     const Mirror& mirror = mirrors.front();
     const glm::dvec4 world = mirror.towards_eye(), view = world * glm::inverse(derived.view_from_world);
-    const auto number = [](double value) { return figures(std::abs(value) < 1e-9 ? 0.0 : value, 2); };
-    const auto text = [&](const glm::dvec4& plane) {
-        return "(" + number(plane.x) + ", " + number(plane.y) + ", " + number(plane.z) + ", " + number(plane.w) + ")";
+    const auto text = [](glm::dvec4 plane) {
+        for (int i = 0; i < 4; ++i)
+            if (std::abs(plane[i]) < 1e-9) plane[i] = 0.0;
+        return figures_of({&plane.x, 4});
     };
     tell.broken(
         glm::length(world - view) > 1e-9,

@@ -12,6 +12,11 @@
 namespace viewing {
 namespace {
 
+/// Returns S as it should be: without the slip of S by rows.
+glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
+    return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
+}
+
 /// A shadow that the frame draws.
 struct Thrown {
     const DerivedPlane& plane;
@@ -22,10 +27,7 @@ struct Thrown {
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
     /// Returns a vector whose dot product with p is the correct w of p's projection: positive between the light and the
     /// plane.
-    glm::dvec4 right_w() const {
-        const glm::dmat4& s = cast.shadowed_world_from_world;
-        return side() * glm::transpose(cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : s)[3];
-    }
+    glm::dvec4 right_w() const { return side() * glm::transpose(right_shadow(plane, cast))[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
@@ -38,16 +40,13 @@ bool may_be_seen(const Params& params, const Derived& derived, const Scene& scen
     const bool is_forced = params.shadow.sign == ShadowSign::forced && !params.shadow.clip_at_light;
     if (cast.by_hand || is_forced) return true;
     // If S is filled by rows, the right shadow may be seen instead.
-    const glm::dmat4 landed =
-        side * (cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world);
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * landed);
-    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3], clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1],
-                                     clip[3] - clip[1]};
+    const glm::dmat4 landed = side * right_shadow(plane, cast);
+    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3]};
+    for (const glm::dvec4& form : forms_of_sides(derived.clip_from_world * landed)) forms.push_back(form);
     if (params.shadow.clip_casters) forms.push_back(side * plane.unit_plane);
     if (params.shadow.clip_to_receiver)
         for (const glm::dvec4& edge : forms_of_edges(landed, plane.patch)) forms.push_back(edge);
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return may_reach(object, forms); });
+    return may_reach(scene, forms);
 }
 
 /// Returns the shadows that may be in the picture, directly or, with mirrors, in one.
@@ -203,20 +202,18 @@ void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown
 /// in front of that patch's plane, as the eye sees it, and in the picture.
 bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow, const Scene& scene) {
     const glm::dmat4 landed = shadow.cast.sign * shadow.cast.shadowed_world_from_world;
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * landed);
+    const glm::dmat4 clip_from_world = derived.clip_from_world * landed;
     const bool tests = params.depth.tests() && params.shadow.offset != ShadowOffset::no_depth_test;
     for (const DerivedPlane& before : derived.planes) {
         if (&before == &shadow.plane) return false;
         if (before.eye_side == 0.0) continue;
-        std::vector<glm::dvec4> forms = {clip[3], clip[3] + clip[0], clip[3] - clip[0], clip[3] + clip[1],
-                                         clip[3] - clip[1]};
+        std::vector<glm::dvec4> forms = {glm::transpose(clip_from_world)[3]};
+        for (const glm::dvec4& side : forms_of_sides(clip_from_world)) forms.push_back(side);
         if (params.shadow.clip_casters) forms.push_back(shadow.towards_light());
         if (tests) forms.push_back(plane_facing(before.unit_plane, derived.eye_world) * landed);
         const glm::dmat4 seen = seen_on_plane(before.unit_plane, derived.eye_world) * landed;
         for (const glm::dvec4& edge : forms_of_edges(seen, before.patch)) forms.push_back(edge);
-        if (std::any_of(scene.objects.begin(), scene.objects.end(),
-                        [&](const SceneObject& object) { return may_reach(object, forms); }))
-            return true;
+        if (may_reach(scene, forms)) return true;
     }
     return false;
 }

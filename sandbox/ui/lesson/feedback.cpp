@@ -40,9 +40,7 @@ std::string places_in_words(const Ask& ask, const std::vector<int>& places) {
 /// Returns "(0, 1, 0, −0.5)"; a light's w is left out if it is 1.
 std::string numbers_in_words(std::vector<double> numbers, bool is_light) {
     if (is_light && std::abs(numbers.back() - 1.0) < 5e-4) numbers.pop_back();
-    std::string text;
-    for (const double number : numbers) text += (text.empty() ? "" : ", ") + figures(number, 3);
-    return "(" + text + ")";
+    return figures_of(numbers, 3);
 }
 
 /// Returns a sentence about the row of another plane or light; "" if there is none.

@@ -7,6 +7,8 @@
 
 namespace viewing {
 
+inline constexpr float display_code_height = 200.0F;  ///< in the column of matrices, with its heading; design pixels
+
 /// Draws the lines one below the other, starting at the cursor.
 void draw_display_code(const Params& params, const Derived& derived);
 

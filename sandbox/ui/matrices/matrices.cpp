@@ -284,7 +284,7 @@ float growth_of(std::span<const std::string> listed, bool has_symbols, float pad
         fixed += 2.0F * padding + ImGui::GetStyle().ItemSpacing.y +
                  (is_matrix          ? matrix_heights()[has_symbols ? 2 : 1] - matrix
                   : name == "follow" ? followed_point_height(session)
-                                     : px(200.0F));
+                                     : px(display_code_height));
     }
     constexpr float largest = 1.4F;
     if (matrices == 0.0F) return 1.0F;

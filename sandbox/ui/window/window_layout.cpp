@@ -4,6 +4,7 @@
 #include <array>
 
 #include "state/fields.h"
+#include "ui/matrices/display_code.h"
 #include "ui/parts/topics.h"
 
 namespace viewing {
@@ -68,8 +69,8 @@ void arrange(Arrangement& arrangement, const Params& params, const std::vector<s
     telling.matrices = static_cast<int>(matrices.size());
     telling.short_matrices = telling.tall_matrices = 4.0F;
     for (const std::string& name : matrices) {
-        telling.short_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 147.0F;
-        telling.tall_matrices += name == "follow" ? 160.0F : name == "display" ? 200.0F : 230.0F;
+        telling.short_matrices += name == "follow" ? 160.0F : name == "display" ? display_code_height : 147.0F;
+        telling.tall_matrices += name == "follow" ? 160.0F : name == "display" ? display_code_height : 230.0F;
     }
     telling.control_rows = rows_of(layout.controls);
     telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {

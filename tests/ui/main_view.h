@@ -1,0 +1,35 @@
+// The largest view on stage. Used by the tests of the layout and of the pixels.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "ui/parts/layout.h"
+
+namespace viewing::test {
+
+inline float area_of(const Rect& rect) {
+    return rect.empty() ? 0.0F : rect.width() * rect.height();
+}
+
+/// Returns the rectangles of the largest view: two if a second picture is beside the camera's.
+inline std::vector<Rect> main_view(const Layout& layout) {
+    const std::vector<std::vector<Rect>> views = {
+        {layout.camera, layout.beside}, {layout.lower_left}, {layout.lower_right}, {layout.matrices}};
+    const auto whole = [](const std::vector<Rect>& view) {
+        float sum = 0.0F;
+        for (const Rect& rect : view) sum += area_of(rect);
+        return sum;
+    };
+    return *std::max_element(views.begin(), views.end(),
+                             [&](const auto& a, const auto& b) { return whole(a) < whole(b); });
+}
+
+/// Returns the share of the area above the lesson's text that the largest view has.
+inline float main_share(const Layout& layout) {
+    float sum = 0.0F;
+    for (const Rect& rect : main_view(layout)) sum += area_of(rect);
+    return sum / (layout.strip.width() * layout.strip.min.y);
+}
+
+}  // namespace viewing::test
