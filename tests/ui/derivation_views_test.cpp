@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "desk.h"
+#include "ui/planes/derivation_lines.h"
 
 namespace viewing::test {
 namespace {
@@ -118,6 +119,65 @@ TEST_F(DerivationViews, DrawInEveryStateAndSize) {
                 }
             }
         }
+    }
+}
+
+/// Expects these lines in the view without scrolling, each at least as high as a line with an em of 9 pixels.
+void expect_whole(const Desk& desk, const std::vector<DerivationLine>& lines) {
+    const Layout layout = desk.layout();
+    const Rect view = layout.lower_right.empty() ? layout.lower_left : layout.lower_right;
+    for (const DerivationLine& line : lines) {
+        std::string label;
+        for (const std::string& part : line.parts)
+            if (!part.empty()) label += (label.empty() ? "" : " ") + part;
+        const auto item = std::ranges::find_if(desk.recorded(), [&](const RecordedItem& one) {
+            return one.label == "lower/" + label || (one.label == "lower/note" && one.text == label);
+        });
+        ASSERT_NE(item, desk.recorded().end()) << label;
+        EXPECT_GE(item->min.y, view.min.y) << label;
+        EXPECT_LE(item->max.y, view.max.y) << label;
+        EXPECT_LE(item->max.x, view.max.x) << label;
+        EXPECT_GE(item->max.y - item->min.y, 12.0F) << label << ": an em of 9 is a line of 12";
+    }
+}
+
+TEST(DerivationInALowWindow, HasAllItsLines) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}})
+        for (const Theme theme : {Theme::dark, Theme::projector})
+            for (const Language language : {Language::en, Language::ko}) {
+                SCOPED_TRACE(std::to_string(static_cast<int>(size.x)) + " " + std::string(name_of(theme)) + " " +
+                             std::string(name_of(language)));
+                Desk desk(size, "shadow-derivation");
+                desk.params().ui.theme = theme;
+                desk.params().ui.language = language;
+                desk.apply_looks();
+                desk.settle();
+                const std::vector<DerivationLine> lines =
+                    shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
+                                               desk.derived.followed->point_world),
+                                 true);
+                EXPECT_EQ(step_count(lines), 19);
+                expect_whole(desk, lines);
+                // Going step by step moves nothing.
+                const float top = desk.ui.find("lower/s = l + t (p − l)").min.y;
+                desk.params().view.derivation_step = 3;
+                desk.ui.frames(3);
+                EXPECT_EQ(desk.ui.find("lower/s = l + t (p − l)").min.y, top);
+            }
+}
+
+TEST(DerivationInALowWindow, HasAllItsLinesAboveALesson) {
+    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}}) {
+        SCOPED_TRACE(size.x);
+        Desk desk(size);
+        const Result<Lesson> lesson = load_lesson("mirror-matrix");
+        ASSERT_TRUE(lesson) << lesson.error();
+        desk.workbench.guide.begin(*lesson, 0, desk.session);
+        desk.workbench.guide.reveal(desk.session);
+        desk.workbench.guide.next(desk.session);  // without animation
+        desk.settle();
+        expect_whole(desk, mirror_lines(derive_mirror(desk.derived.chosen_plane().unit_plane,
+                                                      desk.derived.followed->point_world)));
     }
 }
 
