@@ -93,7 +93,7 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && !arrangement.presents && !guide.is_sheet()) {
         // From step to step, the question stays at one height, unless that takes much from the views.
-        constexpr float most_share = 0.3F;
+        constexpr float most_share = 0.34F;
         const float tallest = tallest_strip(*guide.run(), strip_width, widgets, look);
         now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
     }
