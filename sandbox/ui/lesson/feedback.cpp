@@ -64,6 +64,18 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
             if (ask.rows == 1) return tr("Not yet: only the sign is wrong.");
             return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
                              : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
+        case Near::half:
+            return tr("Not yet: this is half of it.");
+        case Near::twice:
+            return tr("Not yet: this is twice as much.");
+        case Near::reciprocal:
+            return tr("Not yet: this is 1 divided by it.");
+        case Near::radians:
+            return tr("Not yet: this would be right in radians. Degrees are asked for.");
+        case Near::degrees:
+            return tr("Not yet: this would be right in degrees. Radians are asked for.");
+        case Near::decimal:
+            return tr("Not yet: only the decimal point is in the wrong place.");
         case Near::right_parts:
             return is_matrix ? say("Not yet. These rows are right: {places}.", "places"_a = places)
                              : say("Not yet. These numbers are right: {places}.", "places"_a = places);

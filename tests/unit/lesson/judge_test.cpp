@@ -67,6 +67,28 @@ TEST(Judge, TilesCountInOrderOrAsASet) {
     EXPECT_FALSE(judged(ask, {{}, {1, 2}}).right);
 }
 
+TEST(Judge, AWrongNumberIsRelatedToTheRightOne) {
+    Ask ask;
+    ask.kind = AskKind::number;
+    ask.tolerance = 0.01;
+    const auto told = [&](double typed) { return judged(ask, {{typed}, {}}).near; };
+    ask.expect = "30";
+    EXPECT_EQ(told(15), Near::half);
+    EXPECT_EQ(told(60), Near::twice);
+    EXPECT_EQ(told(0.0333), Near::reciprocal);
+    EXPECT_EQ(told(0.5236), Near::radians) << "π/6";
+    EXPECT_EQ(told(300), Near::decimal);
+    EXPECT_EQ(told(0.3), Near::decimal);
+    EXPECT_EQ(told(-30), Near::sign);
+    EXPECT_EQ(told(0), Near::nothing);
+    EXPECT_EQ(told(15.1), Near::nothing) << "nearly half of it is not half of it";
+    EXPECT_EQ(told(61), Near::nothing);
+    ask.expect = "0.5236";
+    EXPECT_EQ(told(30), Near::degrees);
+    ask.expect = "0";
+    EXPECT_EQ(told(7), Near::nothing);
+}
+
 TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     Ask ask;
     ask.kind = AskKind::vector;
@@ -94,7 +116,7 @@ TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     ask.kind = AskKind::number;
     ask.expect = "5";
     EXPECT_EQ(told({{-5}, {}}), is(Near::sign, {1}));
-    EXPECT_EQ(told({{10}, {}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{7}, {}}), is(Near::nothing, {}));
     ask = {};
     ask.kind = AskKind::order;
     ask.items = {{"A", ""}, {"B", ""}, {"C", ""}, {"D", ""}};
