@@ -133,9 +133,8 @@ void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& ver
         const auto right = static_cast<int>(std::count_if(items.begin(), items.end(), [&](int one) {
             return std::find(expected.begin(), expected.end(), one) != expected.end();
         }));
-        if (right == 0) return;
-        verdict.near = Near::some_items;
-        verdict.places = {right};
+        verdict.near = right == 0 ? Near::no_items : Near::some_items;
+        if (right > 0) verdict.places = {right};
         return;
     }
     int most = 0;
@@ -143,9 +142,8 @@ void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& ver
         const auto end = std::mismatch(items.begin(), items.end(), expected.begin(), expected.end());
         most = std::max(most, static_cast<int>(end.first - items.begin()));
     }
-    if (most == 0) return;
-    verdict.near = Near::first_items;
-    verdict.places = {most};
+    verdict.near = most == 0 ? Near::first_wrong : Near::first_items;
+    if (most > 0) verdict.places = {most};
 }
 
 std::vector<int> sorted(std::vector<int> items) {

@@ -22,6 +22,8 @@ enum class Near {
     decimal,      ///< only the decimal point is in the wrong place, by up to three places
     right_parts,  ///< the rows or entries at the places are right, the others are not
     first_items,  ///< so many tiles at the beginning are right
+    first_wrong,  ///< the first tile is another one
+    no_items,     ///< none of the chosen tiles is right
     some_items,   ///< so many chosen tiles are right; others are not, and some are missing
     incomplete,   ///< every chosen tile is right, but some are missing
     too_many      ///< all right tiles are chosen, and others too

@@ -122,13 +122,13 @@ TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     ask.items = {{"A", ""}, {"B", ""}, {"C", ""}, {"D", ""}};
     ask.expected_items = {{2, 0, 1, 3}, {2, 3, 1, 0}};
     EXPECT_EQ(told({{}, {2, 3, 0, 1}}), is(Near::first_items, {2}));
-    EXPECT_EQ(told({{}, {0, 1, 2, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {0, 1, 2, 3}}), is(Near::first_wrong, {}));
     ask.kind = AskKind::subset;
     ask.expected_items = {{1, 2}};
     EXPECT_EQ(told({{}, {2}}), is(Near::incomplete, {}));
     EXPECT_EQ(told({{}, {1, 3, 2}}), is(Near::too_many, {}));
     EXPECT_EQ(told({{}, {1, 3}}), is(Near::some_items, {1}));
-    EXPECT_EQ(told({{}, {0, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {0, 3}}), is(Near::no_items, {}));
     EXPECT_EQ(told({{}, {}}), is(Near::nothing, {}));
     ask = {};
     ask.kind = AskKind::vector;
