@@ -105,7 +105,7 @@ ObserverView seen_from_outside(const Outside& outside, const Derived& derived, c
     picture_from_free[3] = glm::dvec4(free.center(), 0.0, 1.0);
     ObserverView view;
     view.view_from_world = derived.view_from_world;
-    view.world_from_view = glm::inverse(derived.view_from_world);
+    view.world_from_view = effective_camera(derived);
     view.eye_world = derived.eye_world;
     view.clip_from_world = picture_from_free * clip_from_view(lens, aspect) * outside_from_cube * cube_from_world;
     return view;

@@ -24,6 +24,24 @@ StoredDepth stored_depth_of(const DepthParams& depth, const Viewport& viewport) 
     return stored;
 }
 
+/// Returns P for a clip range of −1 … 1, from one for 0 … 1: z′ = 2 z − w.
+glm::dmat4 with_range_around_zero(glm::dmat4 p) {
+    for (int column = 0; column < 4; ++column) p[column][2] = 2.0 * p[column][2] - p[column][3];
+    return p;
+}
+
+double aspect_of(const Params& params, double view_aspect) {
+    if (const Lens lens = params.lens(); lens.window) return lens.window->aspect();
+    return params.projection.aspect > 0.0 ? params.projection.aspect : view_aspect;
+}
+
+/// Returns P as the lens defines it.
+glm::dmat4 projection_of(const Params& params, double aspect, bool zero_to_one) {
+    if (params.depth.mapping != DepthMapping::reversed) return clip_from_view(params.lens(), aspect);
+    const glm::dmat4 p = clip_from_view_reversed(params.lens(), aspect);
+    return zero_to_one ? p : with_range_around_zero(p);
+}
+
 void derive_camera(Derived& derived, const Params& params, const Viewport& viewport) {
     const CameraParams& camera = params.camera;
     derived.look_at = camera.look_at();
@@ -38,7 +56,8 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     // If C is uploaded as V, the eye's axes come from C⁻¹.
     const glm::dmat4 inverse_camera = view_from_world(derived.world_from_view);
     const bool swapped = params.slips.camera_as_view;
-    derived.view_from_world = swapped ? derived.world_from_view : inverse_camera;
+    const CameraOverrides& by_hand = params.camera_overrides;
+    derived.view_from_world = by_hand.view_from_world.value_or(swapped ? derived.world_from_view : inverse_camera);
     const glm::dmat4& seen_from = swapped ? inverse_camera : derived.world_from_view;
     // With parallel view rays, their direction alone decides which side of a plane is visible.
     derived.eye_world = seen_from[params.projection.is_orthographic() ? 2 : 3];
@@ -47,21 +66,20 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     const Lens lens = params.lens();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
     derived.view_aspect = viewport.aspect();
-    derived.aspect = lens.window                      ? lens.window->aspect()
-                     : params.projection.aspect > 0.0 ? params.projection.aspect
-                                                      : derived.view_aspect;
+    derived.aspect = aspect_of(params, derived.view_aspect);
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
     derived.stored_depth = stored_depth_of(params.depth, viewport);
-    derived.clip_from_view = clip_from_view(lens, derived.aspect);
-    if (reversed) {
-        derived.clip_from_view = clip_from_view_reversed(lens, derived.aspect);
-        if (!derived.clip_zero_to_one) {  // back to −1 … 1: z′ = 2 z − w
-            for (int column = 0; column < 4; ++column)
-                derived.clip_from_view[column][2] =
-                    2.0 * derived.clip_from_view[column][2] - derived.clip_from_view[column][3];
-        }
-    }
+    // A P entered by hand is made for the clip range that the state names, which the driver may lack.
+    const bool lacks_range = params.depth.reversed_zero_to_one && reversed && !derived.clip_zero_to_one;
+    derived.clip_from_view = !by_hand.clip_from_view ? projection_of(params, derived.aspect, derived.clip_zero_to_one)
+                             : lacks_range           ? with_range_around_zero(*by_hand.clip_from_view)
+                                                     : *by_hand.clip_from_view;
     derived.clip_from_world = derived.clip_from_view * derived.view_from_world;
+    if (by_hand.view_from_world || by_hand.clip_from_view) {
+        derived.eye_world = eye_of(derived.clip_from_world, reversed).value_or(derived.eye_world);
+        derived.has_distances =
+            is_affine(derived.view_from_world) && (!by_hand.clip_from_view || params.lens_by_hand().has_value());
+    }
 
     const glm::dvec4 target_view = derived.view_from_world * glm::dvec4(camera.target, 1.0);
     derived.facts.target_distance = std::clamp(-target_view.z, lens.near, lens.far);
@@ -206,6 +224,13 @@ double depth_step(const Params& params, double z) {
     return depth_step(params.lens(), params.depth.mapping, precision_of(params.depth.format), z);
 }
 
+glm::dmat4 projection_without_hand(const Params& params, const Derived& derived) {
+    if (!params.camera_overrides.clip_from_view) return derived.clip_from_view;
+    Params own = params;
+    own.camera_overrides.clip_from_view.reset();
+    return projection_of(own, aspect_of(own, derived.view_aspect), derived.clip_zero_to_one);
+}
+
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport) {
     Derived derived;
     derive_camera(derived, params, viewport);
@@ -213,7 +238,7 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
     derived.followed = derive_followed(derived, params, scene);
     derived.has_decals = has_decals(scene);
     if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);
-    if (params.view.shows == Shows::fighting) derived.heat = heat_map(params, derived, scene);
+    if (params.view.shows == Shows::fighting && derived.has_distances) derived.heat = heat_map(params, derived, scene);
     return derived;
 }
 

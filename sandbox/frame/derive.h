@@ -76,6 +76,7 @@ struct Derived {
     LookAt look_at;                            ///< the camera as eye, center and up, without mistakes
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
     glm::dmat4 clip_from_world{1.0};           ///< P V
+    bool has_distances = true;                 ///< false if a V or P entered by hand leaves near and far no meaning
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
     StoredDepth stored_depth{};                ///< as measured or, without a measurement, as requested
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: direction toward the eye, with w = 0 as for a light
@@ -137,11 +138,17 @@ double depth_step(const Params& params, double z);
 /// Returns the camera's pose as its numbers define it: C without mistakes.
 glm::dmat4 placed_camera(const Params& params);
 
-/// Returns the pose at which the uploaded matrix really puts the eye: V⁻¹. Without mistakes, it equals placed_camera().
+/// Returns P as the projection's own numbers define it: as uploaded, unless P is entered by hand.
+glm::dmat4 projection_without_hand(const Params& params, const Derived& derived);
+
+/// Returns the pose at which the uploaded matrix really puts the eye: V⁻¹. Without mistakes, it equals placed_camera();
+/// if a V entered by hand has no inverse, it is C.
 glm::dmat4 effective_camera(const Derived& derived);
 
 /// Returns, in world space, the eight frustum corners of a camera with this state's projection: first the four near
-/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them.
+/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them. If no
+/// lens makes a P entered by hand, they are the points that it sends to the corners of the clip range, as far as there
+/// are any.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
 /// Does the same for the placed camera, to show where the camera is even while a mistake breaks V.

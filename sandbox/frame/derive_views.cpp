@@ -110,7 +110,7 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
     const ObserverView fixed = derive_observer(beside_camera, viewport);
     ObserverView view;
     view.view_from_world = fixed.view_from_world * derived.view_from_world;
-    view.world_from_view = glm::inverse(view.view_from_world);
+    view.world_from_view = effective_camera(derived) * fixed.world_from_view;
     view.clip_from_world = fixed.clip_from_world * derived.view_from_world;
     view.eye_world = view.world_from_view[3];
     return view;
@@ -121,7 +121,9 @@ glm::dmat4 placed_camera(const Params& params) {
 }
 
 glm::dmat4 effective_camera(const Derived& derived) {
-    return view_from_world(derived.view_from_world);  // V is rigid like C, so it is inverted in the same way
+    const glm::dmat4& v = derived.view_from_world;
+    if (is_rigid(v)) return view_from_world(v);  // inverted without rounding, like C
+    return std::abs(glm::determinant(v)) > 1e-12 ? glm::inverse(v) : derived.world_from_view;
 }
 
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {
@@ -131,12 +133,21 @@ std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& d
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view) {
     const Lens lens = params.lens();
+    const bool has_lens = !params.camera_overrides.clip_from_view || params.lens_by_hand();
+    const glm::dmat4 view_from_clip = has_lens || std::abs(glm::determinant(derived.clip_from_view)) < 1e-12
+                                          ? glm::dmat4(0.0)
+                                          : glm::inverse(derived.clip_from_view);
+    const double ndc_near = derived.clip_zero_to_one ? 0.0 : -1.0;
     std::array<glm::dvec3, 8> corners{};
     for (int corner = 0; corner < 8; ++corner) {
         const double distance = corner < 4 ? lens.near : lens.shown_far();
         const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
         const double y = corner % 4 >= 2 ? 1.0 : -1.0;
-        const glm::dvec4 corner_view(lens.edges_at(distance, derived.aspect).at({x, y}), -distance, 1.0);
+        glm::dvec4 corner_view(lens.edges_at(distance, derived.aspect).at({x, y}), -distance, 1.0);
+        if (!has_lens) {
+            const glm::dvec4 unprojected = view_from_clip * glm::dvec4(x, y, corner < 4 ? ndc_near : 1.0, 1.0);
+            if (std::abs(unprojected.w) > 1e-9) corner_view = unprojected / unprojected.w;
+        }
         corners[static_cast<std::size_t>(corner)] = glm::dvec3(world_from_view * corner_view);
     }
     return corners;

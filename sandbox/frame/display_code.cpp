@@ -49,7 +49,9 @@ std::vector<DisplayLine> display_lines(const Params& params, const Derived& deri
                                             : near + ", " + plain_decimals(projection.far, 1) + ");";
 
     std::vector<DisplayLine> lines = {{"void display() {"}};
-    if (projection.type == ProjectionType::perspective) {
+    if (params.camera_overrides.clip_from_view) {
+        lines.push_back({"  P = mat4(…);  // entered by hand", false, "projection"});
+    } else if (projection.type == ProjectionType::perspective) {
         const std::string degrees = plain_decimals(projection.fovy, 1);
         const std::string angle = params.slips.degrees_as_radians ? degrees : "radians(" + degrees + ")";
         lines.push_back(
@@ -66,7 +68,9 @@ std::vector<DisplayLine> display_lines(const Params& params, const Derived& deri
         lines.push_back({"      " + pair(edges.bottom, edges.top) + " " + range, false, "projection"});
     }
     lines.push_back({"  V = mat4(1);  // move the world instead:"});
-    const std::vector<Factor> factors = factors_of(params);
+    if (params.camera_overrides.view_from_world) lines.push_back({"  W = mat4(…);  // entered by hand", true});
+    const std::vector<Factor> factors =
+        params.camera_overrides.view_from_world ? std::vector<Factor>() : factors_of(params);
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const std::string& comment = factors[i].comment;
         lines.push_back({(i == 0 ? "  W = " : "    * ") + factors[i].code + (i + 1 == factors.size() ? ";" : "") +

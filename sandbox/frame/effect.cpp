@@ -64,6 +64,12 @@ bool is_named(const Reason& reason, std::string_view path) {
 /// Returns all reasons, from the broadest to the narrowest.
 std::span<const Reason> reasons() {
     static const Reason all[] = {
+        {[](const State& s) { return s.params.camera_overrides.clip_from_view.has_value(); },
+         marked("P is entered by hand: Release beside its name computes it from the projection again."),
+         {"projection.", "slips.degrees_as_radians"}},
+        {[](const State& s) { return s.params.camera_overrides.view_from_world.has_value(); },
+         marked("V is entered by hand: Release beside its name computes it from the camera again."),
+         {"slips.swapped_order", "slips.camera_as_view"}},
         {[](const State& s) { return s.params.projection.is_orthographic(); },
          marked("An orthographic view is defined by a height, not an angle."),
          {"projection.fovy", "slips.degrees_as_radians"}},

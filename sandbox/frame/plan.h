@@ -101,7 +101,8 @@ struct FramePlan {
     StoredDepth stored_depth;  ///< of that format
     DepthMapping depth_mapping = DepthMapping::standard;
     bool logarithm_per_vertex = false;
-    Lens lens;  ///< for logarithmic depth, and to show depth in eye units
+    Lens lens;                  ///< for logarithmic depth, and to show depth in eye units
+    bool has_distances = true;  ///< Derived::has_distances: near and far of the lens have a meaning
     bool clip_zero_to_one = false;
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;

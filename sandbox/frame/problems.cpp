@@ -140,7 +140,7 @@ void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect)
 
 /// Reports the effects of mistakes on P and its picture.
 void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                              const Scene& scene) {
+                              const Scene& scene, bool is_by_hand) {
     Sayer tell(problems, "projection");
     const Lens lens = params.lens();
     Params right = params;
@@ -166,9 +166,9 @@ void find_projection_problems(std::vector<Problem>& problems, const Params& para
                     "slips.degrees_as_radians");
     }
     const double stretch = derived.view_aspect / derived.aspect;
-    if (lens.window) return tell_stretched_window(tell, *lens.window, derived.view_aspect);
+    if (lens.window && !is_by_hand) return tell_stretched_window(tell, *lens.window, derived.view_aspect);
     tell.broken(
-        std::abs(stretch - 1.0) > 1e-3,
+        std::abs(stretch - 1.0) > 1e-3 && stretch > 0.0,
         sentence("projection.other_aspect",
                  "P expects a picture {aspect} times as wide as it is high, but the view's aspect ratio is {view}: "
                  "everything is stretched to {stretch} times its width",
@@ -189,22 +189,38 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
                   "mistake: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
     tell(slips.pole_flip && shows("slips.pole_flip"),
          sentence("camera.pole_flip", "mistake: orbiting over the pole flips the picture"));
-    tell(slips.swapped_order,
+    const bool computes_view = !params.camera_overrides.view_from_world;
+    tell(slips.swapped_order && computes_view,
          sentence("camera.swapped_order",
                   "mistake: C = R·T instead of T·R, so the camera turns about the world's origin"));
-    tell(slips.camera_as_view,
+    tell(slips.camera_as_view && computes_view,
          sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"));
+}
+
+/// Takes away the fixes that have no effect while V or P is entered by hand: its own sentence has the fix.
+void drop_idle_fixes(std::vector<Problem>& problems, const CameraOverrides& by_hand) {
+    for (Problem& problem : problems)
+        if ((by_hand.view_from_world && problem.fixed_by.starts_with("camera")) ||
+            (by_hand.clip_from_view && problem.fixed_by.starts_with("projection")))
+            problem.fixed_by.clear();
 }
 
 }  // namespace
 
-std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
+std::vector<Problem> find_problems(const Params& entered, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame) {
     std::vector<Problem> problems;
-    const std::vector<SeenImage> images = seen_images(derived, scene, frame);
-    find_view_problems(problems, params, derived, scene, images);
+    const CameraOverrides& by_hand = entered.camera_overrides;
+    std::optional<Params> seen;
+    if (by_hand.clip_from_view) seen = entered.with_projection_by_hand();
+    const Params& params = seen ? *seen : entered;
+    const std::vector<SeenImage> images =
+        derived.has_distances ? seen_images(derived, scene, frame) : std::vector<SeenImage>();
+    if (derived.has_distances) find_view_problems(problems, params, derived, scene, images);
+    find_camera_by_hand_problems(problems, entered, derived);
     find_slips(problems, params, scene);
-    find_projection_problems(problems, params, derived, scene);
+    if (derived.has_distances)
+        find_projection_problems(problems, params, derived, scene, by_hand.clip_from_view.has_value());
     find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
@@ -219,9 +235,10 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
             const bool is_untested = params.reflection.after_objects && problem.group == "reflection";
             return problem.kind != ProblemKind::worth_knowing && !is_untested;
         });
-    else
+    else if (derived.has_distances)
         find_cull_problems(problems, params, derived, scene);
     find_depth_problems(problems, params, derived, scene, images);
+    drop_idle_fixes(problems, by_hand);
     Sayer(problems, "follow")(params.follow && !derived.followed,
                               sentence("follow.no_vertex", "the followed vertex does not exist in this scene"));
     return problems;

@@ -43,6 +43,9 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene);
 
+/// Adds what V and P entered by hand are, and what is wrong with them.
+void find_camera_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
+
 /// Adds what each S and R entered by hand is, if it is recognized: a transpose, or a right matrix of something else.
 void find_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
 

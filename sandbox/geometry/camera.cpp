@@ -76,6 +76,18 @@ glm::dmat4 view_from_world(const glm::dmat4& world_from_view) {
     return view;
 }
 
+bool is_affine(const glm::dmat4& matrix) {
+    const glm::dvec4 off = glm::abs(glm::transpose(matrix)[3] - glm::dvec4(0.0, 0.0, 0.0, 1.0));
+    return off.x <= 1e-9 && off.y <= 1e-9 && off.z <= 1e-9 && off.w <= 1e-9;
+}
+
+bool is_rigid(const glm::dmat4& matrix) {
+    const glm::dmat3 axes(matrix), off = glm::transpose(axes) * axes - glm::dmat3(1.0);
+    for (int i = 0; i < 9; ++i)
+        if (!(std::abs(off[i / 3][i % 3]) <= 1e-12)) return false;
+    return is_affine(matrix);
+}
+
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale) {
     return glm::scale(world_from_view(position, rotation), scale);
 }

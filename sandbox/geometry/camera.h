@@ -29,6 +29,13 @@ glm::dmat4 world_from_view(const glm::dvec3& position, const Angles& angles);
 /// Returns V = C⁻¹ for a rigid C, built from Rᵀ and −Rᵀ·eye without a general matrix inverse.
 glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
 
+/// Returns whether the last row is (0, 0, 0, 1), up to 1e-9: w stays 1.
+bool is_affine(const glm::dmat4& matrix);
+
+/// Returns whether the matrix is affine and its axes are perpendicular unit vectors, up to 1e-12: a V or C, perhaps
+/// mirrored.
+bool is_rigid(const glm::dmat4& matrix);
+
 /// Returns T(position) R(rotation) S(scale), the matrix that places an object.
 glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
 

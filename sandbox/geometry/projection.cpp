@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <initializer_list>
 #include <limits>
 
 namespace viewing {
@@ -76,6 +77,58 @@ glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect) {
         return with_depth_row(standard, n / (f - n), f * n / (f - n));
     }
     return glm::perspectiveRH_ZO(glm::radians(lens.fovy_deg), aspect, lens.far, lens.near);
+}
+
+std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance) {
+    const glm::dvec4 w = glm::transpose(clip_from_view)[3];
+    Lens lens;
+    lens.orthographic = std::abs(w.w) > std::abs(w.z);
+    const double factor = lens.orthographic ? w.w : -w.z;
+    if (!(factor > 0.0)) return std::nullopt;
+    const glm::dmat4 rows = glm::transpose(clip_from_view / factor);
+    const auto are_zero = [&](std::initializer_list<double> entries) {
+        return std::all_of(entries.begin(), entries.end(), [&](double entry) { return std::abs(entry) <= tolerance; });
+    };
+    const glm::dvec4 &x = rows[0], &y = rows[1], &z = rows[2];
+    // The window's middle is moved by the entry beside z or, if nothing divides, beside 1; the other one is 0.
+    const int middle = lens.orthographic ? 3 : 2, other = 5 - middle;
+    if (!are_zero({x.y, x[other], y.x, y[other], z.x, z.y, rows[3].x, rows[3].y, rows[3][other]}) || x.x == 0.0 ||
+        y.y == 0.0)
+        return std::nullopt;
+    // z ÷ w is z.w ÷ distance − z.z or, orthographic, z.w − z.z distance.
+    const auto distance_of = [&](double ndc) {
+        if (lens.orthographic) return (z.w - ndc) / z.z;
+        return std::abs(z.z + ndc) < 1e-12 ? std::numeric_limits<double>::infinity() : z.w / (z.z + ndc);
+    };
+    lens.near = distance_of(ndc_near);
+    lens.far = distance_of(ndc_far);
+    if (std::isnan(lens.near) || std::isnan(lens.far)) return std::nullopt;
+    const double nearer = std::min(lens.near, lens.far), size = lens.orthographic ? 1.0 : nearer;
+    const double moved = lens.orthographic ? -1.0 : 1.0;
+    lens.window = Edges{(moved * x[middle] - 1.0) / x.x, (moved * x[middle] + 1.0) / x.x,
+                        (moved * y[middle] - 1.0) / y.y, (moved * y[middle] + 1.0) / y.y}
+                      .scaled(size);
+    return lens;
+}
+
+std::optional<glm::dvec4> eye_of(const glm::dmat4& clip_from_world, bool reversed) {
+    const glm::dmat4 rows = glm::transpose(clip_from_world);
+    // The product of three vectors that is perpendicular to each of them: the minors of their matrix.
+    glm::dvec4 eye(0.0);
+    for (int axis = 0; axis < 4; ++axis) {
+        glm::dmat3 minor(0.0);
+        for (int column = 0, left = 0; column < 4; ++column)
+            if (column != axis) minor[left++] = {rows[0][column], rows[1][column], rows[3][column]};
+        eye[axis] = (axis % 2 == 0 ? 1.0 : -1.0) * glm::determinant(minor);
+    }
+    const double size = glm::length(eye);
+    const double largest = glm::length(rows[0]) * glm::length(rows[1]) * glm::length(rows[3]);
+    if (!(size > 1e-12 * largest)) return std::nullopt;
+    eye /= size;
+    if (std::abs(eye.w) > 1e-9) return eye / eye.w;
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(eye));
+    const bool points_away = (glm::dot(glm::dvec3(rows[2]), direction) > 0.0) != reversed;
+    return glm::dvec4(points_away ? -direction : direction, 0.0);
 }
 
 double window_depth(const Lens& lens, DepthMapping mapping, double distance) {

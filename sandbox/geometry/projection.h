@@ -56,6 +56,15 @@ glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 /// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
+/// Returns the lens that a P is made for, with a window of its own; none if no lens makes it, even up to a positive
+/// factor. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far, or near
+/// ≤ 0; its window is that of a perspective lens at the nearer of both. Entries up to `tolerance` count as 0.
+std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
+
+/// Returns the eye of a camera: the point with w = 1 that P V sends to x = y = w = 0 or, if its rays are parallel, the
+/// direction toward the eye, with w = 0. None if P V has no such point. `reversed`: nearer points have the larger z.
+std::optional<glm::dvec4> eye_of(const glm::dmat4& clip_from_world, bool reversed);
+
 /// Returns the window depth of an eye distance. It is in [0, 1] from near to far and outside [0, 1] elsewhere. At or
 /// behind the eye, it is infinite unless the mapping is linear.
 double window_depth(const Lens& lens, DepthMapping mapping, double distance);

@@ -19,6 +19,7 @@ Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scen
     asked_.reset();
     plan_ = std::move(plan);
     world_from_view_ = glm::inverse(derived.view_from_world);
+    view_from_clip_ = glm::inverse(derived.clip_from_view);
     aspect_ = derived.aspect;
     if (Status drawn = renderer.draw(plan_, scene, size_px, colors_); !drawn) return drawn;
     return renderer.draw_identities(plan_, scene, size_px, identities_);
@@ -45,6 +46,31 @@ std::optional<PixelReport> PixelProbe::take(const Scene& scene) {
     return report(*std::exchange(asked_, std::nullopt), *read, scene);
 }
 
+glm::dvec3 PixelProbe::unprojected(const glm::dvec2& ndc, double window_depth) const {
+    const glm::dvec4 start = view_from_clip_ * glm::dvec4(ndc, 0.0, 1.0), &along = view_from_clip_[2];
+    double z = plan_.clip_zero_to_one ? window_depth : window_depth * 2.0 - 1.0;
+    if (plan_.depth_mapping == DepthMapping::logarithmic) {  // stores the eye distance, not z ÷ w
+        const double distance = distance_of_window_depth(plan_.lens, plan_.depth_mapping, window_depth);
+        z = -(start.z + distance * start.w) / (along.z + distance * along.w);
+    }
+    const glm::dvec4 point = start + z * along;
+    return glm::dvec3(point) / point.w;
+}
+
+/// Without near and far, only P's inverse tells where a depth lies.
+void PixelProbe::locate_without_lens(PixelReport& report, const glm::dvec2& ndc) const {
+    const glm::dvec3 point = unprojected(ndc, report.window_depth);
+    const double code = code_width(report.precision, report.window_depth);
+    report.eye_z = point.z;
+    report.step = std::abs(unprojected(ndc, report.window_depth - code).z - point.z);
+    report.resolvable_step = report.step;
+    const glm::dvec4 world = world_from_view_ * glm::dvec4(point, 1.0);
+    report.world = glm::dvec3(world) / world.w;
+    const bool is_known = std::isfinite(report.eye_z) && std::isfinite(report.step) &&
+                          std::isfinite(glm::dot(report.world, report.world));
+    if (!is_known) report.has_depth = false;
+}
+
 PixelReport PixelProbe::report(glm::ivec2 pixel, const ReadPixel& read, const Scene& scene) const {
     const glm::ivec2 size_px = colors_.size_px();
     const glm::ivec2 at(pixel.x, size_px.y - 1 - pixel.y);  // GL counts rows from the bottom
@@ -69,12 +95,16 @@ PixelReport PixelProbe::report(glm::ivec2 pixel, const ReadPixel& read, const Sc
     report.has_depth = report.written && report.window_depth != plan_.clear_depth_value;
     if (!report.has_depth) return report;
 
+    const glm::dvec2 ndc = (glm::dvec2(at) + 0.5) / glm::dvec2(size_px) * 2.0 - 1.0;
+    if (!plan_.has_distances) {
+        locate_without_lens(report, ndc);
+        return report;
+    }
     const Lens& lens = plan_.lens;
     const double distance = distance_of_window_depth(lens, plan_.depth_mapping, report.window_depth);
     report.eye_z = -distance;
     report.step = depth_step(lens, plan_.depth_mapping, report.precision, distance);
     report.resolvable_step = resolvable_depth_step(lens, plan_.depth_mapping, report.precision, distance);
-    const glm::dvec2 ndc = (glm::dvec2(at) + 0.5) / glm::dvec2(size_px) * 2.0 - 1.0;
     const glm::dvec2 at_view = lens.edges_at(distance, aspect_).at(ndc);
     report.world = glm::dvec3(world_from_view_ * glm::dvec4(at_view, -distance, 1.0));
     return report;

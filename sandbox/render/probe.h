@@ -30,9 +30,12 @@ public:
 
 private:
     PixelReport report(glm::ivec2 pixel, const ReadPixel& read, const Scene& scene) const;
+    /// Returns the point in view space that P sends to `ndc`, on which a window depth is stored.
+    glm::dvec3 unprojected(const glm::dvec2& ndc, double window_depth) const;
+    void locate_without_lens(PixelReport& report, const glm::dvec2& ndc) const;
 
     FramePlan plan_;
-    glm::dmat4 world_from_view_{1.0};
+    glm::dmat4 world_from_view_{1.0}, view_from_clip_{1.0};
     double aspect_ = 1.0;
     View colors_, identities_;
     mutable std::optional<BufferReader> reader_;  ///< set by prepare()

@@ -678,6 +678,17 @@ const Field all_fields[] = {
      .help = "Shows the shadows on the other planes in the mirror too."},
 
     // overrides, follow
+    {.path = "overrides.view_from_world",
+     .place = IN(camera_overrides.view_from_world),
+     .label = "V by hand",
+     .help = "Four rows that replace the view matrix V, right or wrong, and show what each entry does; null computes V "
+             "from the camera.",
+     .formula = "V = C⁻¹"},
+    {.path = "overrides.clip_from_view",
+     .place = IN(camera_overrides.clip_from_view),
+     .label = "P by hand",
+     .help = "Four rows that replace the projection P, right or wrong, and show what each entry does; null computes P "
+             "from the projection. With reversed depth and a clip range of 0 … 1, P is made for that range."},
     {.path = "overrides.shadow_from_world",
      .place = IN(overrides[0].shadowed_world_from_world[0]),
      .label = "S by hand",

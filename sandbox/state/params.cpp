@@ -54,6 +54,28 @@ ProjectionParams ProjectionParams::centered() const {
 
 constexpr double least_fovy_deg = 1e-3;
 
+std::optional<Lens> Params::lens_by_hand() const {
+    if (!camera_overrides.clip_from_view) return std::nullopt;
+    const bool reversed = depth.mapping == DepthMapping::reversed;
+    const double low = reversed && depth.reversed_zero_to_one ? 0.0 : -1.0;
+    std::optional<Lens> lens =
+        lens_of(*camera_overrides.clip_from_view, reversed ? 1.0 : low, reversed ? low : 1.0, 1e-9);
+    if (lens && !(lens->near < lens->far && (lens->near > 0.0 || lens->orthographic))) lens.reset();
+    return lens;
+}
+
+Params Params::with_projection_by_hand() const {
+    Params made = *this;
+    const std::optional<Lens> lens = lens_by_hand();
+    if (!lens) return made;
+    made.camera_overrides.clip_from_view.reset();
+    made.projection.set_type(lens->orthographic, true);
+    made.projection.set_window(*lens->window);
+    made.projection.near = lens->near;
+    made.projection.far = lens->far;
+    return made;
+}
+
 Lens Params::lens() const {
     double fovy_deg = projection.fovy;
     if (slips.degrees_as_radians) {
@@ -62,7 +84,8 @@ Lens Params::lens() const {
     }
     Lens lens{projection.is_orthographic(), fovy_deg, projection.height, projection.near, projection.far};
     if (projection.has_window()) lens.window = projection.window();
-    if (lens.is_infinite()) lens.reach = 4.0 * std::max(projection.near, glm::distance(camera.position, camera.target));
+    if (const std::optional<Lens> by_hand = lens_by_hand()) lens = *by_hand;
+    if (lens.is_infinite()) lens.reach = 4.0 * std::max(lens.near, glm::distance(camera.position, camera.target));
     return lens;
 }
 

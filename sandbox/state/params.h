@@ -70,6 +70,12 @@ struct CullParams {
     bool operator==(const CullParams&) const = default;
 };
 
+/// Matrices that replace V and P.
+struct CameraOverrides {
+    std::optional<glm::dmat4> view_from_world, clip_from_view;
+    bool operator==(const CameraOverrides&) const = default;
+};
+
 /// Matrices that replace a plane's R, and its S for each light.
 struct PlaneOverrides {
     std::optional<glm::dmat4> mirrored_world_from_world;
@@ -142,6 +148,7 @@ struct Params {
     std::vector<PlaneParams> planes = std::vector<PlaneParams>(1);  ///< at least one
     ShadowParams shadow;
     ReflectionParams reflection;
+    CameraOverrides camera_overrides;
     std::array<PlaneOverrides, most_planes> overrides;  ///< for each plane
     std::optional<Follow> follow;
     VisibilityParams visibility;
@@ -151,10 +158,17 @@ struct Params {
     AnimationParams animation;
     UiParams ui;
 
-    /// Returns the lens that P is computed from. If slips.degrees_as_radians is on, fovy is read as radians. The field
-    /// of view is then negative if cot(fovy/2) is, which rotates the picture by 180°, and it is kept away from 0° and
-    /// ±180°, so that P has an inverse.
+    /// Returns the lens of P: that of a P entered by hand, if it has one, or else the lens that P is computed from. If
+    /// slips.degrees_as_radians is on, fovy is read as radians. The field of view is then negative if cot(fovy/2) is,
+    /// which rotates the picture by 180°, and it is kept away from 0° and ±180°, so that P has an inverse.
     Lens lens() const;
+
+    /// Returns the lens of the P entered by hand; none if there is no such P, or if no lens makes it.
+    std::optional<Lens> lens_by_hand() const;
+
+    /// Returns the state with a P entered by hand as its projection, if a lens makes that P: near, far and the edges
+    /// are then those of the picture. Its projection may have values beyond the fields' ranges.
+    Params with_projection_by_hand() const;
 
     /// Returns how many times as large reflection.fovy makes the picture in a mirror; 1 if it is the camera's.
     double mirror_picture_scale() const;

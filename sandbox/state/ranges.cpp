@@ -97,6 +97,8 @@ void fix_edges(double& low, double& high) {
 
 /// Removes overrides for planes and lights that do not exist.
 void fix_overrides(Params& params) {
+    fix_matrix(params.camera_overrides.view_from_world, field("overrides.view_from_world"));
+    fix_matrix(params.camera_overrides.clip_from_view, field("overrides.clip_from_view"));
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
         PlaneOverrides& overrides = params.overrides[plane];
         if (plane >= params.planes.size()) {

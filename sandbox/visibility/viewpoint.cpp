@@ -1,7 +1,9 @@
 // Computes, from a camera, the quantities that the methods need. Read painter.cpp next.
 #include "visibility/viewpoint.h"
 
+#include "geometry/camera.h"
 #include "geometry/plane.h"
+#include "geometry/projection.h"
 
 namespace viewing {
 
@@ -11,6 +13,8 @@ double Viewpoint::distance(const glm::dvec3& point_world) const {
 }
 
 glm::dvec4 Viewpoint::eye_world() const {
+    if (!is_rigid(view_from_world))
+        if (const std::optional<glm::dvec4> eye = eye_of(clip_from_world(), false)) return *eye;
     const bool is_perspective = clip_from_view[2][3] != 0.0;
     const glm::dmat3 world_from_view_rotation = glm::transpose(glm::dmat3(view_from_world));
     if (is_perspective) return {-(world_from_view_rotation * glm::dvec3(view_from_world[3])), 1.0};

@@ -8,7 +8,7 @@ namespace viewing {
 
 /// A camera. Distances from the eye are positive in front of it.
 struct Viewpoint {
-    glm::dmat4 view_from_world{1.0};  ///< rigid, or rigid and mirrored; looks along −z
+    glm::dmat4 view_from_world{1.0};  ///< rigid, perhaps mirrored, unless entered by hand; looks along −z
     glm::dmat4 clip_from_view{1.0};   ///< perspective or orthographic, clip range −1 … 1, invertible
 
     glm::dmat4 clip_from_world() const { return clip_from_view * view_from_world; }

@@ -292,6 +292,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
         return;
     say_tests(tell, params, derived, scene);
     say_clears(tell, params.depth);
+    if (!derived.has_distances) return;
     say_clear_value(tell, params, derived, scene);
     say_cleared_code(tell, params, derived, scene);
     find_coarse_depth_problems(problems, params, derived, scene, images);

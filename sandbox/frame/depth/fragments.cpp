@@ -38,7 +38,7 @@ public:
           clip_from_world_(clip_from_world),
           pixel_(pixel),
           size_px_(size_px),
-          is_projected_(pass.is_mirror_image || pass.subject == Subject::backdrop ||
+          is_projected_(!plan.has_distances || pass.is_mirror_image || pass.subject == Subject::backdrop ||
                         pass.world_from_scene != glm::dmat4(1.0)) {}
 
     /// `drawn`: how many of the mesh's triangles to draw.

@@ -230,6 +230,7 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     // The pair extends this far toward the eye, which looks along −z; 0 if the pair faces the view direction.
     const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
     made.onset = fighting_onset(coding, made.distance, span);
+    if (!derived.has_distances) return made;
     // The view ray through the center, per unit of eye distance.
     const glm::dvec3 sight =
         coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;

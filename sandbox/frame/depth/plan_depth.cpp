@@ -21,6 +21,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.depth_mapping = depth.mapping;
     frame.logarithm_per_vertex = depth.logarithm_per_vertex;
     frame.lens = params.lens();
+    frame.has_distances = derived.has_distances;
     frame.clip_zero_to_one = derived.clip_zero_to_one;
     frame.has_decals = derived.has_decals;
     frame.decal_offset = {offset_sign(depth) * depth.offset.factor, offset_sign(depth) * depth.offset.units};

@@ -22,51 +22,22 @@ void describe_camera(ExplainedMatrix& found, const dmat4& world_from_view) {
     found.camera = look_at_of(eye, found.angles, 1.0);
 }
 
-namespace {
-
-/// Reads near and far from row 3 of P, whose entries are a z + b; `divides`: the result is divided by −z.
-void read_depth(FoundLens& lens, double a, double b, bool divides) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double at_near = lens.zero_to_one ? 0.0 : -1.0;
-    const auto distance_of = [&](double depth) {
-        const double below = divides ? a + depth : a, above = divides ? b : b - depth;
-        return std::abs(below) < 1e-12 ? infinity : above / below;
-    };
-    lens.near = distance_of(at_near);
-    lens.far = distance_of(1.0);
-}
-
-}  // namespace
-
 std::optional<FoundLens> read_lens(const dmat4& m, bool zero_to_one, double tolerance) {
-    for (const auto& [row, column] : {std::pair(0, 1), {0, 3}, {1, 0}, {1, 3}, {2, 0}, {2, 1}}) {
-        const bool may_shift = column == 3 && has_affine_row(m, tolerance);
-        if (!may_shift && !is_near(entry(m, row, column), 0.0, tolerance)) return std::nullopt;
-    }
-    const double x = entry(m, 0, 0), y = entry(m, 1, 1);
-    if (x == 0.0 || y == 0.0) return std::nullopt;
+    if (!has_row(m, 3, {0, 0, -1, 0}, tolerance) && !has_affine_row(m, tolerance)) return std::nullopt;
+    const std::optional<Lens> read = lens_of(m, zero_to_one ? 0.0 : -1.0, 1.0, tolerance);
+    if (!read) return std::nullopt;
     FoundLens lens;
+    lens.orthographic = read->orthographic;
+    lens.near = read->near;
+    lens.far = read->far;
     lens.zero_to_one = zero_to_one;
+    lens.edges = *read->window;
+    const double x = entry(m, 0, 0), y = entry(m, 1, 1);
     lens.aspect = std::abs(y / x);
-    if (has_row(m, 3, {0, 0, -1, 0}, tolerance)) {
-        lens.fovy_deg = glm::degrees(2.0 * std::atan(1.0 / y));
-        lens.off_center = !is_near(entry(m, 0, 2), 0.0, tolerance) || !is_near(entry(m, 1, 2), 0.0, tolerance);
-        read_depth(lens, entry(m, 2, 2), entry(m, 2, 3), true);
-        const double n = std::min(lens.near, lens.far);
-        lens.edges = {n * (entry(m, 0, 2) - 1.0) / x, n * (entry(m, 0, 2) + 1.0) / x, n * (entry(m, 1, 2) - 1.0) / y,
-                      n * (entry(m, 1, 2) + 1.0) / y};
-        return lens;
-    }
-    if (!has_affine_row(m, tolerance) || entry(m, 2, 2) == 0.0) return std::nullopt;
-    if (!is_near(entry(m, 0, 2), 0.0, tolerance) || !is_near(entry(m, 1, 2), 0.0, tolerance)) return std::nullopt;
-    lens.orthographic = true;
-    lens.height = 2.0 / y;
-    lens.edges = {(-1.0 - entry(m, 0, 3)) / x, (1.0 - entry(m, 0, 3)) / x, (-1.0 - entry(m, 1, 3)) / y,
-                  (1.0 - entry(m, 1, 3)) / y};
-    lens.off_center = !is_near(entry(m, 0, 3), 0.0, tolerance) || !is_near(entry(m, 1, 3), 0.0, tolerance);
-    const double a = entry(m, 2, 2), b = entry(m, 2, 3);
-    lens.near = (b - (zero_to_one ? 0.0 : -1.0)) / a;
-    lens.far = (b - 1.0) / a;
+    (lens.orthographic ? lens.height : lens.fovy_deg) =
+        lens.orthographic ? 2.0 / y : glm::degrees(2.0 * std::atan(1.0 / y));
+    const int middle = lens.orthographic ? 3 : 2;
+    lens.off_center = !is_near(entry(m, 0, middle), 0.0, tolerance) || !is_near(entry(m, 1, middle), 0.0, tolerance);
     return lens;
 }
 

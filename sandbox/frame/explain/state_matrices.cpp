@@ -32,6 +32,7 @@ dmat4 flipped(const dvec3& signs) {
 
 StateMatrices::StateMatrices(const Params& params, double aspect) : params_(params), aspect_(aspect) {
     params_.slips = {};
+    params_.camera_overrides = {};
     const CameraParams& camera = params_.camera;
     camera_ = world_from_view(camera.position, camera.angles());
     known_ = {{'V', view_from_world(camera_)}, {'C', camera_}, {'P', projection(is_zero_to_one(), is_reversed())}};

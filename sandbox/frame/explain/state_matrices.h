@@ -15,7 +15,7 @@ struct Known {
     std::size_t plane = 0, light = 0;
 };
 
-/// The state without its mistakes: V, C, P, then S and R of each plane.
+/// The state without its mistakes and without a V or P entered by hand: V, C, P, then S and R of each plane.
 class StateMatrices {
 public:
     StateMatrices(const Params& params, double aspect);

@@ -40,6 +40,7 @@ void take_camera(Params& params, const dmat4& world_from_view) {
     camera.roll = angles.roll_deg;
     camera.target = camera.position - depth * glm::dvec3(world_from_view[2]);
     params.slips.swapped_order = params.slips.camera_as_view = false;
+    params.camera_overrides.view_from_world.reset();
 }
 
 /// Writes near, far and the depth mapping; returns whether they are a range that a state may have.
@@ -65,6 +66,7 @@ bool take_projection(Params& params, const dmat4& p, double view_aspect, double 
     if (!lens || !take_range(params, *lens, is_reversed)) return false;
     ProjectionParams& projection = params.projection;
     params.slips.degrees_as_radians = false;
+    params.camera_overrides.clip_from_view.reset();
     const auto is_within = [](const char* path, double value) {
         return value >= field(path).min && value <= field(path).max;
     };
@@ -132,21 +134,39 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
     }
 }
 
-bool take_matrix(Params& params, char letter, const dmat4& matrix, double view_aspect, double tolerance) {
-    Params taken = params;
-    const Choice chosen = params.chosen();
-    PlaneOverrides& by_hand = taken.overrides[chosen.plane];
-    bool is_read = true;
-    if (letter == 'V') take_camera(taken, view_from_world(matrix));  // the inverse of a rigid matrix, either way
-    if (letter == 'C') take_camera(taken, matrix);
-    if (letter == 'P') is_read = take_projection(taken, matrix, view_aspect, tolerance);
-    if (letter == 'S') by_hand.shadowed_world_from_world[chosen.light] = matrix;
-    if (letter == 'R') by_hand.mirrored_world_from_world = matrix;
+namespace {
+
+/// Takes over a changed state if it is one that a state may be; returns whether it is.
+bool take_if_legal(Params& params, Params&& taken) {
     Params legal = taken;
     clamp_to_ranges(legal);
-    if (!is_read || legal != taken) return false;
+    if (legal != taken) return false;
     params = std::move(taken);
     return true;
+}
+
+}  // namespace
+
+bool take_matrix(Params& params, char letter, const dmat4& matrix, double view_aspect, double tolerance) {
+    if (letter == 'S' || letter == 'R') return enter_by_hand(params, letter, matrix);
+    Params taken = params;
+    if (letter == 'V') take_camera(taken, view_from_world(matrix));  // the inverse of a rigid matrix, either way
+    if (letter == 'C') take_camera(taken, matrix);
+    if (letter == 'P' && !take_projection(taken, matrix, view_aspect, tolerance)) return false;
+    return take_if_legal(params, std::move(taken));
+}
+
+bool enter_by_hand(Params& params, char letter, const dmat4& matrix) {
+    Params taken = params;
+    const Choice chosen = params.chosen();
+    PlaneOverrides& of_plane = taken.overrides[chosen.plane];
+    if (letter == 'C' && glm::determinant(matrix) == 0.0) return false;
+    if (letter == 'V' || letter == 'C')
+        taken.camera_overrides.view_from_world = letter == 'C' ? glm::inverse(matrix) : matrix;
+    if (letter == 'P') taken.camera_overrides.clip_from_view = matrix;
+    if (letter == 'S') of_plane.shadowed_world_from_world[chosen.light] = matrix;
+    if (letter == 'R') of_plane.mirrored_world_from_world = matrix;
+    return take_if_legal(params, std::move(taken));
 }
 
 }  // namespace viewing

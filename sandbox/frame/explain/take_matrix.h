@@ -21,4 +21,9 @@ std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const Explained
 /// possible: not for values that no state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
 
+/// Enters a matrix by hand, right or wrong: in place of V, P, or the chosen plane's and light's S or R; a C by its
+/// inverse, in place of V. Returns whether that is possible: not for values that no state may have, nor for a C without
+/// an inverse.
+bool enter_by_hand(Params& params, char letter, const glm::dmat4& matrix);
+
 }  // namespace viewing

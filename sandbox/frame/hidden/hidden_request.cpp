@@ -14,6 +14,17 @@ glm::dvec2 share_of(glm::ivec2 raster, glm::ivec2 size_px) {
     return std::min(room.x, room.y) * glm::dvec2(raster) / view;
 }
 
+/// Returns P as the methods need it: for a clip range of −1 … 1, in which nearer points have the smaller z.
+glm::dmat4 standard_clip_from_view(const Params& params, const Derived& derived) {
+    const std::optional<glm::dmat4>& by_hand = params.camera_overrides.clip_from_view;
+    if (!by_hand || params.lens_by_hand()) return clip_from_view(params.lens(), derived.aspect);
+    glm::dmat4 p = *by_hand;
+    if (params.depth.mapping != DepthMapping::reversed) return p;
+    for (int column = 0; column < 4; ++column)
+        p[column][2] = params.depth.reversed_zero_to_one ? p[column][3] - 2.0 * p[column][2] : -p[column][2];
+    return p;
+}
+
 }  // namespace
 
 glm::dmat4 part_from_view(const glm::dvec2& share) {
@@ -29,10 +40,8 @@ std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 vi
 }
 
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
-    HiddenRequest request{params.visibility,
-                          params.cull,
-                          {derived.view_from_world, clip_from_view(params.lens(), derived.aspect)},
-                          size_px};
+    HiddenRequest request{
+        params.visibility, params.cull, {derived.view_from_world, standard_clip_from_view(params, derived)}, size_px};
     if (!has_raster(params.visibility)) return request;
     request.size_px = *params.visibility.raster;
     request.share = share_of(request.size_px, size_px);

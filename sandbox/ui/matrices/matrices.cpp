@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/matrix_facts.h"
+#include "geometry/camera.h"
 #include "text/catalogue.h"
 #include "ui/matrices/display_code.h"
 #include "ui/matrices/followed_point.h"
@@ -158,27 +159,28 @@ bool show_camera(const Column& column, std::span<const char* const> buttons) {
                        swapped ? tr("C = R_y R_x R_z T (mistake)") : "C = T R_y R_x R_z", buttons, column.pastes);
 }
 
-bool show_view(const Column& column, std::span<const char* const> buttons) {
+/// Draws V and, if given, another button; returns whether that was pressed.
+bool show_view(const Column& column, const char* button) {
     const SlipParams& slips = column.session.params.slips;
     const std::string inverse = identity_text("V C = I", column.derived.facts.view_residual);
-    return show_matrix(
+    return show_overridable(
         {marked("View"), "V", "view_from_world",
          marked("V = C⁻¹: the world as the camera sees it. Its rows are right, up and back."), Role::camera,
          column.derived.view_from_world, column.before.view_from_world,
          column.shown(slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order)),
-         camera_roles()},
-        slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse, buttons, column.pastes);
+         camera_roles(), view_from_world(placed_camera(column.session.params))},
+        slips.camera_as_view ? tr("= C (mistake)") : "= C⁻¹ · " + inverse,
+        column.session.params.camera_overrides.view_from_world, column.pastes, button);
 }
 
 /// Draws either V or C, which are two ways to look at the camera's movement.
 void show_view_or_camera(const Column& column, bool& shows_camera) {
     static constexpr const char* to_view[] = {marked("Show V")};
-    static constexpr const char* to_camera[] = {marked("Show C")};
-    if (shows_camera ? show_camera(column, to_view) : show_view(column, to_camera)) shows_camera = !shows_camera;
+    if (shows_camera ? show_camera(column, to_view) : show_view(column, marked("Show C"))) shows_camera = !shows_camera;
 }
 
 void show_projection(const Column& column) {
-    const Params& params = column.session.params;
+    Params& params = column.session.params;
     const Derived& derived = column.derived;
     const auto divided_z = [&](double distance) {
         const glm::dvec4 axis(0.0, 0.0, -1.0, std::isinf(distance) ? 0.0 : 1.0 / distance);
@@ -188,18 +190,19 @@ void show_projection(const Column& column) {
     const std::string becomes =
         say("P maps view space to clip space; after ÷ w, the near plane is at {near} and the far plane at {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
-    const std::string aspect = number_text(derived.aspect, 3);
-    show_matrix(
+    const std::string aspect =
+        number_text(derived.aspect, derived.aspect < 9.995 ? 2 : 1);  // four characters, which fit
+    show_overridable(
         {marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
-         column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)),
-         camera_roles()},
+         column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)), camera_roles(),
+         projection_without_hand(params, derived)},
         params.projection.has_window() ? tr(params.projection.is_orthographic() ? marked("glOrtho(l, r, b, t, n, f)")
                                                                                 : marked("glFrustum(l, r, b, t, n, f)"))
         : params.projection.is_orthographic() ? say("aspect {aspect}", "aspect"_a = aspect)
         : params.slips.degrees_as_radians     ? say("c = cot(½ · {fovy} radians) (mistake) · aspect {aspect}",
                                                     "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
                                               : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
-        {}, column.pastes);
+        params.camera_overrides.clip_from_view, column.pastes);
 }
 
 /// Draws the slide's display().
@@ -383,7 +386,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
             if (name == "S") show_shadow(shown);
             if (name == "R") show_mirror(shown);
             if (name == "follow") draw_followed_point(session, derived, point_numbers(listed));
-            if (has_both && is_view) show_view(shown, {});
+            if (has_both && is_view) show_view(shown, nullptr);
             if (has_both && name == "C") show_camera(shown, {});
             if (!has_both && (is_view || name == "C")) show_view_or_camera(shown, shows_camera);
             if (name == "P") show_projection(shown);

@@ -6,6 +6,7 @@
 #include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/subscripts.h"
@@ -112,22 +113,27 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     const bool is_covered = widgets::IsCovered(target), is_part_covered = widgets::IsPartCovered(target);
     const bool tells_difference = !is_part_covered && !widgets::IsCovered("sentences");
     std::string note = is_covered ? "" : told_fact(fact, shown.facts), explains = tr(shown.explains);
-    if (by_hand && is_part_covered) buttons = {};
+    if (by_hand && is_part_covered) buttons = buttons.first(buttons.size() - 1);  // not Edit
     if (by_hand && *by_hand && !tells_difference) note = tr("by hand");
     if (by_hand && *by_hand && tells_difference) {
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
-        note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
+        note = say("off by {difference}", "difference"_a = figures(difference, 3));
         explains =
-            say("Entered by hand: light and plane have no effect here. Apart from scale, the largest difference from "
-                "the correct {matrix} is {difference}; {property}.",
-                "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3), "property"_a = shown.property);
+            shown.property.empty()
+                ? say("Entered by hand: the camera and its projection have no effect here. Apart from scale, the "
+                      "largest difference from the correct {matrix} is {difference}.",
+                      "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3))
+                : say("Entered by hand: light and plane have no effect here. Apart from scale, the largest difference "
+                      "from the correct {matrix} is {difference}; {property}.",
+                      "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3),
+                      "property"_a = shown.property);
     }
     ImGui::PushID(shown.name);
     mark_changed(shown.cells, shown.now, shown.before);
     const auto room_of = [](const char* button) {
         return widgets::OffersButton(button) ? widgets::SmallButtonWidth(button) + px(4.0F) : 0.0F;
     };
-    float end = place_at_right("Copy") - px(4.0F);
+    float end = place_at_right("Copy") - px(6.0F);
     for (const char* button : buttons) end -= room_of(button);
     const bool has_note = matrix_heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(),
                                          note, shown.role, end);
@@ -165,14 +171,17 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     return pressed;
 }
 
-void show_overridable(const ShownMatrix& shown, const std::string& note, std::optional<glm::dmat4>& by_hand,
-                      char& pastes) {
-    const char* const buttons[] = {by_hand ? marked("Release") : marked("Edit")};
-    if (!show_matrix(shown, note, buttons, pastes, &by_hand)) return;
+bool show_overridable(const ShownMatrix& shown, const std::string& note, std::optional<glm::dmat4>& by_hand,
+                      char& pastes, const char* other_button) {
+    const char* const buttons[] = {other_button, by_hand ? marked("Release") : marked("Edit")};
+    const char* const pressed =
+        show_matrix(shown, note, std::span(buttons).subspan(other_button ? 0 : 1), pastes, &by_hand);
+    if (!pressed || pressed == other_button) return pressed != nullptr;
     if (by_hand)
         by_hand.reset();
     else
         by_hand = shown.now;
+    return false;
 }
 
 }  // namespace viewing

@@ -165,12 +165,14 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
     };
     constexpr double share = 0.14;  // of the observer's distance, so that the arrow looks equally long in any picture
     const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
+    const bool is_by_hand = params.camera_overrides.clip_from_view.has_value();
     places.camera = {eye,
                      eye + forward * (share * params.observer.distance),
                      middles(0),
                      middles(4),
-                     std::isinf(params.projection.far),
-                     params.projection.has_window()};
+                     !is_by_hand,
+                     !is_by_hand && !std::isinf(params.projection.far),
+                     !is_by_hand && params.projection.has_window()};
     return places;
 }
 
@@ -194,10 +196,10 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
     if (!places.camera) return found;
     look(places.camera->eye, Handle::camera);
     look(places.camera->direction_tip, Handle::direction);
-    for (std::size_t point = 0; point < places.camera->near.size(); ++point)
+    for (std::size_t point = 0; places.camera->drags_near && point < places.camera->near.size(); ++point)
         look(places.camera->near[point],
              places.camera->has_window && point < 4 ? handle_of_edge(point) : Handle::near_plane);
-    if (!places.camera->has_infinite_far)
+    if (places.camera->drags_far)
         for (const glm::dvec3& point : places.camera->far) look(point, Handle::far_plane);
     return found;
 }
@@ -343,13 +345,13 @@ void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, H
     overlay.arrow(camera.eye, camera.direction_tip, color);
     if (hovered == Handle::camera) overlay.ring(camera.eye, color, 9.0F);
     if (hovered == Handle::direction) overlay.ring(camera.direction_tip, color, 9.0F);
-    for (std::size_t point = 0; point < camera.near.size(); ++point) {
+    for (std::size_t point = 0; camera.drags_near && point < camera.near.size(); ++point) {
         const bool is_edge = camera.has_window && point < 4;
         const bool is_hovered = hovered == (is_edge ? handle_of_edge(point) : Handle::near_plane);
         overlay.square(camera.near[point], color, is_hovered ? 4.0F : is_edge ? 2.5F : 1.5F);
         if (is_edge && is_hovered) overlay.label(camera.near[point], tr(label_of_edge(hovered)), color);
     }
-    if (camera.has_infinite_far) return;
+    if (!camera.drags_far) return;
     for (const glm::dvec3& point : camera.far) overlay.square(point, color, hovered == Handle::far_plane ? 4.0F : 2.0F);
 }
 

@@ -42,7 +42,8 @@ struct HandlePlaces {
     struct Camera {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
-        bool has_infinite_far = false;        ///< then `far` is only where the frustum is drawn to, and no handle
+        bool drags_near = true;               ///< false: P is entered by hand
+        bool drags_far = true;                ///< false: by hand, or infinite: `far` is only where the frustum ends
         bool has_window = false;              ///< then near's first four are the edges' handles, from Handle::bottom on
     };
     std::optional<Camera> camera;

@@ -38,7 +38,7 @@ struct ClipWords {
 };
 
 ClipWords clip_words(const Params& params) {
-    if (params.projection.is_orthographic())
+    if (params.lens().orthographic)
         return {tr("orthographic: w = 1, so eye space is only moved and scaled"), tr("orthographic: w = 1")};
     const bool are_even =
         !precision_of(params.depth.format).is_float && params.depth.mapping != DepthMapping::logarithmic;
@@ -57,7 +57,7 @@ ClipWords clip_words(const Params& params) {
 
 void draw_point_on_ray(Overlay& overlay, const Params& params, const Derived& derived, const char* label) {
     const glm::dvec3& point = derived.followed->point_world;
-    if (!params.projection.is_orthographic())
+    if (!params.lens().orthographic)
         overlay.line(glm::dvec3(effective_camera(derived)[3]), point, with_alpha(palette().point, 170), 1.0F);
     overlay.dot(point, palette().point, 5.0F);
     overlay.label(point, label, palette().point);

@@ -63,7 +63,7 @@ void draw_patches(Overlay& overlay, const Derived& derived) {
 
 void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view) {
     const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, world_from_view);
-    const bool is_infinite = std::isinf(params.projection.far);
+    const bool is_infinite = params.lens().is_infinite();
     for (std::size_t corner = 0; corner < 4; ++corner) {
         overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
         if (!is_infinite) overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
@@ -73,7 +73,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
     overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
     if (!is_infinite) overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
     const glm::dvec3 eye(world_from_view[3]);
-    if (!params.projection.is_orthographic())
+    if (!params.lens().orthographic)
         for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
     overlay.dot(eye, palette().camera, 5.0F);
     overlay.label(eye, tr("camera"), palette().camera);
@@ -83,11 +83,11 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
     // While a step is revealed, the derived values may be a frame older than the camera.
-    if (!params.slips.swapped_order && !params.slips.camera_as_view) return;
+    if (!params.slips.swapped_order && !params.slips.camera_as_view && !params.camera_overrides.view_from_world) return;
     const glm::dmat4 effective = effective_camera(derived);
     if (largest_entry(effective - placed_camera(params)) < 1e-9) return;
     const glm::dvec3 eye(effective[3]);
-    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye, !params.projection.is_orthographic(),
+    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye, !params.lens().orthographic,
                  with_alpha(palette().trouble, 200));
     overlay.ring(eye, palette().trouble, 7.0F);
     overlay.dot(eye, palette().trouble, 4.0F);
@@ -104,7 +104,7 @@ void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& de
     std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, effective);
     std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
     const glm::dvec3 eye = mirrored(glm::dvec3(effective[3]));
-    draw_pyramid(overlay, corners, eye, !params.projection.is_orthographic(), with_alpha(palette().mirror, 170));
+    draw_pyramid(overlay, corners, eye, !params.lens().orthographic, with_alpha(palette().mirror, 170));
     overlay.dot(eye, palette().mirror, 5.0F);
     overlay.label(eye, tr("mirrored eye"), palette().mirror);
 }

@@ -26,6 +26,14 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
                        false};
 }
 
+/// Shows a matrix as it is, in place of the state's own.
+void enter_into(Session& session, char letter, const glm::dmat4& matrix) {
+    if (!enter_by_hand(session.params, letter, matrix)) return session.report(Error{tr(no_state)});
+    session.message = {
+        say("{matrix} is entered by hand, as pasted", "matrix"_a = std::string(1, letter == 'C' ? 'V' : letter)),
+        false};
+}
+
 }  // namespace
 
 bool MatrixDialog::is_matrix(const std::string& text) {
@@ -46,7 +54,7 @@ void MatrixDialog::take(const Paste& paste, Session& session, const Derived& der
         explain_matrix(pasted->matrix, letter, session.params, derived.view_aspect, pasted->tolerance);
     if (is_takeable(found))
         return take_into(session, found.letter, pasted->matrix, derived.view_aspect, pasted->tolerance);
-    trouble_ = Trouble{*pasted, found, fixed_matrix(pasted->matrix, found)};
+    trouble_ = Trouble{*pasted, found, fixed_matrix(pasted->matrix, found), found.letter != 0 ? found.letter : letter};
 }
 
 void MatrixDialog::draw(Session& session, const Derived& derived) {
@@ -58,7 +66,7 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
         ImGui::CloseCurrentPopup();
         return ImGui::EndPopup();
     }
-    const auto& [pasted, found, fixed] = *trouble_;
+    const auto& [pasted, found, fixed, letter] = *trouble_;
     const FaultWords words = fault_words(found);
     dialog_title(marked("The pasted matrix"));
     ImGui::BeginChild("sentences", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
@@ -72,9 +80,17 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
     ImGui::EndChild();
     const bool fixes = fixed && widgets::Button("Fix and take it");
     if (fixed) ImGui::SameLine();
+    const bool enters = letter != 0 && widgets::Button("Show it as it is");
+    if (letter != 0) {
+        widgets::Tooltip("Show it as it is",
+                         "Enters the matrix by hand, with its fault: the picture shows what it does, and Release ends "
+                         "it.");
+        ImGui::SameLine();
+    }
     const bool closes = widgets::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (fixes) take_into(session, found.letter, *fixed, derived.view_aspect, pasted.tolerance);
-    if (fixes || closes) {
+    if (enters) enter_into(session, letter, pasted.matrix);
+    if (fixes || enters || closes) {
         trouble_.reset();
         ImGui::CloseCurrentPopup();
     }

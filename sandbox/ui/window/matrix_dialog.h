@@ -31,6 +31,7 @@ private:
         PastedMatrix pasted;
         ExplainedMatrix found;
         std::optional<glm::dmat4> fixed;
+        char letter;  ///< of the matrix that it can be entered as; 0: none
     };
     void take(const Paste& paste, Session& session, const Derived& derived);
 

@@ -71,7 +71,8 @@ const std::string leaning_mirrors =
 const std::string second_light = "lights=[{\"position\":[-3,5,2,1]}]";
 
 std::string by_hand(const char* letter, const char* rows) {
-    return std::string("overrides.") + letter + "_from_world=" + rows;
+    const bool is_projection = std::string(letter) == "clip";
+    return std::string("overrides.") + letter + (is_projection ? "_from_view=" : "_from_world=") + rows;
 }
 
 /// Settings for sentences that no preset shows, on the state of the box on the floor.
@@ -108,6 +109,16 @@ const std::vector<std::vector<std::string>>& box_states() {
         {by_hand("mirror", "[[0.28,-0.96,0,0],[0.96,-0.28,0,0],[0,0,1,0],[0,0,0,1]]"), "plane.equation=[0.6,0.8,0,0]"},
         {by_hand("mirror", "[[1,0,0,0],[0.3,-1,0,1],[0,0,1,0],[0,0,0,1]]")},
         {by_hand("mirror", "[[1,0.2,0,0],[0,-1,0,0],[0,0,1,0],[0,0,0,1]]")},
+        {by_hand("view", "[[1,0,0,0],[0,1,0,-1],[0,0,1,-8],[0,0,0,1]]")},
+        {by_hand("view", "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,-1,-8,1]]")},
+        {by_hand("view", "[[1,0.4,0,0],[0,1,0,-1],[0.1,0,0.3,-8],[0,0,0,1]]")},
+        {by_hand("view", "[[1,0.4,0,0],[0,1,0,-1],[0.1,0,0.3,-8],[0,0.1,0,1]]")},
+        {by_hand("view", "[[2,0,0,0],[0,2,0,-1],[0,0,2,-8],[0,0,0,1]]")},
+        {by_hand("view", "[[1.5,0,0,0],[0,2.7,0,0],[0,0,-1.025,-1.0127],[0,0,-1,0]]")},
+        {by_hand("clip", "[[1,0,0,0],[0,0,0,0],[0,0,-1,-1],[0,0,-1,0]]")},
+        {by_hand("clip", "[[1,0,0,0],[0,1.8,0,0],[0,0,-1.02,-0.5],[0,0,-1,0]]")},
+        {by_hand("clip", "[[0.2,0,0,0],[0,0.4,0,0],[0,0,-0.05,-1.01],[0,0,0,1]]")},
+        {by_hand("clip", "[[1,0,0.3,0],[0,1.8,0,0],[0.2,0,-1.02,-0.5],[0.1,0,-1,0]]")},
         {"light.position=[3,0,-2,0]"},
         {"light.position=[3,0,-2,1]"},
         {"light.position=[1,-2,0.5,0]"},
