@@ -141,45 +141,76 @@ void expect_whole(const Desk& desk, const std::vector<DerivationLine>& lines) {
     }
 }
 
-TEST(DerivationInALowWindow, HasAllItsLines) {
-    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}})
-        for (const Theme theme : {Theme::dark, Theme::projector})
-            for (const Language language : {Language::en, Language::ko}) {
-                SCOPED_TRACE(std::to_string(static_cast<int>(size.x)) + " " + std::string(name_of(theme)) + " " +
-                             std::string(name_of(language)));
-                Desk desk(size, "shadow-derivation");
-                desk.params().ui.theme = theme;
-                desk.params().ui.language = language;
-                desk.apply_looks();
-                desk.settle();
-                const std::vector<DerivationLine> lines =
-                    shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
-                                               desk.derived.followed->point_world),
-                                 true);
-                EXPECT_EQ(step_count(lines), 19);
-                expect_whole(desk, lines);
-                // Going step by step moves nothing.
-                const float top = desk.ui.find("lower/s = l + t (p − l)").min.y;
-                desk.params().view.derivation_step = 3;
-                desk.ui.frames(3);
-                EXPECT_EQ(desk.ui.find("lower/s = l + t (p − l)").min.y, top);
-            }
+struct LowWindow {
+    ImVec2 size;
+    Theme theme;
+    Language language;
+
+    void open(Desk& desk) const {
+        desk.params().ui.theme = theme;
+        desk.params().ui.language = language;
+        desk.apply_looks();
+        desk.settle();
+    }
+};
+std::ostream& operator<<(std::ostream& out, const LowWindow& window) {
+    return out << window.size.x << " " << name_of(window.theme) << " " << name_of(window.language);
 }
 
-TEST(DerivationInALowWindow, HasAllItsLinesAboveALesson) {
-    for (const ImVec2 size : {ImVec2{1366, 768}, ImVec2{1280, 720}}) {
-        SCOPED_TRACE(size.x);
-        Desk desk(size);
-        const Result<Lesson> lesson = load_lesson("mirror-matrix");
+class DerivationInALowWindow : public ::testing::TestWithParam<LowWindow> {};
+
+TEST_P(DerivationInALowWindow, HasAllItsLines) {
+    Desk desk(GetParam().size, "shadow-derivation");
+    GetParam().open(desk);
+    const std::vector<DerivationLine> lines =
+        shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
+                                   desk.derived.followed->point_world),
+                     true);
+    EXPECT_EQ(step_count(lines), 19);
+    expect_whole(desk, lines);
+    // Going step by step moves nothing.
+    const float top = desk.ui.find("lower/s = l + t (p − l)").min.y;
+    desk.params().view.derivation_step = 3;
+    desk.ui.frames(3);
+    EXPECT_EQ(desk.ui.find("lower/s = l + t (p − l)").min.y, top);
+}
+
+TEST_P(DerivationInALowWindow, HasAllItsLinesAboveALesson) {
+    Desk desk(GetParam().size);
+    GetParam().open(desk);
+    const auto show = [&](const char* id, std::size_t step) {
+        const Result<Lesson> lesson = load_lesson(id);
         ASSERT_TRUE(lesson) << lesson.error();
-        desk.workbench.guide.begin(*lesson, 0, desk.session);
+        desk.workbench.guide.begin(*lesson, step, desk.session);
         desk.workbench.guide.reveal(desk.session);
         desk.workbench.guide.next(desk.session);  // without animation
         desk.settle();
-        expect_whole(desk, mirror_lines(derive_mirror(desk.derived.chosen_plane().unit_plane,
-                                                      desk.derived.followed->point_world)));
+    };
+    show("mirror-matrix", 0);
+    expect_whole(
+        desk, mirror_lines(derive_mirror(desk.derived.chosen_plane().unit_plane, desk.derived.followed->point_world)));
+    for (const std::size_t step : {1U, 2U}) {
+        SCOPED_TRACE(step);
+        show("similar-triangles", step);
+        std::vector<DerivationLine> results =
+            shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
+                                       desk.derived.followed->point_world),
+                         true);
+        std::erase_if(results, [](const DerivationLine& line) { return line.is_step; });
+        EXPECT_EQ(results.size(), 6U) << "the results";
+        expect_whole(desk, results);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DerivationInALowWindow,
+                         ::testing::Values(LowWindow{{1366, 768}, Theme::dark, Language::en},
+                                           LowWindow{{1280, 720}, Theme::dark, Language::en},
+                                           LowWindow{{1366, 768}, Theme::dark, Language::ko},
+                                           LowWindow{{1280, 720}, Theme::dark, Language::ko},
+                                           LowWindow{{1366, 768}, Theme::projector, Language::en},
+                                           LowWindow{{1280, 720}, Theme::projector, Language::en},
+                                           LowWindow{{1366, 768}, Theme::projector, Language::ko},
+                                           LowWindow{{1280, 720}, Theme::projector, Language::ko}));
 
 TEST_F(DerivationViews, FillTheWindow) {
     for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {

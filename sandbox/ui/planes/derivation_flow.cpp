@@ -49,6 +49,10 @@ public:
             if (!only_results || !line.is_step) height += of(line, width, false);
         return height;
     }
+    /// The same for a line in a column of the flow.
+    static float in_column(const DerivationFlow& flow, const DerivationLine& line) {
+        return flow.is_short && line.is_step ? 0.0F : of(line, flow.column.x, true);
+    }
 };
 
 /// Fills columns from the last line up; the first one has the rest of the lines, below the figure and its controls.
@@ -59,7 +63,7 @@ bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float con
     for (int column = count - 1; column > 0; --column) {
         float height = 0.0F;
         while (end > 0) {
-            height += Measure::of(lines[end - 1], flow.column.x, true);
+            height += Measure::in_column(flow, lines[end - 1]);
             if (height > flow.column.y) break;
             --end;
         }
@@ -68,7 +72,7 @@ bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float con
         flow.columns[static_cast<std::size_t>(column)] = end;
     }
     float first = 0.0F;
-    for (std::size_t i = 0; i < end; ++i) first += Measure::of(lines[i], flow.column.x, true);
+    for (std::size_t i = 0; i < end; ++i) first += Measure::in_column(flow, lines[i]);
     const float rest = std::floor(flow.column.y - controls - first - px(4.0F));
     flow.figure = {flow.column.x, least_height > 0.0F ? rest : 0.0F};
     return rest >= least_height;
@@ -76,7 +80,7 @@ bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float con
 
 }  // namespace
 
-DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows) {
+DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool may_be_short) {
     const widgets::Context& context = widgets::CurrentContext();
     const bool is_stage = widgets::HasPlainTitles();
     DerivationFlow flow;
@@ -99,7 +103,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows) {
     const float text = flow.is_wide ? room.x - width - px(DerivationFlow::gap) : room.x;
     const float height = (flow.is_wide ? room.y : room.y - flow.figure.y) - (flow.has_controls ? 0.0F : controls);
     if (is_stage) {
-        flow.is_short = room.y < px(420.0F);
+        flow.is_short = may_be_short && room.y < px(420.0F);
         return flow;
     }
     if (Measure(1.0F, 3.0F).of(lines, text, false) <= height) return flow;
@@ -124,7 +128,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows) {
                 flow.control_rows = rows;
                 flow.column = {std::floor((room.x - gaps) / static_cast<float>(count)),
                                room.y - px(DerivationFlow::foot)};
-                flow.has_controls = has_bar;
+                flow.has_controls = has_bar && rows > 0;
                 is_done = flow.column.x >= px(DerivationFlow::least_bar) &&
                           fill_columns(flow, lines, count, controls_px, least_height);
             }
@@ -132,17 +136,25 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows) {
         });
     };
     constexpr int step_bar_rows = 2;
-    try_columns(control_rows, px(least_figure));
-    if (!is_done) try_columns(step_bar_rows, px(least_figure));
-    if (!is_done) try_columns(step_bar_rows, 0.0F);
+    const auto fill_view = [&] {
+        try_columns(control_rows, px(least_figure));
+        if (!is_done) try_columns(step_bar_rows, px(least_figure));
+        if (!is_done) try_columns(step_bar_rows, 0.0F);
+        if (!is_done && may_be_short) try_columns(0, 0.0F);
+    };
+    fill_view();
     if (is_done) return flow;
     flow = beside;
-    flow.is_short = true;
+    flow.is_short = may_be_short;
+    bool is_beside = false;
     for_scales([&](float scale) {
         flow.font_scale = scale;
-        return Measure(scale, flow.line_gap()).of(lines, text, true) <= height;
+        return is_beside = Measure(scale, flow.line_gap()).of(lines, text, flow.is_short) <= height;
     });
-    return flow;
+    if (is_beside || !may_be_short) return flow;
+    const DerivationFlow scrolling = flow;
+    fill_view();
+    return is_done ? flow : scrolling;
 }
 
 void write_line(const DerivationLine& line, bool is_small) {

@@ -29,7 +29,8 @@ struct DerivationFlow {
 /// Returns how these lines fill a view of this size in pixels. The result depends on all lines, not on those that are
 /// written so far, so that nothing moves from step to step. Needs a current ImGui window.
 /// Where space is short, only two rows of controls are left, as the panel has the others; then the figure is omitted,
-/// as the camera view has it too.
+/// as the camera view has it too. `may_be_short`: no step is chosen, so that the controls, too, may be omitted, and, if
+/// that is not enough, every line that is no result.
 DerivationFlow flow_of(const std::vector<DerivationLine>& lines, ImVec2 room, int control_rows);
 
 /// Draws one line in the current window's font scale, small if the flow has columns.

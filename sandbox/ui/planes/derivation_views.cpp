@@ -199,8 +199,8 @@ void draw_derivation(const Derivation& shown, int step, const Rect& rect) {
     all.insert(all.end(), shown.after.begin(), shown.after.end());
     const std::size_t before = shown.before.size(), reached = lines_until(shown.lines, step).size();
     const WrittenLines lines{all, before, before + reached, before + shown.lines.size()};
-    DerivationFlow flow = flow_of(has_cover ? Lines{} : all, ImGui::GetContentRegionAvail(), shown.control_rows);
-    if (step >= 0) flow.is_short = false;
+    const DerivationFlow flow =
+        flow_of(has_cover ? Lines{} : all, ImGui::GetContentRegionAvail(), shown.control_rows, step < 0);
 
     std::optional<Part> steps;
     const ImVec2 room = ImGui::GetContentRegionAvail();
