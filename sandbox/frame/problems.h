@@ -57,6 +57,6 @@ void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& pa
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene, const FramePlan& frame);
+                          const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images);
 
 }  // namespace viewing

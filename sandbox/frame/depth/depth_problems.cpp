@@ -51,17 +51,14 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-/// Returns the setting that replaces a depth function that lets nothing pass; "" if the clear value lets nothing pass
-/// either. With so few bits that everything has the code of the cleared buffer, GL_LESS lets nothing pass.
-std::string usual_func(const Params& params, const Derived& derived, const Scene& scene) {
-    if (clears_to_nearest(params.depth)) return "";
+/// Returns whether anything in view is nearer than the distance from which depth has the code of the cleared buffer.
+/// Otherwise, GL_LESS lets nothing pass, and GL_EQUAL everything.
+bool has_other_codes(const Params& params, const Derived& derived, const Scene& scene) {
     Params with_less = params;
     with_less.depth.func = CompareFunc::less;
     const double start = start_of_cleared_code(with_less);
     const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    const bool is_less_enough =
-        std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
-    return is_less_enough ? "depth.func" : "depth.func=lequal";
+    return std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
 }
 
 void say_tests(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
@@ -96,7 +93,8 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
         alone("depth.func"));
     const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
-    const std::string as_usual = is_closed ? usual_func(params, derived, scene) : "";
+    const bool has_codes = is_closed && has_other_codes(params, derived, scene);
+    const char* const as_usual = clears_to_nearest(depth) ? "" : has_codes ? "depth.func" : "depth.func=lequal";
     tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(
@@ -104,7 +102,7 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("depth.only_farther",
                  "only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
         "depth.func");
-    tell.broken(depth.func == CompareFunc::equal,
+    tell.broken(depth.func == CompareFunc::equal && (has_codes || !is_cleared_to_farthest(depth)),
                 sentence("depth.equal", "GL_EQUAL: only fragments at exactly the stored depth pass"), as_usual);
     tell.broken(
         !depth.write && !rejects_all(depth),
@@ -150,10 +148,30 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                 is_reversed && !depth.reversed_clear ? "depth.clear_value=0" : "depth.clear_value");
 }
 
-void say_clears(Sayer& tell, const DepthParams& depth) {
+/// Returns whether a mirror that is drawn last and without a depth test fills the picture, so that it shows only what
+/// is drawn inside the mask, where depth is cleared.
+bool is_filled_by_mirror(const Params& params, const Derived& derived) {
+    const ReflectionParams& reflection = params.reflection;
+    if (!reflection.enabled || !reflection.after_objects || !reflection.stencil) return false;
+    const glm::dmat4 world_from_clip = glm::inverse(derived.clip_from_world);
+    return std::any_of(derived.planes.begin(), derived.planes.end(), [&](const DerivedPlane& plane) {
+        if (!plane.mirrors || plane.eye_side == 0.0) return false;
+        const glm::dmat4 on_plane = seen_on_plane(plane.unit_plane, derived.eye_world) * world_from_clip;
+        for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+            const glm::dvec4 seen = on_plane * glm::dvec4(corner, 0.0, 1.0);
+            const glm::dvec3 at = glm::dvec3(seen) / seen.w;
+            const glm::dvec4 clip = derived.clip_from_world * glm::dvec4(at, 1.0);
+            if (!plane.patch.holds(at) || !(clip.w > std::abs(clip.z))) return false;
+        }
+        return true;
+    });
+}
+
+void say_clears(Sayer& tell, const Params& params, const Derived& derived) {
+    const DepthParams& depth = params.depth;
     const bool refuses_ties = depth.func == CompareFunc::notequal || depth.func == CompareFunc::greater;
     const bool compares = wants_nearer(depth) || (depth.tests() && refuses_ties);
-    if (!compares || rejects_all(depth) || !depth.write) return;
+    if (!compares || rejects_all(depth) || !depth.write || is_filled_by_mirror(params, derived)) return;
     tell.broken(
         !depth.clear,
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments"),
@@ -222,7 +240,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
     tell.broken(
-        !depth.reversed_offset && has_offset(params, scene),
+        !depth.reversed_offset && has_offset(params, scene) && compares_nearness(depth),
         sentence("depth.reversed_offset",
                  "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
                  "instead of pulling them nearer"),
@@ -291,7 +309,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
         !shows_anything(derived.clip_from_world, derived, scene))
         return;
     say_tests(tell, params, derived, scene);
-    say_clears(tell, params.depth);
+    say_clears(tell, params, derived);
     if (!derived.has_distances) return;
     say_clear_value(tell, params, derived, scene);
     say_cleared_code(tell, params, derived, scene);

@@ -1,0 +1,44 @@
+#include "frame/planes/drawn_mirrors.h"
+
+#include <algorithm>
+
+#include "frame/cleared_code.h"
+#include "frame/object_reach.h"
+
+namespace viewing {
+
+std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
+    std::vector<Mirror> mirrors;
+    for (const DerivedPlane& plane : drawn_planes(params, derived))
+        if (const double side = plane.eye_side; plane.mirrors && side != 0.0)
+            mirrors.push_back({plane, side,
+                               params.reflection.stencil ? may_show(plane.patch, params, derived)
+                                                         : is_in_view(plane.patch, derived.clip_from_world)});
+    const bool sees_any =
+        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_in_view; });
+    return sees_any ? mirrors : std::vector<Mirror>{};
+}
+
+std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
+                                       const glm::dmat4& mirrored) {
+    const glm::dmat4 on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
+    const glm::dmat4 clip_from_world = derived.clip_from_world * mirrored, clip = glm::transpose(clip_from_world);
+    std::vector<glm::dvec4> forms = {clip[3] + clip[2]};
+    for (const glm::dvec4& side : forms_of_sides(clip_from_world)) forms.push_back(side);
+    if (!params.reflection.stencil) return forms;
+    forms.push_back(glm::transpose(on_mirror)[3]);
+    for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
+    return forms;
+}
+
+bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    const auto shows = [&](const glm::dmat4& mirrored) {
+        std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, mirrored);
+        forms.push_back(mirror.kept_side(params.reflection));
+        return may_reach(scene, forms);
+    };
+    return drawn_planes(params, derived).size() > 1 || shows(mirror.plane.mirrored_world_from_world) ||
+           shows(mirror_matrix(mirror.plane.unit_plane));
+}
+
+}  // namespace viewing
