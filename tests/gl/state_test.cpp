@@ -208,6 +208,11 @@ TEST_F(FrameState, IsDefinedForEveryDegenerateState) {
         {"overrides.mirror_from_world=[[1,0,0,0],[0,0,0,-1],[0,0,1,0],[0,0,0,1]]", "reflection.clip=none"},
         {"overrides.mirror_from_world=[[1e12,1e12,0,0],[0,1e12,0,0],[0,0,1e12,0],[0,0,0,1]]"},
         {"overrides.shadow_from_world=[[1e12,0,0,0],[0,1e12,0,0],[0,0,1e12,0],[1e12,0,0,1]]"},
+        {"overrides.view_from_world=[[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,0]]"},
+        {"overrides.view_from_world=[[1e12,0,0,0],[0,1e12,0,0],[0,0,0,-1e12],[0,0,1e12,0]]"},
+        {"overrides.clip_from_view=[[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,0]]"},
+        {"overrides.clip_from_view=[[1e12,0,0,0],[0,1e12,0,0],[0,0,-1e12,-1e12],[0,0,-1e-12,0]]"},
+        {"overrides.clip_from_view=[[1,0,0,0],[0,1,0,0],[0,0,-1,-1],[0,0,-1,0]]", "depth.mapping=logarithmic"},
         {"camera.position=[1e6,1e6,1e6]"},
     };
     for (const std::vector<std::string>& settings : degenerate) {

@@ -44,6 +44,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"epsilon", "the tolerance of a BSP tree, a number"},
     {"error", "a sentence without period: why a file cannot be read"},
     {"exercise", "an exercise, such as E16"},
+    {"eye", "the position of an eye, three numbers in parentheses"},
     {"fact", "a determinant, such as det −1.00"},
     {"factor", "how many times, a number"},
     {"far", "where the far plane is, or its depth; a number"},

@@ -174,6 +174,14 @@ public:
         reveal(label);
         ui.click(label);
     }
+    /// Clicks one of several items with the same label, counted from 0 in the order in which they are drawn.
+    void click_one_of(std::string_view label, std::size_t place) {
+        std::vector<RecordedItem> found;
+        std::copy_if(recorded().begin(), recorded().end(), std::back_inserter(found),
+                     [&](const RecordedItem& item) { return item.label == label; });
+        const RecordedItem& item = found.at(place);
+        click_at({0.5F * (item.min.x + item.max.x), 0.5F * (item.min.y + item.max.y)});
+    }
     void right_click(std::string_view label) {
         reveal(label);
         ui.right_click(label);

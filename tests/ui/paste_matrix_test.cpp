@@ -25,11 +25,7 @@ bool is_recorded(const Desk& desk, const std::string& label) {
 
 /// Chooses Paste in the Copy menu of the matrix with this place in the column.
 void paste_into(Desk& desk, std::size_t place) {
-    std::vector<RecordedItem> menus;
-    std::copy_if(desk.recorded().begin(), desk.recorded().end(), std::back_inserter(menus),
-                 [](const RecordedItem& item) { return item.label == "matrices/Copy"; });
-    const RecordedItem& menu = menus.at(place);
-    desk.click_at({0.5F * (menu.min.x + menu.max.x), 0.5F * (menu.min.y + menu.max.y)});
+    desk.click_one_of("matrices/Copy", place);
     desk.settle();
     desk.click("matrices/Paste from the clipboard");
     desk.settle();
@@ -64,7 +60,7 @@ TEST(PasteMatrix, TheMenuOfEachMatrixKnowsItsLetter) {
     EXPECT_EQ(desk.session.message.text, "the clipboard holds no matrix of 16 numbers");
 }
 
-TEST(PasteMatrix, AFaultIsNamedAndMended) {
+TEST(PasteMatrix, AFaultIsNamedAndFixed) {
     Desk desk;
     const Params before = desk.params();
     desk.clipboard = matrix_text("V", glm::transpose(pasted_view), MatrixFormat::numpy);
@@ -87,6 +83,37 @@ TEST(PasteMatrix, AnUnknownOneCanOnlyBeClosed) {
     desk.settle();
     EXPECT_EQ(desk.params(), before);
     EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
+}
+
+TEST(PasteMatrix, AWrongOneIsShownAsItIsUntilReleased) {
+    struct Wrong {
+        const char* name;
+        glm::dmat4 matrix;
+        std::size_t edit;  ///< the place of its Edit button
+    };
+    const glm::dmat4 p = glm::perspectiveRH_NO(1.0, 1.5, 0.5, 40.0);
+    for (const Wrong& wrong :
+         {Wrong{"V", glm::transpose(pasted_view), 0}, {"P", glm::transpose(p), 1}, {"S", glm::dmat4(2.0), 2}}) {
+        SCOPED_TRACE(wrong.name);
+        Desk desk;
+        const Params before = desk.params();
+        desk.clipboard = matrix_text(wrong.name, wrong.matrix, MatrixFormat::numpy);
+        press_paste(desk);
+        desk.click("pasted/Show it as it is");
+        desk.settle();
+        const glm::dmat4& shown = *wrong.name == 'V'   ? desk.derived.view_from_world
+                                  : *wrong.name == 'P' ? desk.derived.clip_from_view
+                                                       : desk.derived.chosen_shadow().shadowed_world_from_world;
+        EXPECT_EQ(shown, wrong.matrix);
+        EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
+        const bool is_said = std::any_of(desk.problems.begin(), desk.problems.end(), [](const Problem& problem) {
+            return problem.kind == ProblemKind::wrong && problem.id.starts_with("by_hand");
+        });
+        EXPECT_TRUE(is_said);
+        desk.click("matrices/Release");
+        desk.settle();
+        EXPECT_EQ(desk.params(), before);
+    }
 }
 
 TEST(PasteMatrix, PIsTakenWithItsLens) {

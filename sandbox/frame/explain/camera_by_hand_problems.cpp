@@ -66,10 +66,11 @@ bool tell_fault(Sayer& tell, char letter, const char* path, const glm::dmat4& ma
 
 void tell_view(Sayer& tell, const Params& params, const Derived& derived, const glm::dmat4& v) {
     constexpr const char* path = "overrides.view_from_world";
+    const ExplainedMatrix found = explain_matrix(v, 'V', params, derived.view_aspect, shown);
+    if (tell_fault(tell, 'V', path, v, found)) return;
     tell(true, sentence("by_hand.view", "V is entered by hand: the camera's position and angles no longer change it"),
          path);
-    const ExplainedMatrix found = explain_matrix(v, 'V', params, derived.view_aspect, shown);
-    if (tell_fault(tell, 'V', path, v, found) || found.fault == MatrixFault::none) return;
+    if (found.fault == MatrixFault::none) return;
     if (found.fault == MatrixFault::different && found.camera) {
         const glm::dvec3 &eye = found.camera->eye, along = found.camera->center - eye;
         return tell(true, sentence("by_hand.other_camera",
@@ -92,12 +93,13 @@ void tell_view(Sayer& tell, const Params& params, const Derived& derived, const 
 
 void tell_projection(Sayer& tell, const Params& params, const Derived& derived, const glm::dmat4& p) {
     constexpr const char* path = "overrides.clip_from_view";
+    const ExplainedMatrix found = explain_matrix(p, 'P', params, derived.view_aspect, shown);
+    if (tell_fault(tell, 'P', path, p, found)) return;
     tell(true,
          sentence("by_hand.projection",
                   "P is entered by hand: the angle, the aspect ratio, near and far no longer change it"),
          path);
-    const ExplainedMatrix found = explain_matrix(p, 'P', params, derived.view_aspect, shown);
-    if (tell_fault(tell, 'P', path, p, found) || found.fault == MatrixFault::none) return;
+    if (found.fault == MatrixFault::none) return;
     if (found.fault == MatrixFault::different && found.lens && derived.has_distances) {
         const FoundLens& lens = *found.lens;
         const std::string near = figures(lens.near, 3), far = std::isinf(lens.far) ? "∞" : figures(lens.far, 3);

@@ -215,6 +215,19 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
 
 namespace {
 
+/// Returns the pixel where an image belongs if that is not the explained one: its picture is drawn with another lens or
+/// with a wrong matrix.
+std::optional<glm::ivec2> pixel_elsewhere(const WhyQuestion& question, const glm::dvec3& image_world) {
+    const glm::dvec4 clip = question.derived.clip_from_world * glm::dvec4(image_world, 1.0);
+    if (!(clip.w > 0.0)) return std::nullopt;
+    const glm::dvec2 place =
+        (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(question.viewport.size_px);
+    const glm::dvec2 off = place - (glm::dvec2(question.pixel) + 0.5);
+    constexpr double far_px = 1e6;  // coordinates beyond this are no pixels
+    if (glm::length(off) <= 1.5 || !(glm::length(off) < far_px)) return std::nullopt;
+    return glm::ivec2(glm::floor(place));
+}
+
 void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) {
     const Pass& pass = question.plan.passes[image->fragment.pass];
     const glm::dvec3& q = image->fragment.point_scene;
@@ -229,13 +242,19 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
                 "point"_a = point_text(point.world)) +
             " → ";
     const std::string object = surface_name(question, image->fragment.object_index);
+    const std::string product = mirror_product(question, pass);
+    const std::optional<glm::ivec2> elsewhere = pixel_elsewhere(question, image_world);
+    const std::string sentence =
+        elsewhere
+            ? say("Drawn here: {object} at q = {q}. Its image {product} q = {image} belongs at pixel ({x}, {y}): the "
+                  "picture in the mirror has another lens than the camera.",
+                  "object"_a = object, "q"_a = point_text(q), "product"_a = product,
+                  "image"_a = point_text(image_world), "x"_a = elsewhere->x, "y"_a = elsewhere->y)
+            : say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,
+                  "object"_a = object, "q"_a = point_text(q), "product"_a = product,
+                  "image"_a = point_text(image_world));
     made.rows.push_back(
-        {.kind = WhyRow::Kind::mirror,
-         .title = tr("Mirror"),
-         .sentence = say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,
-                         "object"_a = object, "q"_a = point_text(q), "product"_a = mirror_product(question, pass),
-                         "image"_a = point_text(image_world)),
-         .after = image->after});
+        {.kind = WhyRow::Kind::mirror, .title = tr("Mirror"), .sentence = sentence, .after = image->after});
     const std::size_t row = made.rows.size() - 1;
     glm::dvec3 from = eye;
     for (const PathPoint& point : path) {

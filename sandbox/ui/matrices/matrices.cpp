@@ -190,7 +190,8 @@ void show_projection(const Column& column) {
     const std::string becomes =
         say("P maps view space to clip space; after ÷ w, the near plane is at {near} and the far plane at {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
-    const std::string aspect = number_text(derived.aspect, 2);
+    const std::string aspect =
+        number_text(derived.aspect, derived.aspect < 9.995 ? 2 : 1);  // four characters, which fit
     show_overridable(
         {marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
          column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)), camera_roles(),

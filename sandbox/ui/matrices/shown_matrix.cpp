@@ -6,6 +6,7 @@
 #include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/subscripts.h"
@@ -112,11 +113,11 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     const bool is_covered = widgets::IsCovered(target), is_part_covered = widgets::IsPartCovered(target);
     const bool tells_difference = !is_part_covered && !widgets::IsCovered("sentences");
     std::string note = is_covered ? "" : told_fact(fact, shown.facts), explains = tr(shown.explains);
-    if (by_hand && is_part_covered) buttons = {};
+    if (by_hand && is_part_covered) buttons = buttons.first(buttons.size() - 1);  // not Edit
     if (by_hand && *by_hand && !tells_difference) note = tr("by hand");
     if (by_hand && *by_hand && tells_difference) {
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
-        note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
+        note = say("off by {difference}", "difference"_a = figures(difference, 3));
         explains =
             shown.property.empty()
                 ? say("Entered by hand: the camera and its projection have no effect here. Apart from scale, the "
@@ -132,7 +133,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     const auto room_of = [](const char* button) {
         return widgets::OffersButton(button) ? widgets::SmallButtonWidth(button) + px(4.0F) : 0.0F;
     };
-    float end = place_at_right("Copy") - px(10.0F);
+    float end = place_at_right("Copy") - px(6.0F);
     for (const char* button : buttons) end -= room_of(button);
     const bool has_note = matrix_heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(),
                                          note, shown.role, end);

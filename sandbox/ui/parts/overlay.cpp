@@ -8,6 +8,12 @@ namespace viewing {
 namespace {
 
 constexpr double least_w = 1e-4;  ///< a smaller w counts as behind the eye
+constexpr double farthest = 1e4;  ///< times the picture's half size: marks farther outside are not drawn
+
+/// Whether every coordinate is a finite number: a V or P entered by hand may overflow.
+bool is_finite(const glm::dvec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
 
 }  // namespace
 
@@ -41,7 +47,8 @@ ImVec2 Overlay::place_of(const glm::dvec4& clip) const {
 
 std::optional<ImVec2> Overlay::project(const glm::dvec3& point_world) const {
     const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point_world, 1.0);
-    if (clip.w < least_w) return std::nullopt;
+    const bool is_near = std::max(std::abs(clip.x), std::abs(clip.y)) <= farthest * clip.w;
+    if (!is_finite(clip) || clip.w < least_w || !is_near) return std::nullopt;
     return place_of(clip);
 }
 
@@ -53,6 +60,7 @@ Ray Overlay::ray_at(ImVec2 place) const {
 
 std::optional<Overlay::Segment> Overlay::segment(const glm::dvec3& from, const glm::dvec3& to) const {
     glm::dvec4 a = clip_from_world_ * glm::dvec4(from, 1.0), b = clip_from_world_ * glm::dvec4(to, 1.0);
+    if (!is_finite(a) || !is_finite(b)) return std::nullopt;
     // Near the plane through the eye, screen positions go to infinity: clip at three times the picture's size, out of
     // sight.
     constexpr double reach = 3.0;
@@ -194,11 +202,10 @@ bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 col
     const ImVec2 half(0.5F * rect_.width(), 0.5F * rect_.height());
     const float inset = 14.0F * scale_;
     if (half.x <= inset || half.y <= inset) return true;
-    ImVec2 way(static_cast<float>(clip.x) * half.x, -static_cast<float>(clip.y) * half.y);
-    if (const float length = std::hypot(way.x, way.y); length > 0.0F)
-        way = {way.x / length, way.y / length};
-    else
-        way = {0.0F, 1.0F};  // the point is directly behind the eye
+    const double across = clip.x * half.x, down = -clip.y * half.y, length = std::hypot(across, down);
+    ImVec2 way(0.0F, 1.0F);  // if the point is directly behind the eye
+    if (length > 0.0 && std::isfinite(length))
+        way = {static_cast<float>(across / length), static_cast<float>(down / length)};
     const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
                                    (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
     ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);

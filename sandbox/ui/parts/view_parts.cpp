@@ -127,22 +127,24 @@ bool is_image_covered() {
     return widgets::IsCovered("label:mirrored") || widgets::IsCovered("follow:mirrored");
 }
 
-void draw_followed(Overlay& overlay, const Derived& derived) {
+void draw_followed(Overlay& overlay, const Params& params, const Derived& derived) {
     if (!derived.followed) return;
     const FollowedPoint& followed = *derived.followed;
     const glm::dvec3& p = followed.point_world;
     const glm::dvec4& light = derived.chosen_light();
-    if (followed.shadow_world && !widgets::IsCovered("follow:shadow")) {
+    if (params.shadow.enabled && followed.shadow_world && !widgets::IsCovered("follow:shadow")) {
         if (light.w > 1e-3) overlay.line(glm::dvec3(light) / light.w, p, palette().light);
         overlay.line(p, *followed.shadow_world, palette().light);
         overlay.dot(*followed.shadow_world, palette().light);
         overlay.label(*followed.shadow_world, "s = S p", palette().light);
     }
-    overlay.dashed(p, followed.foot_world, palette().mirror);
-    overlay.mark_target("label:mirrored", followed.mirrored_world, followed.mirrored_world);
-    if (!is_image_covered()) overlay.dashed(followed.foot_world, followed.mirrored_world, palette().mirror);
-    overlay.dot(followed.foot_world, palette().plane, 3.0F);
-    if (!is_image_covered()) {
+    if (params.reflection.enabled) {
+        overlay.dashed(p, followed.foot_world, palette().mirror);
+        overlay.mark_target("label:mirrored", followed.mirrored_world, followed.mirrored_world);
+        overlay.dot(followed.foot_world, palette().plane, 3.0F);
+    }
+    if (params.reflection.enabled && !is_image_covered()) {
+        overlay.dashed(followed.foot_world, followed.mirrored_world, palette().mirror);
         overlay.dot(followed.mirrored_world, palette().mirror);
         overlay.label(followed.mirrored_world, "R p", palette().mirror);
     }

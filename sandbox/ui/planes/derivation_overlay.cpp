@@ -107,7 +107,7 @@ void mirror_overlay(Overlay& overlay, const DerivedPlane& plane, const MirrorDer
 void draw_derivation_overlay(Overlay& overlay, const Params& params, const Derived& derived) {
     const bool shadow = is_shown(params, Topic::shadow_derivation);
     const bool mirror = is_shown(params, Topic::mirror_derivation);
-    if (!shadow && !mirror) return draw_followed(overlay, derived);
+    if (!shadow && !mirror) return draw_followed(overlay, params, derived);
     const glm::dvec3 point = derivation_point(derived);
     const glm::dvec4& plane = derived.chosen_plane().unit_plane;
     if (shadow) shadow_overlay(overlay, derived, derive_shadow(plane, derived.chosen_light(), point));

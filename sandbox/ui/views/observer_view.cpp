@@ -90,9 +90,16 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     const glm::dvec3 light = lamp_place(derived.chosen_light(), derived);
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "ℓ", palette().light);
+    if (derived.followed) {
+        overlay.dot(derived.followed->point_world, palette().point, 5.0F);
+        overlay.label(derived.followed->point_world, "p", palette().point);
+    }
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
     const char* brief = tr("the world moves by V = C⁻¹");
-    if (session.params.slips.camera_as_view) {
+    if (session.params.camera_overrides.view_from_world) {
+        whole = tr("the camera stays, the world moves by the V entered by hand");
+        brief = tr("the world moves by V");
+    } else if (session.params.slips.camera_as_view) {
         whole = tr("C is sent instead of V = C⁻¹: the camera stays, and the world moves by C");
         brief = tr("the world moves by C, not by V");
     }

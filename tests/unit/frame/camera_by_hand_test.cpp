@@ -23,9 +23,7 @@ Derived derived_by_hand(const Params& params) {
 }
 
 std::vector<Problem> problems_by_hand(const Params& params) {
-    const Scene scene = testing::box_scene();
-    const Derived derived = derived_by_hand(params);
-    return find_problems(params, derived, scene, plan(params, derived));
+    return testing::problems_of(params, testing::box_scene(), Viewport{by_hand_px});
 }
 
 const Problem* problem_with_id(const std::vector<Problem>& problems, std::string_view id) {

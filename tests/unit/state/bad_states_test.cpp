@@ -141,6 +141,8 @@ TEST(BadStates, WrongTypes) {
         {R"({"shadow": {"color": "#12345g"}})", "shadow.color", "#rrggbb"},
         {R"({"shadow": {"color": "#-12345"}})", "shadow.color", "#rrggbb"},
         {R"({"reflection": {"bounces": 1.5}})", "reflection.bounces", "must be a whole number from 0 to 16"},
+        {R"({"overrides": {"view_from_world": [[1,0,0,0]]}})", "overrides.view_from_world", "4 rows of 4 numbers"},
+        {R"({"overrides": {"clip_from_view": 1}})", "overrides.clip_from_view", "4 rows of 4 numbers"},
         {R"({"overrides": {"shadow_from_world": []}})", "overrides.shadow_from_world", "4 rows of 4 numbers"},
         {R"({"overrides": {"shadow_from_world": [[1,0,0,0],[0,1,0],[0,0,1,0],[0,0,0,1]]}})",
          "overrides.shadow_from_world[1]", "a row of 4 numbers"},

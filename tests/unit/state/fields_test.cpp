@@ -89,6 +89,8 @@ constexpr std::string_view contract_paths[] = {
     "reflection.after_objects",
     "reflection.side_of_eye",
     "reflection.shadows",
+    "overrides.view_from_world",
+    "overrides.clip_from_view",
     "overrides.shadow_from_world",
     "overrides.mirror_from_world",
     "overrides.further",

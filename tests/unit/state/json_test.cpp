@@ -176,6 +176,8 @@ TEST(State, WritesTheDefaultsAsInTheContract) {
     "shadows": true
   },
   "overrides": {
+    "view_from_world": null,
+    "clip_from_view": null,
     "shadow_from_world": null,
     "mirror_from_world": null,
     "further": []
