@@ -22,6 +22,10 @@ double start_of_cleared_code(const Params& params) {
     return distance_of_window_depth(params.lens(), depth.mapping, std::abs(farthest - half));
 }
 
+bool lets_nearer_win(const Params& params) {
+    return params.visibility.method == VisibilityMethod::depth_buffer && wants_nearer(params.depth);
+}
+
 bool previous_frame_hides(const Params& params) {
     return params.visibility.method == VisibilityMethod::depth_buffer && hides_next_frame(params.depth);
 }

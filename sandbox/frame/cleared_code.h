@@ -10,6 +10,9 @@ namespace viewing {
 /// infinite if it rejects nothing for that reason.
 double start_of_cleared_code(const Params& params);
 
+/// Returns whether GL's depth buffer decides what is visible, and lets nearer surfaces win.
+bool lets_nearer_win(const Params& params);
+
 /// Returns whether the depths of the previous, equal frame stay and hide this frame: hides_next_frame().
 bool previous_frame_hides(const Params& params);
 

@@ -178,7 +178,7 @@ TEST_F(Silence, SwitchesOfPresetsAreNamed) {
 
 /// A preset, and settings of which the last one is judged.
 struct JudgedState {
-    std::string_view preset;
+    std::string preset;
     std::vector<std::string> settings;
 };
 
@@ -230,8 +230,7 @@ TEST_F(Silence, WhatLongRunsHaveFoundStaysRight) {
         const Result<Params> after = apply_settings(*before, settings.last(1));
         ASSERT_TRUE(after) << after.error();
         const std::string& last = settings.back();
-        check(shown(*before, scene), {last.substr(0, last.find('=')), last, *after}, scene,
-              std::string(found.preset) + ": " + last);
+        check(shown(*before, scene), {last.substr(0, last.find('=')), last, *after}, scene, found.preset + ": " + last);
     }
 }
 

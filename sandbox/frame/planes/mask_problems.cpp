@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
-#include "frame/depth/depth_switches.h"
-#include "frame/depth/fighting.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
@@ -33,7 +31,7 @@ double coarse_gap(const Params& params, const Derived& derived, const SceneObjec
     const Lens lens = params.lens();
     const glm::dvec4 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
     const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
-    const double gap = fighting_onset(depth_coding(params, derived), z).gap();
+    const double gap = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
     return gap > visible_share / 5.0 * picture_height(lens, z) ? gap : 0.0;
 }
 
@@ -41,7 +39,7 @@ double coarse_gap(const Params& params, const Derived& derived, const SceneObjec
 /// is no stencil.
 void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                    const Scene& scene) {
-    if (!wants_nearer(params.depth) || params.visibility.method != VisibilityMethod::depth_buffer) return;
+    if (!lets_nearer_win(params)) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
     const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
     for (const Mirror& mirror : mirrors) {

@@ -6,8 +6,6 @@
 #include <limits>
 
 #include "frame/cleared_code.h"
-#include "frame/depth/depth_switches.h"
-#include "frame/depth/fighting.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
