@@ -197,18 +197,22 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
          sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"));
 }
 
-/// Returns whether the depth test rejects every object: always, or because the depths of the previous frame stay.
-bool hides_objects(const Params& params) {
+/// Returns whether the depth test rejects every object: always, or because the depths of the previous frame stay, or
+/// because every depth has the code of the cleared buffer.
+bool hides_objects(const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const bool is_less = depth.tests() && depth.func == CompareFunc::less && is_cleared_to_farthest(depth);
     return params.visibility.method == VisibilityMethod::depth_buffer &&
-           (rejects_all(params.depth) || hides_next_frame(params.depth));
+           (rejects_all(depth) || hides_next_frame(depth) ||
+            (is_less && derived.has_distances && has_only_cleared_code(params, derived, scene)));
 }
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
 /// not tested, and where depth is cleared for its image, nearer fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params) {
-    if (!hides_objects(params)) return;
-    const bool shows_shadows = !rejects_all(params.depth) && params.shadow.enabled && !params.shadow.clip_to_receiver;
+    const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
+                               !params.shadow.clip_to_receiver;
     const bool shows_images = params.reflection.after_objects && wants_nearer(params.depth);
     std::erase_if(problems, [&](const Problem& problem) {
         if (problem.kind == ProblemKind::worth_knowing) return false;
@@ -218,9 +222,16 @@ void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     });
 }
 
-/// Takes away the fixes that may change nothing while what was drawn in the previous frame is rejected. The sentences
-/// about clearing and about GL_NOTEQUAL keep theirs.
+/// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
+/// value are drawn over each other, and all others while what was drawn in the previous frame is rejected. The
+/// sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
+    const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+        return problem.id == "reflection.shared_stencil";
+    });
+    for (Problem& problem : problems)
+        if (is_overdrawn && problem.group == "reflection" && problem.id != "reflection.shared_stencil")
+            problem.fixed_by.clear();
     if (params.visibility.method != VisibilityMethod::depth_buffer || !rejects_previous_frame(params.depth)) return;
     for (Problem& problem : problems)
         if (problem.id != "depth.not_cleared" && problem.id != "depth.cleared_with_mask_off" &&
@@ -257,8 +268,10 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene, frame, images);
     find_by_hand_problems(problems, params, derived);
-    drop_unseen(problems, params);
-    if (derived.has_distances && !hides_objects(params)) find_cull_problems(problems, params, derived, scene);
+    if (hides_objects(params, derived, scene))
+        drop_unseen(problems, params);
+    else if (derived.has_distances)
+        find_cull_problems(problems, params, derived, scene, images);
     find_depth_problems(problems, params, derived, scene, images);
     drop_idle_fixes(problems, by_hand);
     drop_waiting_fixes(problems, params);

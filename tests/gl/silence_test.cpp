@@ -28,6 +28,8 @@ constexpr Choice choices[] = {
     {"shadow.offset", "all but none are right, up to fighting at the edge"},
     {"reflection.enabled", "a picture without mirrors"},
     {"reflection.mirrored", "two ways to draw a mirror; the camera is mirrored without the mistakes of R"},
+    {"reflection.clip=clip_distance", "one of two right ways to clip an image"},
+    {"reflection.clip=oblique", "the other one; what it does to depth is said"},
     {"plane.receives_shadow", "a plane without shadows"},
     {"plane.mirrors", "a plane that is no mirror"},
     {"plane.gloss", "a highlight"},

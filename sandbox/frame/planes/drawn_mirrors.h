@@ -13,10 +13,9 @@ struct Mirror {
     const DerivedPlane& plane;
     double eye_side;
     bool is_in_view;
+    glm::dmat4 clip_from_scene{1.0};  ///< draws its image
 
     glm::dvec4 towards_eye() const { return (eye_side < 0.0 ? -1.0 : 1.0) * plane.unit_plane; }
-    /// The distance from the eye's side of the plane after R, as a form: negative behind the mirror.
-    glm::dvec4 image_towards_eye() const { return towards_eye() * plane.mirrored_world_from_world; }
     bool is_seen_from_behind() const { return is_in_view && eye_side < 0.0; }
     /// Returns a plane; the objects on its positive side are mirrored.
     glm::dvec4 kept_side(const ReflectionParams& reflection) const {
@@ -26,13 +25,17 @@ struct Mirror {
     double distance_from_origin() const { return std::abs(plane.unit_plane.w); }
 };
 
-/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none.
-std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived);
+/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none. `frame`:
+/// the camera's, or null if the images do not matter.
+std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived, const FramePlan* frame = nullptr);
 
-/// Returns forms that are positive where `mirrored` sends a point into the picture and, with the stencil, into the
-/// mirror's patch as the eye sees it.
+/// Returns the matrix that sends a scene point to the point of the mirror's plane where the eye sees its image.
+glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, const glm::dmat4& clip_from_scene);
+
+/// Returns forms that are positive where `clip_from_scene` sends a point into the picture and, with the stencil, into
+/// the mirror's patch as the eye sees it.
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
-                                       const glm::dmat4& mirrored);
+                                       const glm::dmat4& clip_from_scene);
 
 /// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. Other planes have
 /// images too: with several planes, one may always be.

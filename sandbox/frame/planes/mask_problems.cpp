@@ -14,8 +14,8 @@ namespace viewing {
 
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    if (!tests || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects) return false;
+    if (!lets_nearer_win(params) || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects)
+        return false;
     if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
     const auto before =
         std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
@@ -25,14 +25,16 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
 
 namespace {
 
-/// Returns the gap in depth, as an eye distance, that the buffer surely distinguishes at an object's center, if it is a
-/// visible part of the picture's height there; otherwise 0.
-double coarse_gap(const Params& params, const Derived& derived, const SceneObject& object) {
+/// Returns the gap, along the mirror's normal, that depth surely distinguishes at an object's center, if the gap in eye
+/// distance is a visible part of the picture's height there; otherwise 0.
+double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
     const Lens lens = params.lens();
-    const glm::dvec4 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
-    const double z = std::clamp(-(derived.view_from_world * center).z, std::max(lens.near, 1e-9), lens.far);
-    const double gap = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
-    return gap > visible_share / 5.0 * picture_height(lens, z) ? gap : 0.0;
+    const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+    const double z = std::clamp(-(derived.view_from_world * glm::dvec4(center, 1.0)).z, std::max(lens.near, 1e-9),
+                                lens.far),
+                 gap = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
+    if (gap <= visible_share / 5.0 * picture_height(lens, z)) return 0.0;
+    return gap * std::abs(glm::dot(glm::dvec3(mirror.towards_eye()), line_of_sight(derived.eye_world, center)));
 }
 
 /// Reports images that the mirror does not cover although it is blended over them, because depth alone decides: there
@@ -41,7 +43,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                    const Scene& scene) {
     if (!lets_nearer_win(params)) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
-    const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
+    Params in_patches = params;  // beside the patch, it is not this that lets the image show
+    in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
         if (is_oblique && may_show_image(params, derived, mirror, scene))
             return tell.broken(
@@ -50,17 +53,20 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
                          "plane gives the image other depths: it shows in front of the mirror"),
                 "reflection.stencil");
-        // Only without clipping, or with a wrong R, is an image in front of its mirror.
+        // Only without clipping, or with a wrong R or P, is an image in front of its mirror: where the picture shows
+        // it, its depth is that of a point in front.
+        const glm::dvec4 image_towards_eye =
+            mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
         std::vector<std::string> in_front, touching;
         for (const SceneObject& object : scene.objects) {
-            std::vector<glm::dvec4> forms =
-                forms_of_image(params, derived, mirror, mirror.plane.mirrored_world_from_world);
+            std::vector<glm::dvec4> forms = forms_of_image(in_patches, derived, mirror, mirror.clip_from_scene);
             forms.push_back(mirror.kept_side(params.reflection));
-            forms.push_back(mirror.image_towards_eye());
+            forms.push_back(image_towards_eye);
             forms.back().w -= standing;
             const bool is_in_front = may_reach(object, forms);
-            forms.back().w += standing + (fits ? coarse_gap(params, derived, object) : 0.0);
-            if (is_in_front || may_reach(object, forms))
+            const double gap = coarse_gap(params, derived, mirror, object);
+            forms.back().w += standing + gap;
+            if (is_in_front || (gap > 0.0 && may_reach(object, forms)))
                 (is_in_front ? in_front : touching).push_back(object_text(object.description.name));
         }
         if (!in_front.empty())
@@ -85,23 +91,19 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(
-            scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirror.plane.mirrored_world_from_world,
-                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
+        return lands_beyond(scene, {on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
+                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
     };
     const auto is_covered = [&](const Mirror& mirror) {
         return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
                                     mirror.towards_eye(), mirror.plane.patch});
     };
-    // An image that is drawn larger is told by reflection.fovy's own sentence.
-    const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
     // Where depth hides the patch, it does not mark the stencil either.
     const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
         return loses_part(mirror.plane.patch, params, derived);
     });
     tell.broken(
-        !reflection.stencil &&
-            (is_distorted || is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
+        !reflection.stencil && (is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
         sentence("reflection.beyond_edge",
                  "R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
                  "beyond the mirror's edge"),

@@ -129,12 +129,8 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
 /// Returns whether near or far of the frame's first mirror image cuts off part of what the mirror should show.
 bool cuts_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                 const FramePlan& frame) {
-    const auto image = std::find_if(frame.passes.begin(), frame.passes.end(), [](const Pass& pass) {
-        return pass.is_mirror_image && pass.subject == Subject::objects && pass.shading != Shading::flat;
-    });
-    if (image == frame.passes.end()) return false;
-    const glm::dmat4 clip = glm::transpose(image->clip_from_world * image->world_from_scene);
-    std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, mirror.plane.mirrored_world_from_world);
+    const glm::dmat4 clip = glm::transpose(mirror.clip_from_scene);
+    std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, mirror.clip_from_scene);
     forms.push_back(mirror.kept_side(params.reflection));
     const glm::dvec4 first = frame.clip_zero_to_one ? clip[2] : clip[3] + clip[2];
     for (const glm::dvec4& end : {first, clip[3] - clip[2]}) {
@@ -267,7 +263,7 @@ void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derive
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images) {
     if (frame.reflection_depth < 1 || !shows_effects(params)) return;
-    const std::vector<Mirror> mirrors = drawn_mirrors(params, derived);
+    const std::vector<Mirror> mirrors = drawn_mirrors(params, derived, &frame);
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
     find_mask_problems(problems, params, derived, mirrors, scene);
