@@ -22,8 +22,31 @@ double start_of_cleared_code(const Params& params) {
     return distance_of_window_depth(params.lens(), depth.mapping, std::abs(farthest - half));
 }
 
+bool lets_nearer_win(const Params& params) {
+    return params.visibility.method == VisibilityMethod::depth_buffer && wants_nearer(params.depth);
+}
+
 bool previous_frame_hides(const Params& params) {
     return params.visibility.method == VisibilityMethod::depth_buffer && hides_next_frame(params.depth);
+}
+
+bool has_only_cleared_code(const Params& params, const Derived& derived, const Scene& scene) {
+    Params with_less = params;
+    with_less.depth.func = CompareFunc::less;
+    with_less.depth.clear = with_less.depth.write_while_clearing = true;
+    const double start = start_of_cleared_code(with_less);
+    if (!(start < params.projection.far)) return false;
+    const glm::dvec4 towards_eye = glm::transpose(derived.view_from_world)[2];
+    std::vector<glm::dvec4> forms;
+    for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world)) forms.push_back(side);
+    forms.push_back(-towards_eye - glm::dvec4(0.0, 0.0, 0.0, start));
+    forms.push_back(towards_eye + glm::dvec4(0.0, 0.0, 0.0, params.projection.far));
+    const bool has_any = may_reach(scene, forms);
+    forms.back().w = start;
+    forms.erase(forms.end() - 2);
+    return has_any && !may_reach(scene, forms) &&
+           std::none_of(derived.planes.begin(), derived.planes.end(),
+                        [&](const DerivedPlane& plane) { return may_show(plane.patch, with_less, derived); });
 }
 
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived) {

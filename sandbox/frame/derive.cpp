@@ -118,7 +118,7 @@ bool lands_far(const CastShadow& cast, const DerivedPlane& plane, const Scene& s
     const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
     for (const glm::dvec4& edge : forms_of_edges(landed, around)) {
         const std::array beyond = {-edge, towards_light, glm::transpose(landed)[3]};
-        if (may_reach(scene, beyond)) return true;
+        if (may_reach_each(scene, beyond)) return true;
     }
     return false;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,44 @@ bool is_above(const SceneObject& object, const glm::dvec4& form, double limit) {
         [&](const glm::dvec4& point) { return glm::dot(form, point) > limit; });
 }
 
+bool reaches_each(const SceneObject& object, std::span<const glm::dvec4> forms) {
+    return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
+}
+
+/// Returns whether is_so(points) holds for any vertex, or for the corners of any part of a triangle, where all forms
+/// are positive. Points are in the model's space. Judges at most 32 forms. A large mesh counts as having such a part
+/// unless one of the forms is positive at none of its vertices.
+template <typename Predicate>
+bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so) {
+    constexpr std::size_t most_triangles = 20'000;
+    const Mesh& mesh = *object.mesh;
+    if (!reaches_each(object, forms)) return false;
+    if (mesh.triangle_count() > most_triangles) return true;
+    std::vector<glm::dvec4> of_model;
+    for (const glm::dvec4& form : forms) of_model.push_back(form * object.world_from_model);
+    const auto point = [&mesh](std::uint32_t vertex) { return glm::dvec4(mesh.positions[vertex], 1.0); };
+    const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << of_model.size()) - 1U);
+    std::vector<std::uint32_t> positive(mesh.positions.size(), 0);  // one bit per form
+    std::vector<glm::dvec4> part, kept;
+    for (std::uint32_t vertex = 0; vertex < positive.size(); ++vertex) {
+        for (std::size_t form = 0; form < of_model.size(); ++form)
+            if (glm::dot(of_model[form], point(vertex)) > 0.0) positive[vertex] |= 1U << form;
+        part = {point(vertex)};
+        if (positive[vertex] == all && is_so(part)) return true;
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        if ((positive[a] | positive[b] | positive[c]) != all) continue;
+        const std::uint32_t everywhere = positive[a] & positive[b] & positive[c];
+        part = {point(a), point(b), point(c)};
+        for (std::size_t form = 0; form < of_model.size() && !part.empty(); ++form)
+            if ((everywhere >> form & 1U) == 0)
+                keep_part(part, kept, [&](const glm::dvec4& at) { return glm::dot(of_model[form], at); });
+        if (part.size() >= 3 && is_so(part)) return true;
+    }
+    return false;
+}
+
 template <typename Predicate>
 std::string names_of(const Scene& scene, Predicate is_so) {
     std::string names;
@@ -57,6 +96,12 @@ std::string names_of(const Scene& scene, Predicate is_so) {
 
 bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
+}
+
+/// Returns whether the scene's bounds rule out that one of the forms is positive anywhere.
+bool is_clear_of_any(const Scene& scene, std::span<const glm::dvec4> forms) {
+    return std::any_of(forms.begin(), forms.end(),
+                       [&](const glm::dvec4& form) { return is_clear_of(scene, -form, 0.0); });
 }
 
 /// Returns forms_of_edges() over boxes in a model's space.
@@ -90,34 +135,6 @@ bool holds(const Landing& landing, const glm::dvec4& sent) {
     return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
 }
 
-/// Examines the triangle edges that join a vertex that lands inside the patch to one that does not. Returns whether any
-/// of them crosses the patch's edge in the picture. For large meshes, assumes that one does.
-bool crosses_edge_in_picture(const SceneObject& object, const Landing& landing) {
-    const Mesh& mesh = *object.mesh;
-    constexpr std::size_t most_triangles = 20'000;
-    if (mesh.triangle_count() > most_triangles) return true;
-    const auto is_inside = [&](const glm::dvec4& sent) { return holds(landing, sent); };
-    const auto point = [&](std::uint32_t vertex) {
-        return object.world_from_model * glm::dvec4(mesh.positions[vertex], 1.0);
-    };
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
-        glm::dvec4 in = point(mesh.indices[i]), out = point(mesh.indices[next]);
-        const auto sent = [&](const glm::dvec4& at) { return landing.plane_from_world * at; };
-        if (is_inside(sent(out))) std::swap(in, out);
-        if (!is_inside(sent(in)) || is_inside(sent(out))) continue;
-        constexpr int halvings = 30;
-        for (int step = 0; step < halvings; ++step) {
-            const glm::dvec4 middle = 0.5 * (in + out);
-            (is_inside(sent(middle)) ? in : out) = middle;
-        }
-        const glm::dvec4 edge = sent(in);
-        if (glm::dot(landing.side, in) >= -standing && is_in_picture(landing.clip_from_world * (edge / edge.w)))
-            return true;
-    }
-    return false;
-}
-
 /// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
 /// patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
 /// picture.
@@ -126,7 +143,8 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
         if (glm::dot(landing.side, point) < -standing) return false;
         const glm::dvec4 sent = landing.plane_from_world * point;
         if (holds(landing, sent) != inside) return false;
-        return !in_picture || (sent.w > 0.0 && is_in_picture(landing.clip_from_world * (sent / sent.w)));
+        return !in_picture ||
+               (sent.w > 0.0 && is_in_picture(landing.clip_from_world * (sent / sent.w)) && !landing.hides(sent));
     };
     const BoxForm w(glm::transpose(landing.plane_from_world)[3], object.world_from_model);
     const BoxForm before(landing.side, object.world_from_model);
@@ -219,10 +237,22 @@ std::string objects_across(const Scene& scene, const glm::dvec4& form, double li
 bool lands_beyond(const Scene& scene, const Landing& landing) {
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
         if (lands(object, landing, false, true)) return true;
-        // The object's vertices that land beyond the patch's edge are outside the picture, but one of its triangles may
-        // cross that edge inside the picture.
-        return lands(object, landing, true, false) && lands(object, landing, false, false) &&
-               crosses_edge_in_picture(object, landing);
+        // The vertices that land beyond the patch's edge may be outside the picture while a triangle crosses that edge
+        // inside the picture.
+        const glm::dmat4 clip = landing.clip_from_world * landing.plane_from_world;
+        std::vector<glm::dvec4> forms = {glm::transpose(landing.plane_from_world)[3], landing.side};
+        forms.back().w += standing;
+        for (const glm::dvec4& side : forms_of_sides(clip)) forms.push_back(side);
+        for (const glm::dvec4& edge : forms_of_edges(landing.plane_from_world, landing.patch)) {
+            forms.push_back(-edge);
+            const auto is_seen = [&](const std::vector<glm::dvec4>& part) {
+                const glm::dvec4 middle = std::accumulate(part.begin(), part.end(), glm::dvec4(0.0));
+                return !landing.hides(landing.plane_from_world * (object.world_from_model * middle));
+            };
+            if (any_part(object, forms, is_seen)) return true;
+            forms.pop_back();
+        }
+        return false;
     });
 }
 
@@ -245,14 +275,19 @@ std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world) {
 }
 
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
-    return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
+    return any_part(object, forms, [](const std::vector<glm::dvec4>&) { return true; });
 }
 
 bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms) {
-    return std::none_of(forms.begin(), forms.end(),
-                        [&](const glm::dvec4& form) { return is_clear_of(scene, -form, 0.0); }) &&
+    return !is_clear_of_any(scene, forms) &&
            std::any_of(scene.objects.begin(), scene.objects.end(),
                        [&](const SceneObject& object) { return may_reach(object, forms); });
+}
+
+bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms) {
+    return !is_clear_of_any(scene, forms) &&
+           std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return reaches_each(object, forms); });
 }
 
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {

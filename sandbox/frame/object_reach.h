@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -38,11 +39,16 @@ struct Landing {
     const glm::dmat4& clip_from_world;   ///< the picture's matrix: only images inside the picture count
     glm::dvec4 side;                     ///< only vertices on the positive side of this plane count
     const PlanePatch& patch;
+    /// Points of the plane that something covers count as outside the picture; null: nothing covers any.
+    std::function<bool(const glm::dvec3&)> is_covered = nullptr;
+
+    /// Returns whether a homogeneous point of the plane, with w > 0, is covered.
+    bool hides(const glm::dvec4& sent) const { return is_covered && is_covered(glm::dvec3(sent) / sent.w); }
 };
 
 /// Return whether part of an object's image lies inside the picture and outside the patch (lands_beyond), or inside
 /// both (lands_inside). Both functions examine vertices; lands_beyond() also finds triangles that cross the patch's
-/// edge, and assumes that a large mesh has some.
+/// edge.
 bool lands_beyond(const Scene& scene, const Landing& landing);
 bool lands_inside(const Scene& scene, const Landing& landing);
 
@@ -57,12 +63,15 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// Returns four linear forms that are positive inside the picture's left, right, lower and upper side.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
-/// Returns false only if no part of an object is where all forms are positive: one of them is positive at none of its
-/// vertices and, since forms are linear, nowhere inside its triangles.
+/// Returns whether part of a triangle of an object is where all forms, at most 32, are positive. For a mesh of more
+/// than 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 
 /// Returns whether any object may reach there. Looks at no mesh if the scene's bounds rule it out.
 bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms);
+
+/// Returns whether any object has a vertex, not always the same one, where each of the forms is positive.
+bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);

@@ -197,6 +197,48 @@ void find_slips(std::vector<Problem>& problems, const Params& params, const Scen
          sentence("camera.camera_as_view", "mistake: C is uploaded where V belongs, so V C is not I"));
 }
 
+/// Returns whether the depth test rejects every object: always, or because the depths of the previous frame stay, or
+/// because every depth has the code of the cleared buffer.
+bool hides_objects(const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const bool is_less = depth.tests() && depth.func == CompareFunc::less && is_cleared_to_farthest(depth);
+    return params.visibility.method == VisibilityMethod::depth_buffer &&
+           (rejects_all(depth) || hides_next_frame(depth) ||
+            (is_less && derived.has_distances && has_only_cleared_code(params, derived, scene)));
+}
+
+/// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
+/// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
+/// not tested, and where depth is cleared for its image, nearer fragments pass.
+void drop_unseen(std::vector<Problem>& problems, const Params& params) {
+    const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
+                               !params.shadow.clip_to_receiver;
+    const bool shows_images = params.reflection.after_objects && wants_nearer(params.depth);
+    std::erase_if(problems, [&](const Problem& problem) {
+        if (problem.kind == ProblemKind::worth_knowing) return false;
+        if (problem.group == "reflection")
+            return !shows_images && !(params.reflection.after_objects && problem.id == "reflection.covers_objects");
+        return !shows_shadows;
+    });
+}
+
+/// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
+/// value are drawn over each other, and all others while what was drawn in the previous frame is rejected. The
+/// sentences about clearing and about GL_NOTEQUAL keep theirs.
+void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
+    const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+        return problem.id == "reflection.shared_stencil";
+    });
+    for (Problem& problem : problems)
+        if (is_overdrawn && problem.group == "reflection" && problem.id != "reflection.shared_stencil")
+            problem.fixed_by.clear();
+    if (params.visibility.method != VisibilityMethod::depth_buffer || !rejects_previous_frame(params.depth)) return;
+    for (Problem& problem : problems)
+        if (problem.id != "depth.not_cleared" && problem.id != "depth.cleared_with_mask_off" &&
+            problem.id != "depth.notequal")
+            problem.fixed_by.clear();
+}
+
 /// Takes away the fixes that have no effect while V or P is entered by hand: its own sentence has the fix.
 void drop_idle_fixes(std::vector<Problem>& problems, const CameraOverrides& by_hand) {
     for (Problem& problem : problems)
@@ -215,7 +257,7 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
     if (by_hand.clip_from_view) seen = entered.with_projection_by_hand();
     const Params& params = seen ? *seen : entered;
     const std::vector<SeenImage> images =
-        derived.has_distances ? seen_images(derived, scene, frame) : std::vector<SeenImage>();
+        derived.has_distances ? seen_images(params, derived, scene, frame) : std::vector<SeenImage>();
     if (derived.has_distances) find_view_problems(problems, params, derived, scene, images);
     find_camera_by_hand_problems(problems, entered, derived);
     find_slips(problems, params, scene);
@@ -224,21 +266,15 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
     find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
-    find_mirror_problems(problems, params, derived, scene, frame);
+    find_mirror_problems(problems, params, derived, scene, frame, images);
     find_by_hand_problems(problems, params, derived);
-    // While the depth test rejects every fragment, no other effect on the picture can be seen. A shadow beyond its
-    // patch is drawn nearer than the depths of the previous frame.
-    const bool hides_itself =
-        hides_next_frame(params.depth) && (params.shadow.clip_to_receiver || !params.shadow.enabled);
-    if (params.visibility.method == VisibilityMethod::depth_buffer && (rejects_all(params.depth) || hides_itself))
-        std::erase_if(problems, [&](const Problem& problem) {
-            const bool is_untested = params.reflection.after_objects && problem.group == "reflection";
-            return problem.kind != ProblemKind::worth_knowing && !is_untested;
-        });
+    if (hides_objects(params, derived, scene))
+        drop_unseen(problems, params);
     else if (derived.has_distances)
-        find_cull_problems(problems, params, derived, scene);
+        find_cull_problems(problems, params, derived, scene, images);
     find_depth_problems(problems, params, derived, scene, images);
     drop_idle_fixes(problems, by_hand);
+    drop_waiting_fixes(problems, params);
     Sayer(problems, "follow")(params.follow && !derived.followed,
                               sentence("follow.no_vertex", "the followed vertex does not exist in this scene"));
     return problems;

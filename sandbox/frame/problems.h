@@ -41,7 +41,7 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
 
 /// Adds a problem if culling removes the sides that face the eye, or a BSP tree cuts too little.
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                        const Scene& scene);
+                        const Scene& scene, const std::vector<SeenImage>& images);
 
 /// Adds what V and P entered by hand are, and what is wrong with them.
 void find_camera_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
@@ -57,6 +57,6 @@ void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& pa
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene, const FramePlan& frame);
+                          const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images);
 
 }  // namespace viewing

@@ -84,24 +84,26 @@ struct FightingPair {
     double needed, distance;  ///< the gap, along the normal, that depth is sure to distinguish; where it was judged
 };
 
+/// Returns whether parts of both surfaces are in the picture and beyond near.
+bool is_seen(const FlatPair& pair, const Derived& derived, const Scene& scene) {
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    std::vector<glm::dvec4> forms = {clip[3] + clip[2]};
+    for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world)) forms.push_back(side);
+    return may_reach(scene.objects[static_cast<std::size_t>(pair.first)], forms) &&
+           may_reach(scene.objects[static_cast<std::size_t>(pair.second)], forms);
+}
+
 /// Returns the pairs in view that fight. Decals that are moved by an offset fight only if the offset is surely too
 /// small.
 std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& derived, const Scene& scene,
                                          std::span<const FlatPair> pairs) {
     constexpr int height_px = 720;
     const glm::ivec2 size_px(std::lround(height_px * derived.view_aspect), height_px);
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
-    const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
-    const std::array ends = {clip[3] + clip[2]};
-    const auto is_seen = [&](int object) {
-        const SceneObject& one = scene.objects[static_cast<std::size_t>(object)];
-        return may_reach(one, sides) && may_reach(one, ends);
-    };
     std::vector<FightingPair> found;
     for (const FlatPair& pair : pairs) {
         const bool is_moved = pair.has_one_decal() && params.depth.offset != DepthOffset{};
         if (pair.has_one_decal() && params.depth.decals != DecalMethod::offset) continue;
-        if (!is_seen(pair.first) || !is_seen(pair.second)) continue;
+        if (!is_seen(pair, derived, scene)) continue;
         const PairPrediction predicted = predict_pair(pair, params, derived, size_px);
         const std::optional<ShareInterval>& share = predicted.wrong_share;
         const double needed = predicted.onset.gap() * predicted.slant;
@@ -114,13 +116,15 @@ std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& de
 
 /// Reports a polygon offset that moves coplanar decals by less than one code. Needs the size of a unit, which the
 /// driver decides.
-void say_small_offset(Sayer& tell, const Params& params, const Derived& derived, std::span<const FlatPair> pairs) {
+void say_small_offset(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                      std::span<const FlatPair> pairs) {
     const DepthParams& depth = params.depth;
     const std::optional<double>& unit = derived.stored_depth.unit_codes;
     if (!unit || derived.stored_depth.precision.is_float || depth.decals != DecalMethod::offset) return;
     const double codes = std::abs(depth.offset.units) * *unit;
-    const bool is_there = std::any_of(pairs.begin(), pairs.end(),
-                                      [](const FlatPair& pair) { return pair.has_one_decal() && pair.gap() == 0.0; });
+    const bool is_there = std::any_of(pairs.begin(), pairs.end(), [&](const FlatPair& pair) {
+        return pair.has_one_decal() && pair.gap() == 0.0 && is_seen(pair, derived, scene);
+    });
     tell.broken(
         is_there && depth.offset.factor == 0.0 && codes > 0.0 && codes < 1.0,
         sentence("depth.offset_too_small",
@@ -134,7 +138,7 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
 void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                std::span<const FlatPair> pairs) {
     if (!is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
-    say_small_offset(tell, params, derived, pairs);
+    say_small_offset(tell, params, derived, scene, pairs);
     const std::vector<FightingPair> fighting = fighting_pairs(params, derived, scene, pairs);
     if (fighting.empty()) return;
     const FightingPair& worst =

@@ -51,19 +51,6 @@ bool is_painted_right(const Derived& derived, const Scene& scene) {
     return true;
 }
 
-/// Returns the setting that replaces a depth function that lets nothing pass; "" if the clear value lets nothing pass
-/// either. With so few bits that everything has the code of the cleared buffer, GL_LESS lets nothing pass.
-std::string usual_func(const Params& params, const Derived& derived, const Scene& scene) {
-    if (clears_to_nearest(params.depth)) return "";
-    Params with_less = params;
-    with_less.depth.func = CompareFunc::less;
-    const double start = start_of_cleared_code(with_less);
-    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
-    const bool is_less_enough =
-        std::any_of(seen.begin(), seen.end(), [start](const SeenThing& thing) { return thing.nearest < start; });
-    return is_less_enough ? "depth.func" : "depth.func=lequal";
-}
-
 void say_tests(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     // If two switches let the last fragment win, fixing one of them changes nothing.
@@ -96,7 +83,8 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("depth.notequal", "GL_NOTEQUAL: the last fragment drawn wins, unless its depth equals the stored one"),
         alone("depth.func"));
     const bool is_closed = depth.func == CompareFunc::never || depth.func == CompareFunc::equal;
-    const std::string as_usual = is_closed ? usual_func(params, derived, scene) : "";
+    const bool has_codes = is_closed && !has_only_cleared_code(params, derived, scene);
+    const char* const as_usual = clears_to_nearest(depth) ? "" : has_codes ? "depth.func" : "depth.func=lequal";
     tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(
@@ -104,7 +92,7 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         sentence("depth.only_farther",
                  "only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
         "depth.func");
-    tell.broken(depth.func == CompareFunc::equal,
+    tell.broken(depth.func == CompareFunc::equal && (has_codes || !is_cleared_to_farthest(depth)),
                 sentence("depth.equal", "GL_EQUAL: only fragments at exactly the stored depth pass"), as_usual);
     tell.broken(
         !depth.write && !rejects_all(depth),
@@ -150,20 +138,45 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                 is_reversed && !depth.reversed_clear ? "depth.clear_value=0" : "depth.clear_value");
 }
 
-void say_clears(Sayer& tell, const DepthParams& depth) {
-    const bool refuses_ties = depth.func == CompareFunc::notequal || depth.func == CompareFunc::greater;
-    const bool compares = wants_nearer(depth) || (depth.tests() && refuses_ties);
-    if (!compares || rejects_all(depth) || !depth.write) return;
-    tell.broken(
-        !depth.clear,
-        sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments"),
-        depth.write_while_clearing ? "depth.clear" : "");
-    tell.broken(
-        depth.clear && !depth.write_while_clearing,
+/// Returns whether the only plane is a mirror that is drawn last, without a depth test, over all that is in the
+/// picture: it shows only what is drawn inside the mask, where depth is cleared.
+bool is_covered_by_mirror(const Params& params, const Derived& derived, const Scene& scene) {
+    const ReflectionParams& reflection = params.reflection;
+    const DerivedPlane& plane = derived.planes.front();
+    if (!reflection.enabled || !reflection.after_objects || !reflection.stencil || derived.planes.size() > 1 ||
+        !plane.mirrors || plane.eye_side == 0.0)
+        return false;
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
+    const std::array<glm::dvec4, 4> edges =
+        forms_of_edges(seen_on_plane(plane.unit_plane, derived.eye_world), plane.patch);
+    std::vector<glm::dvec4> forms(sides.begin(), sides.end());
+    return std::none_of(edges.begin(), edges.end(), [&](const glm::dvec4& edge) {
+        forms.resize(sides.size());
+        forms.push_back(-edge);
+        return may_reach(scene, forms);
+    });
+}
+
+void say_clears(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const bool refuses_ties = depth.func != CompareFunc::lequal && depth.func != CompareFunc::gequal;
+    const bool compares = wants_nearer(depth) || (compares_nearness(depth) && refuses_ties) ||
+                          (depth.tests() && depth.func == CompareFunc::notequal);
+    if (!compares || rejects_all(depth) || !depth.write || is_covered_by_mirror(params, derived, scene) ||
+        (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
+        return;
+    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which their mirrors hide.
+    const bool shows = refuses_ties || params.reflection.enabled;
+    const Sentence not_cleared =
+        sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");
+    const char* const fix = depth.write_while_clearing ? "depth.clear" : "";
+    if (!depth.clear) shows ? tell.broken(true, not_cleared, fix) : tell(true, not_cleared, fix);
+    const Sentence kept =
         sentence("depth.cleared_with_mask_off",
                  "glClear obeys the depth mask: with the mask off it clears no depth, so depths from the previous "
-                 "frame keep hiding new fragments"),
-        "depth.write_while_clearing");
+                 "frame keep hiding new fragments");
+    const char* const mask = "depth.write_while_clearing";
+    if (depth.clear && !depth.write_while_clearing) shows ? tell.broken(true, kept, mask) : tell(true, kept, mask);
 }
 
 /// Reports objects whose depth code equals that of the cleared buffer, so that GL_LESS rejects them.
@@ -222,7 +235,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
     tell.broken(
-        !depth.reversed_offset && has_offset(params, scene),
+        !depth.reversed_offset && has_offset(params, scene) && compares_nearness(depth),
         sentence("depth.reversed_offset",
                  "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
                  "instead of pulling them nearer"),
@@ -291,7 +304,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
         !shows_anything(derived.clip_from_world, derived, scene))
         return;
     say_tests(tell, params, derived, scene);
-    say_clears(tell, params.depth);
+    say_clears(tell, params, derived, scene);
     if (!derived.has_distances) return;
     say_clear_value(tell, params, derived, scene);
     say_cleared_code(tell, params, derived, scene);

@@ -56,6 +56,18 @@ inline bool hides_next_frame(const DepthParams& depth) {
     return depth.tests() && refuses_ties && depth.write && !(depth.clear && depth.write_while_clearing);
 }
 
+/// Returns whether GL_NOTEQUAL compares with the depths of the previous frame, so that what was drawn then is rejected.
+inline bool rejects_previous_frame(const DepthParams& depth) {
+    return depth.tests() && depth.func == CompareFunc::notequal && depth.write &&
+           !(depth.clear && depth.write_while_clearing);
+}
+
+/// Returns whether the depth test compares which of two depths is nearer.
+inline bool compares_nearness(const DepthParams& depth) {
+    return depth.tests() && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal ||
+                             depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal);
+}
+
 /// Returns how many switches, each by itself, let the last fragment drawn win.
 inline int count_of_last_wins(const DepthParams& depth) {
     const bool passes = depth.func == CompareFunc::always || depth.func == CompareFunc::notequal;

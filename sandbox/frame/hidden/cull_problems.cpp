@@ -32,22 +32,22 @@ void say_epsilon(Sayer& tell, const Params& params, const Derived& derived, cons
 }  // namespace
 
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                        const Scene& scene) {
+                        const Scene& scene, const std::vector<SeenImage>& images) {
     const CullParams& cull = params.cull;
     Sayer tell(problems, "visibility");
     say_epsilon(tell, params, derived, scene);
     if (!cull.enabled) return;
-    if (cull.face == CullFace::front_and_back)
-        return tell.broken(
-            true,
-            sentence("cull.front_and_back",
-                     "GL_FRONT_AND_BACK: both sides of every polygon are culled, so no polygon is drawn"),
-            "cull.face");
-    const bool removes_fronts = (cull.face == CullFace::front) != (cull.front_face == FrontFace::cw);
     std::vector<std::string> usual, mirrored;
     for (const SceneObject& object : scene.objects)
         if (is_in_view(object, params, derived))
             (is_mirrored(object) ? mirrored : usual).push_back(object_text(object.description.name));
+    if (cull.face == CullFace::front_and_back)
+        return tell.broken(
+            !usual.empty() || !mirrored.empty() || !images.empty(),
+            sentence("cull.front_and_back",
+                     "GL_FRONT_AND_BACK: both sides of every polygon are culled, so no polygon is drawn"),
+            "cull.face");
+    const bool removes_fronts = (cull.face == CullFace::front) != (cull.front_face == FrontFace::cw);
     const bool removes_usual = removes_fronts && !usual.empty();
     tell.broken(removes_usual && cull.front_face == FrontFace::ccw,
                 sentence("cull.front",

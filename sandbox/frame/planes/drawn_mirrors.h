@@ -13,6 +13,7 @@ struct Mirror {
     const DerivedPlane& plane;
     double eye_side;
     bool is_in_view;
+    glm::dmat4 clip_from_scene{1.0};  ///< draws its image
 
     glm::dvec4 towards_eye() const { return (eye_side < 0.0 ? -1.0 : 1.0) * plane.unit_plane; }
     bool is_seen_from_behind() const { return is_in_view && eye_side < 0.0; }
@@ -24,8 +25,29 @@ struct Mirror {
     double distance_from_origin() const { return std::abs(plane.unit_plane.w); }
 };
 
-/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none.
-std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived);
+/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none. `frame`:
+/// the camera's, or null if the images do not matter.
+std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived, const FramePlan* frame = nullptr);
+
+/// Returns the matrix that sends a scene point to the point of the mirror's plane where the eye sees its image.
+glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, const glm::dmat4& clip_from_scene);
+
+/// Returns forms that are positive where `clip_from_scene` sends a point into the picture and, with the stencil, into
+/// the mirror's patch as the eye sees it.
+std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
+                                       const glm::dmat4& clip_from_scene);
+
+/// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. Other planes have
+/// images too: with several planes, one may always be.
+bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
+
+/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. If
+/// the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
+bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
+
+/// Adds errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
+void find_mask_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const std::vector<Mirror>& mirrors, const Scene& scene);
 
 /// Adds what is missing in mirrors that show each other. `depth`: FramePlan::reflection_depth.
 void find_bounce_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,

@@ -9,16 +9,10 @@
 namespace viewing {
 namespace {
 
-/// The scene as a row of mirrors shows it.
-struct WayThroughMirrors {
-    std::vector<glm::dvec4> inside;  ///< forms of a scene point; all are positive where its image is seen
-    glm::dvec4 distance{0.0};        ///< its image's eye distance, as a form
-    glm::dvec4 before_far{0.0};      ///< positive for images that far keeps
-};
-
-WayThroughMirrors way_of(const Derived& derived, const FramePlan& frame, const Pass& pass) {
+WayThroughMirrors way_of(const Params& params, const Derived& derived, const FramePlan& frame, const Pass& pass) {
     WayThroughMirrors way;
     const std::vector<std::size_t>& mirrors = pass.mirrors_met;
+    way.mirrors = mirrors;
     // The eye as each mirror on the way sees it, mirrored by those before it.
     std::vector<glm::dvec4> eyes = {derived.eye_world};
     for (const std::size_t mirror : mirrors)
@@ -26,9 +20,13 @@ WayThroughMirrors way_of(const Derived& derived, const FramePlan& frame, const P
     glm::dmat4 world_from_scene(1.0);  // of the mirrors from this one on
     for (std::size_t i = mirrors.size(); i-- > 0;) {
         const DerivedPlane& plane = derived.planes[mirrors[i]];
-        if (i + 1 == mirrors.size()) way.inside.push_back(plane_facing(plane.unit_plane, eyes[i]));
+        if (i + 1 == mirrors.size()) {
+            way.side = plane_facing(plane.unit_plane, eyes[i]);
+            way.is_from_behind = glm::dot(plane.unit_plane, eyes[i]) < 0.0;
+        }
         world_from_scene = plane.mirrored_world_from_world * world_from_scene;
         const glm::dmat4 on_mirror = seen_on_plane(plane.unit_plane, eyes[i]) * world_from_scene;
+        if (!params.reflection.stencil) continue;
         way.inside.push_back(glm::transpose(on_mirror)[3]);
         for (const glm::dvec4& edge : forms_of_edges(on_mirror, plane.patch)) way.inside.push_back(edge);
     }
@@ -48,7 +46,8 @@ void add(SeenImage& image, const SceneObject& object, const WayThroughMirrors& w
     const std::size_t step = std::max<std::size_t>(1, positions.size() / tried);
     for (std::size_t i = 0; i < positions.size(); i += step) {
         const glm::dvec4 point = object.world_from_model * glm::dvec4(positions[i], 1.0);
-        if (!std::all_of(way.inside.begin(), way.inside.end(),
+        if (!(glm::dot(way.side, point) > 0.0) ||
+            !std::all_of(way.inside.begin(), way.inside.end(),
                          [&](const glm::dvec4& form) { return glm::dot(form, point) > 0.0; }))
             continue;
         const double distance = glm::dot(way.distance, point);
@@ -60,15 +59,29 @@ void add(SeenImage& image, const SceneObject& object, const WayThroughMirrors& w
 
 }  // namespace
 
-std::vector<SeenImage> seen_images(const Derived& derived, const Scene& scene, const FramePlan& frame) {
+std::vector<glm::dvec4> WayThroughMirrors::forms_behind(double tolerance) const {
+    std::vector<glm::dvec4> forms = inside;
+    forms.push_back(-side);
+    forms.back().w -= tolerance;
+    return forms;
+}
+
+std::vector<WayThroughMirrors> ways_through_mirrors(const Params& params, const Derived& derived,
+                                                    const FramePlan& frame) {
     std::vector<WayThroughMirrors> ways;
     std::set<std::vector<std::size_t>> taken;
     for (const Pass& pass : frame.passes) {
         const bool is_shadow = pass.shading == Shading::flat;
         if (pass.subject == Subject::objects && !pass.mirrors_met.empty() && !is_shadow &&
             taken.insert(pass.mirrors_met).second)
-            ways.push_back(way_of(derived, frame, pass));
+            ways.push_back(way_of(params, derived, frame, pass));
     }
+    return ways;
+}
+
+std::vector<SeenImage> seen_images(const Params& params, const Derived& derived, const Scene& scene,
+                                   const FramePlan& frame) {
+    const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
     if (ways.empty()) return {};
     constexpr std::size_t most_vertices = 20'000, least_tried = 8, most_tried = 64;
     const std::size_t tried = std::clamp(most_vertices / (ways.size() * std::max<std::size_t>(1, scene.objects.size())),

@@ -8,6 +8,25 @@
 
 namespace viewing {
 
+/// The scene as a row of mirrors shows it. Forms take a scene point (x, y, z, 1).
+struct WayThroughMirrors {
+    std::vector<std::size_t> mirrors;  ///< as the view ray meets them; never empty
+    bool is_from_behind = false;       ///< the last mirror's normal points away from where it is seen from
+    std::vector<glm::dvec4> inside;    ///< all are positive where a point's image is seen inside each mirror
+    glm::dvec4 side{0.0};              ///< positive on the side of the last mirror that it should show
+    glm::dvec4 distance{0.0};          ///< the image's eye distance
+    glm::dvec4 before_far{0.0};        ///< positive for images that far keeps
+
+    /// Returns forms that are positive where the last mirror shows a point although it is behind it, more than
+    /// `tolerance` (world units) away.
+    std::vector<glm::dvec4> forms_behind(double tolerance) const;
+};
+
+/// Returns a way for each row of mirrors in which the frame draws objects. Without the stencil, an image need not be
+/// inside the mirror's patch.
+std::vector<WayThroughMirrors> ways_through_mirrors(const Params& params, const Derived& derived,
+                                                    const FramePlan& frame);
+
 /// The images of one object, in every mirror and bounce that the frame draws. An image counts where it is in the
 /// picture and inside each mirror on the way, whether or not far cuts it off and whatever is in front of it.
 struct SeenImage {
@@ -18,6 +37,7 @@ struct SeenImage {
 
 /// Returns the objects that have such an image, in the order of the scene. Judges at most a few sampled vertices of
 /// each object. Empty if the frame draws no mirror.
-std::vector<SeenImage> seen_images(const Derived& derived, const Scene& scene, const FramePlan& frame);
+std::vector<SeenImage> seen_images(const Params& params, const Derived& derived, const Scene& scene,
+                                   const FramePlan& frame);
 
 }  // namespace viewing

@@ -16,19 +16,14 @@
 
 namespace viewing {
 
-std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
-    std::vector<Mirror> mirrors;
-    for (const DerivedPlane& plane : drawn_planes(params, derived))
-        if (const double side = plane.eye_side; plane.mirrors && side != 0.0)
-            mirrors.push_back({plane, side,
-                               params.reflection.stencil ? may_show(plane.patch, params, derived)
-                                                         : is_in_view(plane.patch, derived.clip_from_world)});
-    const bool sees_any =
-        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_in_view; });
-    return sees_any ? mirrors : std::vector<Mirror>{};
-}
-
 namespace {
+
+/// Returns whether the coarsest depth in an image is a visible part of the picture's height there.
+bool is_visibly_coarse(const ObliqueDepth& depth, const Params& params, const Derived& derived) {
+    const double z = depth.coarsest_distance,
+                 step = resolvable_depth_step(params.lens(), params.depth.mapping, derived.stored_depth.precision, z);
+    return depth.greatest * step > visible_share * picture_height(params.lens(), z);
+}
 
 /// Reports how much depth precision is lost or gained by using the mirror as the near plane.
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
@@ -42,10 +37,7 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
         sentence("reflection.oblique_depth",
                  "the mirror is the image's near plane, which makes depth up to {factor} times coarser, at z = {z}",
                  "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance));
-    const Lens lens = params.lens();
-    const double z = depth->coarsest_distance,
-                 step = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
-    const bool is_visible = depth->greatest * step > visible_share * picture_height(lens, z);
+    const bool is_visible = is_visibly_coarse(*depth, params, derived);
     tell.broken(depth->greatest > alike && is_visible, coarser, "reflection.clip");
     tell(depth->greatest > alike && !is_visible, coarser);
     const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
@@ -59,30 +51,15 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
-/// Returns forms that are positive where a mirror shows a point that is behind it, unless that is clipped.
-std::vector<glm::dvec4> forms_behind(const Params& params, const Derived& derived, const Mirror& mirror) {
-    const glm::dmat4& mirrored = mirror.plane.mirrored_world_from_world;
-    const glm::dmat4 on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
-    const glm::dmat4 clip_from_world = derived.clip_from_world * mirrored, clip = glm::transpose(clip_from_world);
-    glm::dvec4 behind = -mirror.towards_eye();
-    behind.w -= standing;
-    std::vector<glm::dvec4> forms = {behind, clip[3] + clip[2]};
-    for (const glm::dvec4& side : forms_of_sides(clip_from_world)) forms.push_back(side);
-    if (!params.reflection.stencil) return forms;
-    forms.push_back(glm::transpose(on_mirror)[3]);
-    for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
-    return forms;
-}
-
-/// Reports other planes' patches behind a mirror, which shows them if nothing is clipped.
-void say_patches_behind(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
-    if (!params.reflection.stencil) return;
+/// Reports what is behind a mirror, which shows it if nothing is clipped: other planes' patches, or else objects.
+void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
+                const Scene& scene) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
-    for (const Mirror& mirror : mirrors) {
+    for (const WayThroughMirrors& way : ways) {
         std::vector<std::size_t> behind;
         for (std::size_t other = 0; other < planes.size(); ++other)
-            if (&planes[other] != &mirror.plane && mirror.is_in_view &&
-                may_reach(planes[other].patch, forms_behind(params, derived, mirror)))
+            if (params.reflection.stencil && other != way.mirrors.back() &&
+                may_reach(planes[other].patch, way.forms_behind(standing)))
                 behind.push_back(other);
         if (!behind.empty())
             return tell.broken(
@@ -90,49 +67,14 @@ void say_patches_behind(Sayer& tell, const Params& params, const Derived& derive
                 sentence("reflection.plane_behind",
                          "part of {planes} is behind the mirror of plane {mirror}: without clipping, its "
                          "image appears in front of the mirror",
-                         "planes"_a = planes_name(behind, planes.size()),
-                         "mirror"_a = static_cast<std::size_t>(&mirror.plane - planes.data()) + 1),
+                         "planes"_a = planes_name(behind, planes.size()), "mirror"_a = way.mirrors.back() + 1),
                 "reflection.clip");
     }
-}
-
-/// Reports what clipping removes from the image, and what it fails to remove.
-void say_clipping(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-                  const Scene& scene) {
-    const ReflectionParams& reflection = params.reflection;
-    tell.broken(
-        reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
-            params.depth.mapping == DepthMapping::logarithmic,
-        sentence(
-            "reflection.oblique_with_logarithm",
-            "the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
-        "reflection.clip");
-    const bool is_wrong_side =
-        !reflection.side_of_eye &&
-        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.is_seen_from_behind(); });
-    tell.broken(
-        is_wrong_side && reflection.clip == MirrorClip::oblique,
-        sentence("reflection.behind_clipped",
-                 "the mirror is seen from behind, but the oblique near plane keeps the side that the normal points to: "
-                 "nothing of the image is left for this eye"),
-        "reflection.side_of_eye");
-    tell.broken(
-        is_wrong_side && reflection.clip != MirrorClip::oblique,
-        sentence("reflection.wrong_side",
-                 "the mirror is seen from behind, but the side that the normal points to is mirrored: the eye sees "
-                 "the image of the objects behind the mirror"),
-        "reflection.side_of_eye");
-    if (reflection.clip != MirrorClip::none) return;
-    say_patches_behind(tell, params, derived, mirrors);
-    for (const Mirror& mirror : mirrors) {
-        const std::vector<glm::dvec4> forms = forms_behind(params, derived, mirror);
-        const bool is_single = mirrors.size() == 1;  // otherwise, images of images show it
+    for (const WayThroughMirrors& way : ways) {
         std::vector<std::string> across, behind;
         for (const SceneObject& object : scene.objects) {
-            if (is_single && !may_reach(object, forms)) continue;
-            const glm::dvec4 in_front = mirror.towards_eye() + glm::dvec4(0.0, 0.0, 0.0, standing);
-            const glm::dvec4 beyond = -mirror.towards_eye() - glm::dvec4(0.0, 0.0, 0.0, standing);
-            if (!may_reach(object, {&beyond, 1})) continue;
+            if (!may_reach(object, way.forms_behind(standing))) continue;
+            const glm::dvec4 in_front = way.side - glm::dvec4(0.0, 0.0, 0.0, standing);
             (may_reach(object, {&in_front, 1}) ? across : behind).push_back(object_text(object.description.name));
         }
         if (!across.empty())
@@ -153,104 +95,60 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
     }
 }
 
-/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. If
-/// the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
-bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+/// Reports what clipping removes from the image, and what it fails to remove.
+void say_clipping(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                  const FramePlan& frame) {
     const ReflectionParams& reflection = params.reflection;
-    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
-    if (!tests || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects) return false;
-    if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
-    const auto before =
-        std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
-    return std::all_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side == 0.0; }) &&
-           !objects_at_most(scene, -mirror.towards_eye(), 0.0).empty();
-}
-
-/// Reports errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
-void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-               const Scene& scene) {
-    const ReflectionParams& reflection = params.reflection;
-    const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(
-            scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirror.plane.mirrored_world_from_world,
-                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
-    };
-    const auto is_covered = [&](const Mirror& mirror) {
-        return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
-                                    mirror.towards_eye(), mirror.plane.patch});
-    };
-    // An image that is drawn larger is told by reflection.fovy's own sentence.
-    const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
-    // Where depth hides the patch, it does not mark the stencil either.
-    const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return loses_part(mirror.plane.patch, params, derived);
-    });
     tell.broken(
-        !reflection.stencil &&
-            (is_distorted || is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
-        sentence("reflection.beyond_edge",
-                 "R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
-                 "beyond the mirror's edge"),
-        "reflection.stencil");
-    std::vector<std::string> in_front;
-    for (const Mirror& mirror : mirrors) {
-        if (reflection.stencil || !in_front.empty()) break;
-        // Only without clipping, or with a wrong R, is an image in front of its mirror.
-        glm::dvec4 image_in_front = mirror.towards_eye() * mirror.plane.mirrored_world_from_world;
-        image_in_front.w -= standing;
-        const std::array shown = {image_in_front, mirror.kept_side(reflection)};
-        for (const SceneObject& object : scene.objects)
-            if (may_reach(object, shown)) in_front.push_back(object_text(object.description.name));
-    }
-    tell.broken(
-        !in_front.empty(),
-        sentence("reflection.image_in_front",
-                 "without the stencil, the mirror does not cover the image of {objects}, which lies in front of it",
-                 "objects"_a = joined(in_front)),
-        "reflection.stencil");
-    tell.broken(
-        std::any_of(mirrors.begin(), mirrors.end(),
-                    [&](const Mirror& mirror) { return mask_hides(params, derived, mirror, scene); }),
+        reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
+            params.depth.mapping == DepthMapping::logarithmic,
         sentence(
-            "reflection.hides_image",
-            "the mask writes the mirror's own depth: the image lies beyond it, fails the depth test and is hidden"),
-        "reflection.mask_writes_depth");
-    tell.broken(!reflection.stencil && drawn_planes(params, derived).size() > 1,
-                sentence("reflection.no_planes_inside",
-                         "without the stencil, the mirror image shows no other plane and no other mirror"),
-                "reflection.stencil");
-    tell.broken(reflection.after_objects && reflection.stencil && is_drawn_by_gl_alone(params.visibility.method) &&
-                    std::any_of(mirrors.begin(), mirrors.end(), is_covered),
-                sentence("reflection.covers_objects",
-                         "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
-                "reflection.after_objects");
+            "reflection.oblique_with_logarithm",
+            "the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
+        "reflection.clip");
+    const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
+    const bool is_wrong_side =
+        !reflection.side_of_eye && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
+            return way.is_from_behind && may_show(derived.planes[way.mirrors.front()].patch, params, derived);
+        });
+    tell.broken(
+        is_wrong_side && reflection.clip == MirrorClip::oblique,
+        sentence("reflection.behind_clipped",
+                 "the mirror is seen from behind, but the oblique near plane keeps the side that the normal points to: "
+                 "nothing of the image is left for this eye"),
+        "reflection.side_of_eye");
+    tell.broken(
+        is_wrong_side && reflection.clip != MirrorClip::oblique,
+        sentence("reflection.wrong_side",
+                 "the mirror is seen from behind, but the side that the normal points to is mirrored: the eye sees "
+                 "the image of the objects behind the mirror"),
+        "reflection.side_of_eye");
+    if (reflection.clip == MirrorClip::none) say_behind(tell, params, derived, ways, scene);
 }
 
-/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
-/// value.
-void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
-    if (params.shadow.own_stencil || !params.reflection.stencil) return;
-    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
-    for (const Mirror& mirror : mirrors) {
-        const auto index = static_cast<std::size_t>(&mirror.plane - derived.planes.data());
-        std::vector<std::size_t> covered;
-        for (std::size_t before = 0; before < index; ++before)
-            if (planes[before].eye_side != 0.0 && is_in_view(planes[before].patch, derived.clip_from_world))
-                covered.push_back(before);
-        if (!covered.empty())
-            return tell.broken(
-                true,
-                sentence("reflection.shared_stencil",
-                         "the planes share one stencil value: the image in plane {plane} is also drawn over "
-                         "{planes}",
-                         "plane"_a = index + 1, "planes"_a = planes_name(covered, planes.size())),
-                "shadow.own_stencil");
+/// Returns whether near or far of the frame's first mirror image cuts off part of what the mirror should show.
+bool cuts_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
+                const FramePlan& frame) {
+    const glm::dmat4 clip = glm::transpose(mirror.clip_from_scene);
+    std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, mirror.clip_from_scene);
+    forms.push_back(mirror.kept_side(params.reflection));
+    const glm::dvec4 first = frame.clip_zero_to_one ? clip[2] : clip[3] + clip[2];
+    for (const glm::dvec4& end : {first, clip[3] - clip[2]}) {
+        forms.push_back(-end);
+        if (may_reach(scene, forms)) return true;
+        forms.pop_back();
     }
+    return false;
 }
 
 /// Reports an oblique near plane that was not transformed to view space.
-void say_oblique_in_world(Sayer& tell, const Derived& derived, const std::vector<Mirror>& mirrors) {
+void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                          const Scene& scene, const FramePlan& frame) {
     const Mirror& mirror = mirrors.front();
+    const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
+    const bool is_coarse = depth && is_visibly_coarse(*depth, params, derived),
+               is_alone = drawn_planes(params, derived).size() == 1;
+    if (is_alone && !is_coarse && !cuts_image(params, derived, mirror, scene, frame)) return;
     const glm::dvec4 world = mirror.towards_eye(), view = world * glm::inverse(derived.view_from_world);
     const auto text = [](glm::dvec4 plane) {
         for (int i = 0; i < 4; ++i)
@@ -267,11 +165,12 @@ void say_oblique_in_world(Sayer& tell, const Derived& derived, const std::vector
 }
 
 /// Reports the mistakes in R, for the first mirror that shows them.
-void say_slips(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
+void say_slips(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+               const Scene& scene) {
     constexpr double least = 1e-9;
     const SlipParams& slips = params.slips;
     for (const Mirror& mirror : mirrors) {
-        if (!mirror.plane.mirror_has_slip) continue;
+        if (!mirror.plane.mirror_has_slip || !may_show_image(params, derived, mirror, scene)) continue;
         const auto index = static_cast<std::size_t>(&mirror.plane - derived.planes.data());
         const glm::dvec3 n(slips.normal_not_unit ? params.planes[index].equation : mirror.plane.unit_plane);
         const double length = glm::length(n), entry = 2.0 * n.x * n.y;
@@ -297,8 +196,11 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                 const Scene& scene, bool shows_images) {
     const ReflectionParams& reflection = params.reflection;
+    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return mask_hides(params, derived, mirror, scene);
+    });
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
-    tell.broken(!reflection.flip_winding && (culls || params.view.shows == Shows::facing),
+    tell.broken(!reflection.flip_winding && !is_hidden && (culls || params.view.shows == Shows::facing),
                 culls
                     ? sentence("reflection.winding",
                                "R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
@@ -307,9 +209,6 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                                "R turns counterclockwise winding clockwise (det R = −1): without the flip, the image's "
                                "front faces count as back-facing"),
                 "reflection.flip_winding");
-    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return mask_hides(params, derived, mirror, scene);
-    });
     tell.broken(
         !reflection.reflect_light && !is_hidden && shows_images,
         sentence("reflection.light_not_mirrored",
@@ -330,8 +229,9 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                          "scale"_a = figures(scale, 3)),
                 "reflection.fovy");
 
-    const auto is_moved = [](const Mirror& mirror) {
-        return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;
+    const auto is_moved = [&](const Mirror& mirror) {
+        return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand &&
+               may_show_image(params, derived, mirror, scene);
     };
     tell.broken(
         reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
@@ -361,23 +261,25 @@ void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derive
 }  // namespace
 
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene, const FramePlan& frame) {
+                          const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images) {
     if (frame.reflection_depth < 1 || !shows_effects(params)) return;
-    const std::vector<Mirror> mirrors = drawn_mirrors(params, derived);
+    const std::vector<Mirror> mirrors = drawn_mirrors(params, derived, &frame);
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
-    say_masks(tell, params, derived, mirrors, scene);
-    say_shared_value(tell, params, derived, mirrors);
+    find_mask_problems(problems, params, derived, mirrors, scene);
     const bool is_in_world = params.slips.oblique_in_world && params.reflection.clip == MirrorClip::oblique;
-    if (is_in_world) say_oblique_in_world(tell, derived, mirrors);
+    if (is_in_world) say_oblique_in_world(tell, params, derived, mirrors, scene, frame);
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
-    say_clipping(tell, params, derived, mirrors, scene);
-    say_slips(tell, params, derived, mirrors);
-    const std::vector<SeenImage> images = seen_images(derived, scene, frame);
+    say_clipping(tell, params, derived, scene, frame);
+    say_slips(tell, params, derived, mirrors, scene);
+    // An oblique near plane gives images other codes.
+    const double start = params.reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
+                                                                       : start_of_cleared_code(params);
     const bool is_usual =
         params.reflection.side_of_eye && !params.reflection.printed_by_rows && params.slips == SlipParams{};
-    const bool shows_images =
-        !is_usual || std::any_of(images.begin(), images.end(), [](const SeenImage& image) { return image.is_shown; });
+    const bool shows_images = !is_usual || std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
+        return image.is_shown && image.nearest < start;
+    });
     say_images(tell, params, derived, mirrors, scene, shows_images);
     find_bounce_problems(problems, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);

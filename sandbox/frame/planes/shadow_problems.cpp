@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
+#include "frame/lighting.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"
@@ -145,7 +146,7 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 }
 
 /// Reports problems with the offset that keeps a painted shadow from fighting with its plane.
-void say_offset(Sayer& tell, const Params& params) {
+void say_offset(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Thrown>& thrown) {
     const ShadowParams& shadow = params.shadow;
     const bool tests = params.depth.tests() && params.depth.func != CompareFunc::always &&
                        params.visibility.method == VisibilityMethod::depth_buffer;
@@ -155,8 +156,11 @@ void say_offset(Sayer& tell, const Params& params) {
     const double factor = shadow.offset_factor, units = shadow.offset_units;
     const bool is_nothing = shadow.offset == ShadowOffset::none || (by_polygon && factor == 0.0 && units == 0.0) ||
                             (by_lift && shadow.lift == 0.0);
+    // An S filled by rows lifts the shadow off the plane.
+    const bool lies_in_plane =
+        std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return !one.cast.has_slip; });
     if (is_nothing)
-        return tell.broken(true,
+        return tell.broken(lies_in_plane,
                            sentence("shadow.fights",
                                     "nothing lifts the shadow off its plane: the two depths differ only by rounding, "
                                     "so the surfaces fight"),
@@ -169,23 +173,62 @@ void say_offset(Sayer& tell, const Params& params) {
         sentence("shadow.writes_depth",
                  "the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
         "shadow.write_depth");
+    // The least shift that shows in a large picture, as a share of its height.
+    constexpr double least_shift = 2e-4;
+    const auto is_seen_floating = [&](const Thrown& one) {
+        const double z = -(derived.view_from_world * glm::dvec4(one.plane.patch.center, 1.0)).z;
+        return shadow.lift > least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
+    };
     tell.broken(
-        by_lift,
+        by_lift && std::any_of(thrown.begin(), thrown.end(), is_seen_floating),
         sentence("shadow.floats",
                  "the shadow floats {height} above the plane: at a grazing angle it slides away from its caster",
                  "height"_a = figures(shadow.lift, 3)),
         "shadow.offset");
 }
 
+/// Returns whether part of a shadow may fall where the light's highlight is bright enough to see, in the picture.
+bool may_reach_highlight(const Derived& derived, const Thrown& one, const Scene& scene) {
+    constexpr int most = 24;
+    constexpr double least = 1.0 / 512.0;
+    const PlanePatch& patch = one.plane.patch;
+    const glm::dvec3 normal(plane_facing(one.plane.unit_plane, derived.eye_world));
+    const auto point = [&patch](const glm::dvec2& place) {
+        return patch.center + patch.extent * (place.x * patch.u + place.y * patch.v);
+    };
+    glm::dvec2 low(2.0), high(-2.0);
+    for (int cell = 0; cell < (2 * most + 1) * (2 * most + 1); ++cell) {
+        const glm::dvec2 place = glm::dvec2(cell % (2 * most + 1), cell / (2 * most + 1)) / double{most} - 1.0;
+        const glm::dvec3 at = point(place);
+        const glm::dvec3 to_light = glm::normalize(glm::dvec3(one.cast.light_world) - one.cast.light_world.w * at);
+        const double shine = glm::dot(normal, glm::normalize(to_light - line_of_sight(derived.eye_world, at)));
+        if (highlight_light * std::pow(std::max(shine, 0.0), shininess) < least) continue;
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    if (low.x > high.x) return false;
+    PlanePatch bright = patch;
+    bright.center = point(0.5 * (low + high));
+    bright.extent *= 0.5 * std::max(high.x - low.x, high.y - low.y) + 1.0 / most;
+    const glm::dmat4 landed = one.cast.sign * one.cast.shadowed_world_from_world;
+    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3]};
+    for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world * landed)) forms.push_back(side);
+    for (const glm::dvec4& edge : forms_of_edges(landed, bright)) forms.push_back(edge);
+    return may_reach(scene, forms);
+}
+
 /// Reports errors of painted shadows that would not occur with shadows drawn as missing light.
-void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
+void say_paint(Sayer& tell, const ShadowParams& shadow, const Derived& derived, const std::vector<Thrown>& thrown,
+               const Scene& scene) {
     tell.broken(
         !shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
         sentence("shadow.blended_twice",
                  "each face of each caster is blended separately: unless the stencil counts them, the shadow is "
                  "darker wherever faces overlap"),
         "shadow.stencil_once");
-    const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
+    const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
+        return one.plane.gloss && may_reach_highlight(derived, one, scene);
+    });
     tell.broken(
         has_gloss && shadow.opacity > 0.0,
         sentence(
@@ -196,6 +239,36 @@ void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown
                 sentence("shadow.opaque",
                          "opacity 1 covers the plane's pattern: in a true shadow, ambient light still shows it"),
                 "shadow.style=missing_light");
+}
+
+/// Returns whether another plane's patch covers a point beyond the edge of a shadow's own patch, as the eye sees it. A
+/// patch that is drawn later covers it, since shadows write no depth; one that is drawn earlier, only if it is nearer.
+bool is_under_patch(const Params& params, const Derived& derived, const DerivedPlane& receiver,
+                    const glm::dvec3& point) {
+    bool is_earlier = true;
+    for (const DerivedPlane& other : drawn_planes(params, derived)) {
+        if (&other == &receiver) {
+            is_earlier = false;
+            continue;
+        }
+        if (other.eye_side == 0.0) continue;
+        const glm::dvec4 at(point, 1.0), seen = seen_on_plane(other.unit_plane, derived.eye_world) * at;
+        const bool is_behind = glm::dot(plane_facing(other.unit_plane, derived.eye_world), at) < 0.0;
+        if (seen.w > 0.0 && (!is_earlier || is_behind) && other.patch.holds(glm::dvec3(seen) / seen.w)) return true;
+    }
+    return false;
+}
+
+/// Returns whether part of a shadow that continues past its patch is in the picture. If the depths of the previous
+/// frame hide the patch, all of the shadow is beyond it, unless the patch is drawn without a depth test.
+bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& one, const Scene& scene) {
+    const ReflectionParams& reflection = params.reflection;
+    const bool is_untested = reflection.enabled && reflection.after_objects && reflection.stencil && one.plane.mirrors;
+    if (previous_frame_hides(params) && !is_untested) return true;
+    Landing landing{one.cast.sign * one.cast.shadowed_world_from_world, derived.clip_from_world, one.towards_light(),
+                    one.plane.patch};
+    landing.is_covered = [&](const glm::dvec3& point) { return is_under_patch(params, derived, one.plane, point); };
+    return lands_beyond(scene, landing);
 }
 
 /// Returns whether a shadow may fall on a patch that was drawn before its own and has the same stencil value: it lies
@@ -253,19 +326,17 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
-            !shadow.clip_to_receiver &&
-            (previous_frame_hides(params) || std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                 return lands_beyond(scene, {one.cast.sign * one.cast.shadowed_world_from_world,
-                                             derived.clip_from_world, one.towards_light(), one.plane.patch});
-             }));
+            !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
+                return is_seen_beyond(params, derived, one, scene);
+            });
         tell.broken(
             beyond_edge,
             sentence("shadow.beyond_edge",
                      "S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
                      "past the floor's edge into the air"),
             "shadow.clip_to_receiver");
-        say_paint(tell, shadow, thrown);
-        say_offset(tell, params);
+        say_paint(tell, shadow, derived, thrown, scene);
+        say_offset(tell, params, derived, thrown);
     }
     if (shadow.own_stencil) return;
     const bool lights = derived.lights_world.size() > 1 && thrown.size() > 1,

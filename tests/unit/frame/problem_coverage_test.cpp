@@ -154,6 +154,8 @@ const std::vector<std::vector<std::string>>& box_states() {
         {"reflection.clip=oblique", "reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
         {"reflection.clip=none", "reflection.stencil=false", "plane.equation=[0,1,0,-1]"},
         {"reflection.stencil=false", back_wall},
+        {"reflection.stencil=false", "reflection.clip=oblique"},
+        {"reflection.stencil=false", "depth.format=d10"},
         {"shadow.own_stencil=false", back_wall},
         {"reflection.clip=oblique", "slips.oblique_in_world=true"},
         {"reflection.flip_winding=false", "view.shows=facing"},

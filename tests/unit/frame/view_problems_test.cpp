@@ -17,7 +17,7 @@ std::vector<Problem> view_problems(const std::vector<std::string>& settings,
     EXPECT_TRUE(params) << params.error();
     std::vector<Problem> problems;
     const Derived derived = derive(*params, scene, {});
-    find_view_problems(problems, *params, derived, scene, seen_images(derived, scene, plan(*params, derived)));
+    find_view_problems(problems, *params, derived, scene, seen_images(*params, derived, scene, plan(*params, derived)));
     return problems;
 }
 

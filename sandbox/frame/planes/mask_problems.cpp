@@ -1,0 +1,161 @@
+// Reports errors of the masks that keep an image inside its mirror. Part of problems.h.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "frame/cleared_code.h"
+#include "frame/hidden/hidden_drawing.h"
+#include "frame/object_reach.h"
+#include "frame/planes/drawn_mirrors.h"
+#include "frame/say.h"
+#include "text/words.h"
+
+namespace viewing {
+
+bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    const ReflectionParams& reflection = params.reflection;
+    if (!lets_nearer_win(params) || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects)
+        return false;
+    if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
+    const auto before =
+        std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
+    return std::all_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side == 0.0; }) &&
+           !objects_at_most(scene, -mirror.towards_eye(), 0.0).empty();
+}
+
+namespace {
+
+/// Returns the gap, along the mirror's normal, that depth surely distinguishes at an object's center, if the gap in eye
+/// distance is a visible part of the picture's height there; otherwise 0.
+double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
+    const Lens lens = params.lens();
+    const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
+    const double z = std::clamp(-(derived.view_from_world * glm::dvec4(center, 1.0)).z, std::max(lens.near, 1e-9),
+                                lens.far),
+                 gap = resolvable_depth_step(lens, params.depth.mapping, derived.stored_depth.precision, z);
+    if (gap <= visible_share / 5.0 * picture_height(lens, z)) return 0.0;
+    return gap * std::abs(glm::dot(glm::dvec3(mirror.towards_eye()), line_of_sight(derived.eye_world, center)));
+}
+
+/// Reports images that the mirror does not cover although it is blended over them, because depth alone decides: there
+/// is no stencil.
+void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                   const Scene& scene) {
+    if (!lets_nearer_win(params)) return;
+    const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
+    Params in_patches = params;  // beside the patch, it is not this that lets the image show
+    in_patches.reflection.stencil = true;
+    for (const Mirror& mirror : mirrors) {
+        if (is_oblique && may_show_image(params, derived, mirror, scene))
+            return tell.broken(
+                true,
+                sentence("reflection.oblique_uncovered",
+                         "without the stencil, depth decides where the mirror covers its image, but the oblique near "
+                         "plane gives the image other depths: it shows in front of the mirror"),
+                "reflection.stencil");
+        // Only without clipping, or with a wrong R or P, is an image in front of its mirror: where the picture shows
+        // it, its depth is that of a point in front.
+        const glm::dvec4 image_towards_eye =
+            mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
+        std::vector<std::string> in_front, touching;
+        for (const SceneObject& object : scene.objects) {
+            std::vector<glm::dvec4> forms = forms_of_image(in_patches, derived, mirror, mirror.clip_from_scene);
+            forms.push_back(mirror.kept_side(params.reflection));
+            forms.push_back(image_towards_eye);
+            forms.back().w -= standing;
+            const bool is_in_front = may_reach(object, forms);
+            const double gap = coarse_gap(params, derived, mirror, object);
+            forms.back().w += standing + gap;
+            if (is_in_front || (gap > 0.0 && may_reach(object, forms)))
+                (is_in_front ? in_front : touching).push_back(object_text(object.description.name));
+        }
+        if (!in_front.empty())
+            return tell.broken(true,
+                               sentence("reflection.image_in_front",
+                                        "without the stencil, the mirror does not cover the image of {objects}, which "
+                                        "lies in front of it",
+                                        "objects"_a = joined(in_front)),
+                               "reflection.stencil");
+        if (!touching.empty())
+            return tell.broken(true,
+                               sentence("reflection.image_touches",
+                                        "without the stencil, depth decides where the mirror covers its image: where "
+                                        "{objects} nearly touch the mirror, image and mirror have the same code",
+                                        "objects"_a = joined(touching)),
+                               "reflection.stencil");
+    }
+}
+
+/// Reports images outside their mirrors, and mirrors that cover too much.
+void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+               const Scene& scene) {
+    const ReflectionParams& reflection = params.reflection;
+    const auto image_is_wider = [&](const Mirror& mirror) {
+        return lands_beyond(scene, {on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
+                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
+    };
+    const auto is_covered = [&](const Mirror& mirror) {
+        return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
+                                    mirror.towards_eye(), mirror.plane.patch});
+    };
+    // Where depth hides the patch, it does not mark the stencil either.
+    const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return loses_part(mirror.plane.patch, params, derived);
+    });
+    tell.broken(
+        !reflection.stencil && (is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
+        sentence("reflection.beyond_edge",
+                 "R reflects across the infinite plane, not just its patch: without the stencil, the image shows "
+                 "beyond the mirror's edge"),
+        "reflection.stencil");
+    if (!reflection.stencil) say_uncovered(tell, params, derived, mirrors, scene);
+    tell.broken(
+        std::any_of(mirrors.begin(), mirrors.end(),
+                    [&](const Mirror& mirror) { return mask_hides(params, derived, mirror, scene); }),
+        sentence(
+            "reflection.hides_image",
+            "the mask writes the mirror's own depth: the image lies beyond it, fails the depth test and is hidden"),
+        "reflection.mask_writes_depth");
+    tell.broken(!reflection.stencil && drawn_planes(params, derived).size() > 1,
+                sentence("reflection.no_planes_inside",
+                         "without the stencil, the mirror image shows no other plane and no other mirror"),
+                "reflection.stencil");
+    tell.broken(reflection.after_objects && reflection.stencil && is_drawn_by_gl_alone(params.visibility.method) &&
+                    std::any_of(mirrors.begin(), mirrors.end(), is_covered),
+                sentence("reflection.covers_objects",
+                         "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
+                "reflection.after_objects");
+}
+
+/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
+/// value.
+void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
+    if (params.shadow.own_stencil || !params.reflection.stencil) return;
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    for (const Mirror& mirror : mirrors) {
+        const auto index = static_cast<std::size_t>(&mirror.plane - derived.planes.data());
+        std::vector<std::size_t> covered;
+        for (std::size_t before = 0; before < index; ++before)
+            if (planes[before].eye_side != 0.0 && is_in_view(planes[before].patch, derived.clip_from_world))
+                covered.push_back(before);
+        if (!covered.empty())
+            return tell.broken(
+                true,
+                sentence("reflection.shared_stencil",
+                         "the planes share one stencil value: the image in plane {plane} is also drawn over "
+                         "{planes}",
+                         "plane"_a = index + 1, "planes"_a = planes_name(covered, planes.size())),
+                "shadow.own_stencil");
+    }
+}
+
+}  // namespace
+
+void find_mask_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const std::vector<Mirror>& mirrors, const Scene& scene) {
+    Sayer tell(problems, "reflection");
+    say_masks(tell, params, derived, mirrors, scene);
+    say_shared_value(tell, params, derived, mirrors);
+}
+
+}  // namespace viewing
