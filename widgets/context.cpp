@@ -48,22 +48,22 @@ Context& CurrentContext() {
 namespace {
 
 /// Marks the lower edge of the current window if its content goes on below.
-void DrawMoreBelow() {
+void DrawMoreBelow(float fade) {
     if (CurrentContext().printed || ImGui::GetScrollMaxY() - ImGui::GetScrollY() < inner::Px(4)) return;
     const Palette& palette = CurrentContext().palette;
     const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const ImVec2 max(min.x + size.x, min.y + size.y);
     const ImU32 ground = inner::Shown(palette.ground), clear = inner::Shown(inner::WithAlpha(palette.ground, 0.0F));
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilledMultiColor({min.x, max.y - inner::Px(34)}, max, clear, clear, ground, ground);
+    draw->AddRectFilledMultiColor({min.x, max.y - inner::Px(fade)}, max, clear, clear, ground, ground);
     inner::DrawTriangle(draw, ImVec2(0.5F * (min.x + max.x), max.y - inner::Px(8)), inner::Px(5), true,
                         inner::Shown(palette.accent));
 }
 
 }  // namespace
 
-void CountScrolled(bool is_filled) {
-    DrawMoreBelow();
+void CountScrolled(bool is_filled, float fade) {
+    DrawMoreBelow(fade);
     const auto share = [](float size, float hidden) { return size / std::max(size + hidden, 1.0F); };
     const float width = ImGui::GetWindowWidth(), height = ImGui::GetWindowHeight();
     Context& context = CurrentContext();

@@ -179,8 +179,9 @@ void Record(const char* label, std::string_view text = {});
 
 /// Counts the current window, a scrolling child or table, in Context::seen_share and used_share, and marks its lower
 /// edge if its content goes on below. Call before it ends.
-/// `is_filled`: another counted window fills it, so its own height is ignored.
-void CountScrolled(bool is_filled = false);
+/// `is_filled`: another counted window fills it, so its own height is ignored. `fade`: height of the mark in design
+/// pixels.
+void CountScrolled(bool is_filled = false, float fade = 34.0F);
 
 /// Returns a label for ImGui itself: the text in the current language, with an id that is English in every language.
 std::string LabelText(const char* label);

@@ -65,6 +65,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
 
     const Lens lens = params.lens();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
+    derived.view_px = glm::max(viewport.size_px, 1);
     derived.view_aspect = viewport.aspect();
     derived.aspect = aspect_of(params, derived.view_aspect);
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;

@@ -70,6 +70,7 @@ struct DerivedPlane {
 
 struct Derived {
     double aspect = 1.0;                       ///< aspect ratio of P
+    glm::ivec2 view_px{1, 1};                  ///< size of the view
     double view_aspect = 1.0;                  ///< aspect ratio of the view; the picture is stretched to it
     glm::dmat4 world_from_view{1.0};           ///< C
     glm::dmat4 view_from_world{1.0};           ///< V, as uploaded (mistakes included)

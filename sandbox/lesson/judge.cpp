@@ -67,6 +67,21 @@ double best_factor(const std::vector<double>& typed, const std::vector<double>& 
     return best;
 }
 
+/// Returns what a wrong number has to do with the right one, if that is true to 0.2 %.
+Near relation_to(double right, double typed) {
+    constexpr double relative = 2e-3, degrees_per_radian = 180.0 / 3.14159265358979323846;
+    if (typed == 0.0 || right == 0.0) return Near::nothing;
+    const auto is_right = [&](double number) { return std::abs(number - right) <= relative * std::abs(right); };
+    if (is_right(2.0 * typed)) return Near::half;
+    if (is_right(0.5 * typed)) return Near::twice;
+    if (is_right(1.0 / typed)) return Near::reciprocal;
+    if (is_right(degrees_per_radian * typed)) return Near::radians;
+    if (is_right(typed / degrees_per_radian)) return Near::degrees;
+    for (const double factor : {10.0, 100.0, 1000.0})
+        if (is_right(factor * typed) || is_right(typed / factor)) return Near::decimal;
+    return Near::nothing;
+}
+
 /// Says what is right about numbers: by rows of a matrix, or by entries.
 void tell_near_numbers(const Ask& ask, const std::vector<double>& typed, const std::vector<double>& right,
                        Verdict& verdict) {
@@ -96,6 +111,8 @@ void tell_near_numbers(const Ask& ask, const std::vector<double>& typed, const s
     } else if (!right_rows.empty()) {
         verdict.near = Near::right_parts;
         verdict.places = std::move(right_rows);
+    } else if (right.size() == 1) {
+        verdict.near = relation_to(right.front(), typed.front());
     }
 }
 
@@ -116,9 +133,8 @@ void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& ver
         const auto right = static_cast<int>(std::count_if(items.begin(), items.end(), [&](int one) {
             return std::find(expected.begin(), expected.end(), one) != expected.end();
         }));
-        if (right == 0) return;
-        verdict.near = Near::some_items;
-        verdict.places = {right};
+        verdict.near = right == 0 ? Near::no_items : Near::some_items;
+        if (right > 0) verdict.places = {right};
         return;
     }
     int most = 0;
@@ -126,9 +142,8 @@ void tell_near_items(const Ask& ask, const std::vector<int>& items, Verdict& ver
         const auto end = std::mismatch(items.begin(), items.end(), expected.begin(), expected.end());
         most = std::max(most, static_cast<int>(end.first - items.begin()));
     }
-    if (most == 0) return;
-    verdict.near = Near::first_items;
-    verdict.places = {most};
+    verdict.near = most == 0 ? Near::first_wrong : Near::first_items;
+    if (most > 0) verdict.places = {most};
 }
 
 std::vector<int> sorted(std::vector<int> items) {

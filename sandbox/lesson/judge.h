@@ -14,8 +14,16 @@ enum class Near {
     nothing,      ///< nothing that can be said
     factor,       ///< all numbers are right but for one common factor
     sign,         ///< only the signs at the places are wrong
+    half,         ///< the number is half of the right one
+    twice,        ///< the number is twice the right one
+    reciprocal,   ///< the number is 1 divided by the right one
+    radians,      ///< the number is right as an angle in radians, but it has to be in degrees
+    degrees,      ///< the number is right as an angle in degrees, but it has to be in radians
+    decimal,      ///< only the decimal point is in the wrong place, by up to three places
     right_parts,  ///< the rows or entries at the places are right, the others are not
     first_items,  ///< so many tiles at the beginning are right
+    first_wrong,  ///< the first tile is another one
+    no_items,     ///< none of the chosen tiles is right
     some_items,   ///< so many chosen tiles are right; others are not, and some are missing
     incomplete,   ///< every chosen tile is right, but some are missing
     too_many      ///< all right tiles are chosen, and others too

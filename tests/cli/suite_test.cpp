@@ -128,8 +128,8 @@ TEST_F(SuiteCommand, RequiredAndForbiddenProblemsAreChecked) {
     const nlohmann::json reported = report();
     for (const nlohmann::json& entry : reported["entries"])
         if (entry["name"] == "by id") {
-            EXPECT_EQ(entry["problem_details"][0]["id"], "light.in_plane") << entry;
-            EXPECT_EQ(entry["problem_details"][0]["say"], entry["problems"][0]);
+            EXPECT_EQ(entry.at("details").at("problem_details")[0].at("id"), "light.in_plane") << entry;
+            EXPECT_EQ(entry.at("details").at("problem_details")[0].at("say"), entry.at("details").at("problems")[0]);
         }
     EXPECT_EQ(outcome("nothing reported"), "different");
     EXPECT_EQ(outcome("none at all"), "different");

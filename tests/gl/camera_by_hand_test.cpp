@@ -64,42 +64,48 @@ protected:
         return params;
     }
     static constexpr const char* rooms[] = {"opening", "room", "fighting-reversed", "orthographic", "teapot"};
+
+    /// Calls visit(what, params, derived, scene) for each entered matrix in each room.
+    template <typename Visit>
+    static void visit_all(const Visit& visit) {
+        for (const char* const room : rooms) {
+            const Scene scene = testing::preset_named(room).scene;
+            Params params = state(room);
+            const Derived own = derive_for(params, scene, entered_px);
+            for (const Entered& entered : entered_in(own)) {
+                params.camera_overrides = entered.matrices;
+                const Viewport viewport = renderer().viewport(entered_px, params.depth.format);
+                visit(room + (", " + entered.what), params, derive(params, scene, viewport), scene);
+            }
+        }
+    }
 };
 
 TEST_F(EnteredCamera, ThePredictedColorsAreGLs) {
     std::mt19937 random(3905);
     int equal = 0, drawn = 0;
-    for (const char* const room : rooms) {
-        const Scene scene = testing::preset_named(room).scene;
-        const Params base = state(room);
-        for (const Entered& entered : entered_in(derive_for(base, scene, entered_px))) {
-            Params params = base;
-            params.camera_overrides = entered.matrices;
-            const Derived derived = derive(params, scene, renderer().viewport(entered_px, params.depth.format));
-            const FramePlan frame = plan(params, derived);
-            const Image picture = draw(frame, scene, entered_px);
-            const FragmentFinder finder(scene);
-            for (int i = 0; i < (is_sanitized ? 6 : 40); ++i) {
-                const glm::ivec2 pixel(static_cast<int>(random() % 190) + 1, static_cast<int>(random() % 118) + 1);
-                const testing::Rgb read = testing::rgb_at(picture, pixel);
-                bool is_edge = false;
-                for (const glm::ivec2 beside :
-                     {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)})
-                    is_edge = is_edge || testing::worst_channel(read, testing::rgb_at(picture, pixel + beside)) > 6;
-                if (is_edge) continue;
-                const PixelChain chain =
-                    chain_as_rounded(frame, finder, pixel, entered_px,
-                                     Color{static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
-                                           static_cast<std::uint8_t>(read.b)});
-                const std::optional<Color> predicted = predicted_color(frame, chain);
-                if (!predicted) continue;
-                ++equal;
-                drawn += chain.touches.empty() ? 0 : 1;
-                EXPECT_LE(testing::worst_channel(read, {predicted->r, predicted->g, predicted->b}), 2)
-                    << room << ", " << entered.what << " (" << pixel.x << ", " << pixel.y << ")";
-            }
+    visit_all([&](const std::string& what, const Params& params, const Derived& derived, const Scene& scene) {
+        const FramePlan frame = plan(params, derived);
+        const Image picture = draw(frame, scene, entered_px);
+        const FragmentFinder finder(scene);
+        for (int i = 0; i < (is_sanitized ? 6 : 40); ++i) {
+            const glm::ivec2 pixel(static_cast<int>(random() % 190) + 1, static_cast<int>(random() % 118) + 1);
+            const testing::Rgb read = testing::rgb_at(picture, pixel);
+            bool is_edge = false;
+            for (const glm::ivec2 beside : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)})
+                is_edge = is_edge || testing::worst_channel(read, testing::rgb_at(picture, pixel + beside)) > 6;
+            if (is_edge) continue;
+            const Color color{static_cast<std::uint8_t>(read.r), static_cast<std::uint8_t>(read.g),
+                              static_cast<std::uint8_t>(read.b)};
+            const PixelChain chain = chain_as_rounded(frame, finder, pixel, entered_px, color);
+            const std::optional<Color> predicted = predicted_color(frame, chain);
+            if (!predicted) continue;
+            ++equal;
+            drawn += chain.touches.empty() ? 0 : 1;
+            EXPECT_LE(testing::worst_channel(read, {predicted->r, predicted->g, predicted->b}), 2)
+                << what << " (" << pixel.x << ", " << pixel.y << ")";
         }
-    }
+    });
     EXPECT_GT(equal, is_sanitized ? 200 : 1500);
     EXPECT_GT(drawn, equal / 4);
 }
@@ -107,32 +113,23 @@ TEST_F(EnteredCamera, ThePredictedColorsAreGLs) {
 TEST_F(EnteredCamera, AnInspectedPointIsTheOneThatPVSendsToThePixel) {
     std::mt19937 random(3906);
     int points = 0, without_distances = 0;
-    for (const char* const room : rooms) {
-        const Scene scene = testing::preset_named(room).scene;
-        const Params base = state(room);
-        for (const Entered& entered : entered_in(derive_for(base, scene, entered_px))) {
-            Params params = base;
-            params.camera_overrides = entered.matrices;
-            const Derived derived = derive(params, scene, renderer().viewport(entered_px, params.depth.format));
-            PixelProbe probe;
-            ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, entered_px));
-            for (int i = 0; i < 20; ++i) {
-                const glm::ivec2 pixel(static_cast<int>(random() % 192), static_cast<int>(random() % 120));
-                const PixelReport report = probe.at(pixel, scene);
-                if (!report.has_depth || report.step > 1e-3) continue;
-                ++points;
-                without_distances += derived.has_distances ? 0 : 1;
-                const glm::dvec4 view = derived.view_from_world * glm::dvec4(report.world, 1.0);
-                const glm::dvec4 clip = derived.clip_from_view * view;
-                const glm::dvec2 place =
-                    (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(entered_px);
-                EXPECT_NEAR(place.x, pixel.x + 0.5, 0.01) << room << ", " << entered.what;
-                EXPECT_NEAR(place.y, pixel.y + 0.5, 0.01) << room << ", " << entered.what;
-                EXPECT_NEAR(report.eye_z, view.z / view.w, 1e-6 + 1e-6 * std::abs(report.eye_z))
-                    << room << ", " << entered.what;
-            }
+    visit_all([&](const std::string& what, const Params& params, const Derived& derived, const Scene& scene) {
+        PixelProbe probe;
+        ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, entered_px));
+        for (int i = 0; i < 20; ++i) {
+            const glm::ivec2 pixel(static_cast<int>(random() % 192), static_cast<int>(random() % 120));
+            const PixelReport report = probe.at(pixel, scene);
+            if (!report.has_depth || report.step > 1e-3) continue;
+            ++points;
+            without_distances += derived.has_distances ? 0 : 1;
+            const glm::dvec4 view = derived.view_from_world * glm::dvec4(report.world, 1.0);
+            const glm::dvec4 clip = derived.clip_from_view * view;
+            const glm::dvec2 place = (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(entered_px);
+            EXPECT_NEAR(place.x, pixel.x + 0.5, 0.01) << what;
+            EXPECT_NEAR(place.y, pixel.y + 0.5, 0.01) << what;
+            EXPECT_NEAR(report.eye_z, view.z / view.w, 1e-6 + 1e-6 * std::abs(report.eye_z)) << what;
         }
-    }
+    });
     EXPECT_GT(points, 300);
     EXPECT_GT(without_distances, 40);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "desk.h"
+#include "ui/planes/derivation_lines.h"
 
 namespace viewing::test {
 namespace {
@@ -120,6 +121,96 @@ TEST_F(DerivationViews, DrawInEveryStateAndSize) {
         }
     }
 }
+
+/// Expects these lines in the view without scrolling, each at least as high as a line with an em of 9 pixels.
+void expect_whole(const Desk& desk, const std::vector<DerivationLine>& lines) {
+    const Layout layout = desk.layout();
+    const Rect view = layout.lower_right.empty() ? layout.lower_left : layout.lower_right;
+    for (const DerivationLine& line : lines) {
+        std::string label;
+        for (const std::string& part : line.parts)
+            if (!part.empty()) label += (label.empty() ? "" : " ") + part;
+        const auto item = std::ranges::find_if(desk.recorded(), [&](const RecordedItem& one) {
+            return one.label == "lower/" + label || (one.label == "lower/note" && one.text == label);
+        });
+        ASSERT_NE(item, desk.recorded().end()) << label;
+        EXPECT_GE(item->min.y, view.min.y) << label;
+        EXPECT_LE(item->max.y, view.max.y) << label;
+        EXPECT_LE(item->max.x, view.max.x) << label;
+        EXPECT_GE(item->max.y - item->min.y, 12.0F) << label << ": an em of 9 is a line of 12";
+    }
+}
+
+struct LowWindow {
+    ImVec2 size;
+    Theme theme;
+    Language language;
+
+    void open(Desk& desk) const {
+        desk.params().ui.theme = theme;
+        desk.params().ui.language = language;
+        desk.apply_looks();
+        desk.settle();
+    }
+};
+std::ostream& operator<<(std::ostream& out, const LowWindow& window) {
+    return out << window.size.x << " " << name_of(window.theme) << " " << name_of(window.language);
+}
+
+class DerivationInALowWindow : public ::testing::TestWithParam<LowWindow> {};
+
+TEST_P(DerivationInALowWindow, HasAllItsLines) {
+    Desk desk(GetParam().size, "shadow-derivation");
+    GetParam().open(desk);
+    const std::vector<DerivationLine> lines =
+        shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
+                                   desk.derived.followed->point_world),
+                     true);
+    EXPECT_EQ(step_count(lines), 19);
+    expect_whole(desk, lines);
+    // Going step by step moves nothing.
+    const float top = desk.ui.find("lower/s = l + t (p − l)").min.y;
+    desk.params().view.derivation_step = 3;
+    desk.ui.frames(3);
+    EXPECT_EQ(desk.ui.find("lower/s = l + t (p − l)").min.y, top);
+}
+
+TEST_P(DerivationInALowWindow, HasAllItsLinesAboveALesson) {
+    Desk desk(GetParam().size);
+    GetParam().open(desk);
+    const auto show = [&](const char* id, std::size_t step) {
+        const Result<Lesson> lesson = load_lesson(id);
+        ASSERT_TRUE(lesson) << lesson.error();
+        desk.workbench.guide.begin(*lesson, step, desk.session);
+        desk.workbench.guide.reveal(desk.session);
+        desk.workbench.guide.next(desk.session);  // without animation
+        desk.settle();
+    };
+    show("mirror-matrix", 0);
+    expect_whole(
+        desk, mirror_lines(derive_mirror(desk.derived.chosen_plane().unit_plane, desk.derived.followed->point_world)));
+    for (const std::size_t step : {1U, 2U}) {
+        SCOPED_TRACE(step);
+        show("similar-triangles", step);
+        std::vector<DerivationLine> results =
+            shadow_lines(derive_shadow(desk.derived.chosen_plane().unit_plane, desk.derived.chosen_light(),
+                                       desk.derived.followed->point_world),
+                         true);
+        std::erase_if(results, [](const DerivationLine& line) { return line.is_step; });
+        EXPECT_EQ(results.size(), 6U) << "the results";
+        expect_whole(desk, results);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, DerivationInALowWindow,
+                         ::testing::Values(LowWindow{{1366, 768}, Theme::dark, Language::en},
+                                           LowWindow{{1280, 720}, Theme::dark, Language::en},
+                                           LowWindow{{1366, 768}, Theme::dark, Language::ko},
+                                           LowWindow{{1280, 720}, Theme::dark, Language::ko},
+                                           LowWindow{{1366, 768}, Theme::projector, Language::en},
+                                           LowWindow{{1280, 720}, Theme::projector, Language::en},
+                                           LowWindow{{1366, 768}, Theme::projector, Language::ko},
+                                           LowWindow{{1280, 720}, Theme::projector, Language::ko}));
 
 TEST_F(DerivationViews, FillTheWindow) {
     for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {

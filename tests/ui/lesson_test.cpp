@@ -644,6 +644,23 @@ TEST(InALesson, NoMistakeIsToldWhileAnAnswerMovesTheCamera) {
     EXPECT_NE(desk.params().camera.position, before);
 }
 
+TEST(LessonStrip, AHintIsOfferedOnlyWhileThereIsOne) {
+    Desk desk({1366, 768});
+    begin(desk, lesson_of("similar-triangles"), 1, false);
+    LessonRun& run = *desk.workbench.guide.run();
+    const auto expect_told = [&](const std::string& sentence) {
+        desk.ui.frames(3);
+        const std::vector<Line> lines = lines_of(letters_of_frame());
+        EXPECT_TRUE(std::ranges::any_of(lines, [&](const Line& line) { return line.text == sentence; })) << sentence;
+    };
+    run.take({});
+    expect_told("Not yet. Try again, or ask for a hint.");
+    while (run.hints_shown() < static_cast<int>(run.step().ask.hints.size())) run.show_hint();
+    expect_told("Not yet. Look at the hints again.");
+    run.take({.near = Near::half});
+    expect_told("Not yet: this is half of it.");
+}
+
 TEST(LessonStrip, CheckIsReachedAtTwiceTheSize) {
     Desk desk({1366, 768});
     desk.params().ui.scale = 2.0;

@@ -386,6 +386,23 @@ TEST_F(ViewsTest, SensitivityAndInvertedYChangeADrag) {
     EXPECT_NEAR(params.camera.pitch - start.pitch, -2.0 * pitch, 1e-9);
 }
 
+TEST_F(ViewsTest, SensitivityAndInvertedYChangeADragInTheObserversView) {
+    const Rect rect = desk.layout().lower_left;
+    const ImVec2 corner{rect.min.x + 12.0F, rect.max.y - 12.0F};
+    params.observer.pitch = -30.0;
+    const ObserverParams start = params.observer;
+    desk.drag_from(corner, 20.0F, -15.0F);
+    const double yaw = params.observer.yaw - start.yaw, pitch = params.observer.pitch - start.pitch;
+    EXPECT_LT(yaw, -1.0);
+    EXPECT_GT(pitch, 1.0);
+    params.observer = start;
+    desk.workbench.views.mouse.sensitivity = 2.0;
+    desk.workbench.views.mouse.inverts_y = true;
+    desk.drag_from(corner, 20.0F, -15.0F);
+    EXPECT_NEAR(params.observer.yaw - start.yaw, 2.0 * yaw, 1e-9);
+    EXPECT_NEAR(params.observer.pitch - start.pitch, -2.0 * pitch, 1e-9);
+}
+
 TEST_F(ViewsTest, AnUnsteadyRightClickDoesNotTurnTheCamera) {
     const CameraParams before = params.camera;
     desk.drag_from(desk.in_camera_view({0.0, 0.0, 2.5}), 2.0F, 1.0F, 2, ImGuiMouseButton_Right);

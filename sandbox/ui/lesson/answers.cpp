@@ -111,6 +111,16 @@ std::vector<int> as_written(const Ask& ask) {
     return order;
 }
 
+/// Returns the height of the tiles' rows as the question has them or as its answer orders them, whichever is greater,
+/// so that the answer moves nothing.
+float tiles_height(const Ask& ask, float width, const AnswerSizes& sizes) {
+    const auto height = [&](const std::vector<int>& order) {
+        return lay_out_tiles(ask, order, width, sizes, [](int, float, float, ImVec2) {});
+    };
+    const bool is_sorted = ask.kind == AskKind::order || ask.kind == AskKind::product;
+    return std::max(height(as_written(ask)), is_sorted ? height(ask.expected_items.front()) : 0.0F);
+}
+
 struct TileLook {
     bool chosen = false, right = false, wrong = false;
 };
@@ -208,7 +218,8 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix = matrix_of_rows(answer.numbers);
-        widgets::Matrix("answer", matrix, {.editable = style.is_open, .read = typed_number, .unread = unread},
+        // Fields are higher than numbers: they stay after the answer, as those of a vector do.
+        widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
@@ -288,7 +299,7 @@ void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& siz
         items.insert(items.begin() + moved->second, item);
         run.forget_verdict();
     }
-    ImGui::SetCursorScreenPos({corner.x, corner.y + end});
+    ImGui::SetCursorScreenPos({corner.x, corner.y + std::max(end, tiles_height(ask, width, sizes))});
     ImGui::Dummy({0.0F, 0.0F});
 }
 
@@ -340,7 +351,7 @@ float answers_height(const Ask& ask, float width, const widgets::Context& contex
         const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
         height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (sizes.frame_height() + sizes.gap());
     } else if (ask.kind != AskKind::goal) {
-        height = lay_out_tiles(ask, as_written(ask), width, sizes, [](int, float, float, ImVec2) {});
+        height = tiles_height(ask, width, sizes);
     }
     return height;
 }

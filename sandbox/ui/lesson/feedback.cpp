@@ -53,8 +53,8 @@ std::string other_row_in_words(const Verdict& verdict) {
                "light"_a = numbers_in_words(verdict.other_light, true));
 }
 
-/// Returns feedback on an answer that matches no known mistake: what is right about it, but no number.
-std::string not_yet(const Ask& ask, const Verdict& verdict) {
+/// Returns feedback on an answer that matches no known mistake: what is right about it, but no number of the answer.
+std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
     const std::string places = places_in_words(ask, verdict.places);
     const bool is_matrix = ask.kind == AskKind::matrix;
     switch (verdict.near) {
@@ -64,12 +64,28 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
             if (ask.rows == 1) return tr("Not yet: only the sign is wrong.");
             return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
                              : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
+        case Near::half:
+            return tr("Not yet: this is half of it.");
+        case Near::twice:
+            return tr("Not yet: this is twice as much.");
+        case Near::reciprocal:
+            return tr("Not yet: this is 1 divided by it.");
+        case Near::radians:
+            return tr("Not yet: this would be right in radians. Degrees are asked for.");
+        case Near::degrees:
+            return tr("Not yet: this would be right in degrees. Radians are asked for.");
+        case Near::decimal:
+            return tr("Not yet: only the decimal point is in the wrong place.");
         case Near::right_parts:
             return is_matrix ? say("Not yet. These rows are right: {places}.", "places"_a = places)
                              : say("Not yet. These numbers are right: {places}.", "places"_a = places);
         case Near::first_items:
             return say_count(verdict.places.front(), "Not yet: the first tile is right.",
                              "Not yet: the first {count} tiles are right.");
+        case Near::first_wrong:
+            return tr("Not yet: another tile comes first.");
+        case Near::no_items:
+            return tr("Not yet: none of those that you chose is right.");
         case Near::some_items:
             return say_count(verdict.places.front(), "Not yet: one of those that you chose is right.",
                              "Not yet: {count} of those that you chose are right.");
@@ -80,15 +96,20 @@ std::string not_yet(const Ask& ask, const Verdict& verdict) {
         case Near::nothing:
             break;
     }
-    return tr("Not yet. Try again, or ask for a hint.");
+    const int hints = static_cast<int>(ask.hints.size());
+    if (hints_shown < hints) return tr("Not yet. Try again, or ask for a hint.");
+    return hints > 0 ? tr("Not yet. Look at the hints again.") : tr("Not yet. Try again.");
 }
 
 /// Returns not_yet() with the row of another plane or light, if there is one.
-std::string feedback_on(const Ask& ask, const Answer& answer, const Verdict& verdict) {
+std::string feedback_on(const LessonRun& run, const Verdict& verdict) {
+    const Ask& ask = run.step().ask;
+    const Answer& answer = run.answer();
+    const std::string own = not_yet(ask, verdict, run.hints_shown());
     if (has_items(ask.kind) && answer.empty()) return tr("Nothing is chosen yet.");
     const std::string other = other_row_in_words(verdict);
-    if (other.empty()) return not_yet(ask, verdict);
-    return (verdict.near == Near::nothing ? std::string(tr("Not yet.")) : not_yet(ask, verdict)) + " " + other;
+    if (other.empty()) return own;
+    return (verdict.near == Near::nothing ? std::string(tr("Not yet.")) : own) + " " + other;
 }
 
 }  // namespace
@@ -130,7 +151,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     else if (!verdict.say.empty())
         draw_told(false, verdict.say.shown(), width, "verdict");
     else if (step.ask.kind != AskKind::goal)
-        draw_told(false, feedback_on(step.ask, run.answer(), verdict), width, "verdict");
+        draw_told(false, feedback_on(run, verdict), width, "verdict");
 }
 
 }  // namespace viewing

@@ -92,40 +92,42 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
         "Follows a point of your own, which you can type here and drag in the views, instead of a vertex.");
 }
 
-/// Draws p and its way through V and P. A lesson that covers one of these matrices covers what it gives away.
-void draw_camera_numbers(Params& params, const Derived& derived, const LineStyle& style) {
+/// Draws p's way through V and P to its pixel. A lesson that covers one of these matrices covers what it gives away.
+void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style) {
     const CameraWay way = camera_way(params, derived, derived.followed->point_world);
     const bool is_covered = widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P");
     const auto line = [&](const char* name, const std::string& value, Role role) {
         const float width = std::ceil(number_width(name) + number_width(" "));
         followed_line("matrix:V", name, std::max(style.column, width), value, role, is_covered);
     };
-    point_line(params, style.column, vector_text(derived.followed->point_world, style.digits));
     line("V p", vector_text(way.point_view, style.digits), Role::camera);
     line("P V p", vector_text(glm::dvec3(way.point_clip), style.digits, &way.point_clip.w), Role::none);
     if (way.point_ndc)
         line("÷ w", vector_text(*way.point_ndc, style.digits), Role::camera);
     else
         line("÷ w", tr("at infinity: w = 0"), Role::trouble);
-    if (way.window_depth)
-        line(tr("depth"),
-             say("= {depth}, code {code}", "depth"_a = number_text(*way.window_depth, 6),
-                 "code"_a = code_text(way.code, precision_of(params.depth.format))),
-             Role::none);
-    else
-        line(tr("depth"), "= —", Role::none);
-    line("", outcome_of(way.cut_by), way.cut_by == FrustumPlane::none ? Role::none : Role::trouble);
+    std::string place = "= —", code = "—";
+    if (way.point_ndc) {
+        const glm::dvec2 at = 0.5 * (glm::dvec2(*way.point_ndc) + 1.0) * glm::dvec2(derived.view_px);
+        place = "= (" + number_text(at.x, 1) + ", " + number_text(at.y, 1);
+        place += way.window_depth ? ", " + number_text(*way.window_depth, 6) + ")" : ")";
+    }
+    if (way.window_depth) code = code_text(way.code, precision_of(params.depth.format));
+    line(tr("window"), place, Role::none);
+    line(tr("code"), "= " + code + ", " + outcome_of(way.cut_by),
+         way.cut_by == FrustumPlane::none ? Role::none : Role::trouble);
 }
 
 }  // namespace
 
-float followed_point_height(const Session& session) {
-    constexpr int lines = 6;
+float followed_point_height(const Session& session, PointNumbers numbers) {
+    const int lines = numbers == PointNumbers::both ? 11 : 6;
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float line = widgets::CurrentContext().fonts.number->FontSize, field = ImGui::GetFrameHeight();
     const auto& follow = session.params.follow;
-    const float numbers = follow ? lines * (line + spacing) + (follow->point ? field - line : 0.0F) : 0.0F;
-    return ImGui::GetFrameHeight() + spacing + numbers;
+    const float height =
+        follow ? static_cast<float>(lines) * (line + spacing) + (follow->point ? field - line : 0.0F) : 0.0F;
+    return ImGui::GetFrameHeight() + spacing + height;
 }
 
 void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers) {
@@ -171,16 +173,20 @@ void draw_followed_point(Session& session, const Derived& derived, PointNumbers 
     // starts farther right.
     const float wide = std::max(column_of("S p"), column_of(foot));
     const float column = fits(wide, 6) ? wide : column_of("S p");
-    const auto vector = [digits = fits(column, 7) ? 7U : 6U](const glm::dvec3& value, const double* w = nullptr) {
+    const float first_column =
+        numbers == PointNumbers::plane
+            ? column
+            : std::max({column_of("P V p"), column_of(tr("window")), column_of(tr("code")), column});
+    const std::size_t digits = fits(first_column, 7) ? 7U : 6U;
+    point_line(session.params, std::max(first_column, column_of("p")), vector_text(followed.point_world, digits));
+    if (numbers != PointNumbers::plane) draw_camera_numbers(session.params, derived, {first_column, digits});
+    if (numbers == PointNumbers::camera) return;
+    const auto vector = [digits](const glm::dvec3& value, const double* w = nullptr) {
         return vector_text(value, digits, w);
     };
-    if (numbers == PointNumbers::camera)
-        return draw_camera_numbers(session.params, derived,
-                                   {column_of("P V p"), fits(column_of("P V p"), 7) ? 7U : 6U});
     const auto line = [&](const char* target, const char* name, const std::string& value, Role role) {
-        followed_line(target, name, std::max(column, column_of(name)), value, role, widgets::IsCovered(target));
+        followed_line(target, name, std::max(first_column, column_of(name)), value, role, widgets::IsCovered(target));
     };
-    point_line(session.params, std::max(column, column_of("p")), vector(followed.point_world));
     line("follow:S p", "S p", vector(glm::dvec3(shadow), &shadow.w), Role::none);
     if (followed.shadow_world)
         line("follow:shadow", "÷ w", vector(*followed.shadow_world), Role::light);

@@ -7,11 +7,11 @@
 
 namespace viewing {
 
-/// Returns the height of what draw_followed_point() draws.
-float followed_point_height(const Session& session);
+/// What happens to the point: the chosen plane's S and R, the camera's V and P, or all of it.
+enum class PointNumbers { plane, camera, both };
 
-/// What happens to the point: the chosen plane's S and R, or the camera's V and P.
-enum class PointNumbers { plane, camera };
+/// Returns the height of what draw_followed_point() draws.
+float followed_point_height(const Session& session, PointNumbers numbers = PointNumbers::plane);
 
 /// Draws the numbers; without a point, one line that says how to choose one.
 void draw_followed_point(Session& session, const Derived& derived, PointNumbers numbers = PointNumbers::plane);

@@ -314,6 +314,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         widgets::CountScrolled();
         ImGui::EndChild();
     };
+    const float top = ImGui::GetCursorPosY(), height = ImGui::GetWindowHeight();
     const std::vector<std::string> opened{choice.opened};
     const bool has_pair = session.params.planes.size() > 1 || session.params.lights.size() > 1;
     const float others = followed_point_height(session) + (has_pair ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
@@ -353,7 +354,10 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         choose_pair(session.params);
         show(2);
         show(3);
-        draw_followed_point(session, derived, point_numbers(about));
+        // All numbers of the point, if the column has room for them.
+        const float used = ImGui::GetCursorPosY() + (side_by_side ? top : 0.0F);
+        const bool has_room = used + followed_point_height(session, PointNumbers::both) <= height;
+        draw_followed_point(session, derived, has_room ? PointNumbers::both : point_numbers(about));
     });
     if (!side_by_side) show_display({session, derived, before, true, choice.pastes});
 }

@@ -270,13 +270,15 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
         return layout;
     }
-    // The lower views shrink first: the camera keeps at least 55 % of the height.
-    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
+    // The lower views shrink first.
+    const float lower = std::min(px(arrangement.lower_height),
+                                 (bottom - top) * (1.0F - arrangement.least_camera) - layout.header_height);
     const float split_y = bottom - lower;
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
     cut_caption(layout, arrangement.caption_px, px(3.0F));
     divide_camera(layout, arrangement, gap);
-    layout.lower_fit = right - left >= 2.0F * least_lower + gap;
+    const float width_of_two = std::max(least_lower, px(px(arrangement.least_area)) / std::max(lower, 1.0F));
+    layout.lower_fit = right - left >= 2.0F * width_of_two + gap;
     if (!layout.lower_fit) {
         (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
             rounded(left, split_y, right, bottom);

@@ -49,6 +49,7 @@ struct Arrangement {
     bool beside_matrices = false;      ///< the maximized view needs the matrices beside it
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
     float least_lower = 240.0F;        ///< width of a lower view that has to fit twice, in design pixels
+    float least_area = 0.0F;           ///< of a lower view that has to fit twice, in square design pixels
     bool halves = false;               ///< two pictures side by side instead of the camera's
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
@@ -56,13 +57,14 @@ struct Arrangement {
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
-    float lower_split = 0.5F;  ///< the left view's share of the width
-    float caption_px = 0.0F;   ///< height of the caption below the camera's picture, in pixels
-    float strip_px = 0.0F;     ///< height of the lesson's strip below everything, in pixels
-    bool has_strip = true;     ///< shows a lesson's strip; false for pictures without the lesson's text
-    bool in_lesson = false;    ///< a lesson's steps have one scale, whichever view they maximize
-    bool presents = false;     ///< in front of an audience: no bars, text legible from the back row
-    bool embedded = false;     ///< part of another page: no bars, no shortcuts of its own
+    float least_camera = 0.55F;  ///< the camera view's share of the height, which the lower views leave to it
+    float lower_split = 0.5F;    ///< the left view's share of the width
+    float caption_px = 0.0F;     ///< height of the caption below the camera's picture, in pixels
+    float strip_px = 0.0F;       ///< height of the lesson's strip below everything, in pixels
+    bool has_strip = true;       ///< shows a lesson's strip; false for pictures without the lesson's text
+    bool in_lesson = false;      ///< a lesson's steps have one scale, whichever view they maximize
+    bool presents = false;       ///< in front of an audience: no bars, text legible from the back row
+    bool embedded = false;       ///< part of another page: no bars, no shortcuts of its own
 };
 
 struct Layout {

@@ -25,9 +25,9 @@ ViewWindow::~ViewWindow() {
     ImGui::PopStyleColor();
 }
 
-float note_height(const char* text) {
+float note_height(const char* text, float width_px) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
-    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    const float width = std::max(1.0F, width_px > 0.0F ? width_px : ImGui::GetContentRegionAvail().x);
     const float height = ImGui::CalcTextSize(widgets::BrokenAtBlanks(text, width).c_str(), nullptr, false, width).y;
     ImGui::PopFont();
     return height;

@@ -19,8 +19,9 @@ private:
     int counted_before_;  ///< number of scrolling windows before this one
 };
 
-/// Returns the height in pixels of a widgets::Note with this text, wrapped to the available width.
-float note_height(const char* text);
+/// Returns the height in pixels of a widgets::Note with this text, wrapped to a width in pixels; 0 means the available
+/// one.
+float note_height(const char* text, float width_px = 0.0F);
 
 /// Draws a sentence in muted text and records it for tests; does nothing if it is empty.
 void recorded_note(const std::string& sentence);

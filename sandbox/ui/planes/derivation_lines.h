@@ -10,7 +10,7 @@
 namespace viewing {
 
 struct DerivationLine {
-    enum class Kind { equation, heading, note };
+    enum class Kind { equation, heading, note, trouble };
 
     Kind kind = Kind::equation;
     std::vector<std::string> parts;  ///< the parts for equation(); otherwise one text, marked() or translated

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "text/catalogue.h"
 #include "text/words.h"
@@ -63,37 +64,74 @@ std::string derivation_vector(const glm::dvec3& value) {
     return text;
 }
 
-void equation(const std::vector<std::string>& parts, float width_px) {
-    const widgets::Context& context = widgets::CurrentContext();
-    const float room = width_px > 0.0F ? width_px : ImGui::GetContentRegionAvail().x;
-    ImGui::PushFont(room < px(400.0F) ? context.fonts.small_number : context.fonts.number);
+namespace {
+
+/// Lays out the parts of an equation, and draws them unless `draw` is null. Returns the size in pixels, without the
+/// space below it; a part that is wider than the room makes it wider.
+ImVec2 rows(ImDrawList* draw, const std::vector<std::string>& parts, float room) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetTextLineHeight() + px(3.0F), blank = ImGui::CalcTextSize(" ").x;
+    const float below = ImGui::GetStyle().ItemSpacing.y;
+    const float line = ImGui::GetTextLineHeight() + below, blank = ImGui::CalcTextSize(" ").x;
     ImVec2 at = from;
-    float indent = 0.0F;
-    std::string recorded;
+    float indent = 0.0F, right = from.x;
     for (const std::string& part : parts) {
         if (part.empty()) continue;
         const std::string shown(tr_part(part));
         const float width = formula(nullptr, at, shown);
         if (indent > 0.0F && at.x > from.x + indent && at.x + width > from.x + room)
             at = {from.x + indent, at.y + line};
-        formula(ImGui::GetWindowDrawList(), at, shown);
+        if (draw) formula(draw, at, shown);
+        right = std::max(right, at.x + width);
         at.x += width + blank;
         if (indent == 0.0F) indent = at.x - from.x;
-        recorded += (recorded.empty() ? "" : " ") + part;
     }
+    return {right - from.x, at.y + line - from.y - below};
+}
+
+ImFont* font_for(float room, bool is_small) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    return is_small || room < px(400.0F) ? fonts.small_number : fonts.number;
+}
+
+ImFont* heading_font(bool is_small) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    return is_small ? fonts.note : fonts.heading;
+}
+
+}  // namespace
+
+void equation(const std::vector<std::string>& parts, float width_px, bool is_small) {
+    const float room = width_px > 0.0F ? width_px : ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(font_for(room, is_small));
+    const float height = rows(ImGui::GetWindowDrawList(), parts, room).y;
     ImGui::PopFont();
-    ImGui::Dummy({room, at.y + line - from.y - ImGui::GetStyle().ItemSpacing.y});
+    std::string recorded;
+    for (const std::string& part : parts)
+        if (!part.empty()) recorded += (recorded.empty() ? "" : " ") + part;
+    ImGui::Dummy({room, height});
     widgets::Record(recorded.c_str());
 }
 
-void derivation_heading(const char* text) {
-    ImGui::Dummy({0.0F, px(2.0F)});
-    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::TextUnformatted(tr(text));
+float equation_height(const std::vector<std::string>& parts, float width_px, bool is_small) {
+    ImGui::PushFont(font_for(width_px, is_small));
+    const ImVec2 size = rows(nullptr, parts, width_px);
+    ImGui::PopFont();
+    return size.x <= width_px ? size.y : std::numeric_limits<float>::infinity();
+}
+
+void derivation_heading(const char* text, bool is_small) {
+    if (!is_small) ImGui::Dummy({0.0F, px(2.0F)});
+    ImGui::PushFont(heading_font(is_small));
+    ImGui::TextUnformatted(widgets::BrokenAtBlanks(tr(text), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopFont();
     widgets::Record(text);
+}
+
+float heading_height(const char* text, float width_px, bool is_small) {
+    ImGui::PushFont(heading_font(is_small));
+    const float lines = ImGui::CalcTextSize(widgets::BrokenAtBlanks(tr(text), width_px).c_str()).y;
+    ImGui::PopFont();
+    return is_small ? lines : px(2.0F) + ImGui::GetStyle().ItemSpacing.y + lines;
 }
 
 }  // namespace viewing

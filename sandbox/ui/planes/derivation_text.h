@@ -21,11 +21,17 @@ std::string derivation_vector(const glm::dvec3& value);
 
 /// Draws the parts of one equation in a row: {"t", "= l_y/(l_y - p_y)", "= 5.200/3.900", "= 1.333"}, each a
 /// widgets::Formula. Parts that do not fit wrap to the next line, aligned with the second part. Uses the number font if
-/// the line is wide, otherwise the small one. Translates marked() parts, but records them in English. A `width_px` of 0
-/// means the available width.
-void equation(const std::vector<std::string>& parts, float width_px = 0.0F);
+/// the line is wide, otherwise, or if `is_small`, the small one. Translates marked() parts, but records them in
+/// English. A `width_px` of 0 means the available width.
+void equation(const std::vector<std::string>& parts, float width_px = 0.0F, bool is_small = false);
 
-/// Draws a semibold heading above the equations that follow; translates its text.
-void derivation_heading(const char* text);
+/// Returns the height in pixels of equation() in this width, without the space below it; infinity if a part is wider.
+float equation_height(const std::vector<std::string>& parts, float width_px, bool is_small);
+
+/// Draws a heading above the equations that follow, semibold unless it is small; translates its text.
+void derivation_heading(const char* text, bool is_small = false);
+
+/// Returns the height in pixels of derivation_heading() in this width, without the space below it.
+float heading_height(const char* text, float width_px, bool is_small);
 
 }  // namespace viewing

@@ -1,7 +1,8 @@
 #include "ui/planes/derivation_views.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <optional>
 
 #include "text/catalogue.h"
 #include "ui/parts/controls.h"
@@ -9,6 +10,7 @@
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
 #include "ui/planes/derivation_diagram.h"
+#include "ui/planes/derivation_flow.h"
 #include "ui/planes/derivation_forms.h"
 #include "ui/planes/derivation_lines.h"
 #include "ui/planes/derivation_text.h"
@@ -16,83 +18,35 @@
 namespace viewing {
 namespace {
 
-constexpr float least_bar = 215.0F;  ///< width of a step bar, in design pixels
+using Lines = std::vector<DerivationLine>;
 
-/// A view with its figure at the left, or at the top if the view is narrow or tall. Below a figure at the left there is
-/// room for rows of controls, so that the lines have the height of the view. Closes at the end of its scope.
-class FigureView {
+/// A child window over a part of a derivation's view. Closes at the end of its scope.
+class Part {
 public:
-    FigureView(const char* name, const Rect& rect, int control_rows)
-        : view_(name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
-        const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-        // A stage's lines are longer: there, a text beside the figure is cut unless the view is very low.
-        const float least_aspect = widgets::HasPlainTitles() && room.x < px(520.0F) ? 2.0F : 1.3F;
-        is_wide_ = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
-        const float width = is_wide_ ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
-        const float controls = static_cast<float>(control_rows) * (ImGui::GetFrameHeight() + px(control_gap));
-        const bool has_bar = !widgets::HasPlainTitles() && !widgets::CurrentContext().printed;
-        has_controls_ = is_wide_ && has_bar && width >= px(least_bar) && room.y - controls >= px(least_figure);
-        const float wide = room.y - (has_controls_ ? controls : 0.0F);
-        const float height = is_wide_ ? std::max(wide, 1.0F) : std::max(std::floor(room.y * 0.5F), px(60.0F));
-        figure_ = {from, {from.x + width, from.y + height}};
-        ImGui::Dummy({width, height});
-        widgets::Record("figure");
-    }
-    const Rect& figure() const { return figure_; }
-    bool is_wide() const { return is_wide_; }
-    /// Whether the controls are below the figure, not above the lines.
-    bool has_controls() const { return has_controls_; }
-
-    static constexpr float control_gap = 3.0F, least_figure = 80.0F;  ///< design pixels
-
-private:
-    ViewWindow view_;
-    Rect figure_;
-    bool is_wide_, has_controls_ = false;
-};
-
-/// The controls below the figure. Closes at the end of its scope.
-class FigureControls {
-public:
-    explicit FigureControls(const FigureView& view) : behind_(ImGui::GetCursorScreenPos()) {
-        ImGui::SetCursorScreenPos({view.figure().min.x, view.figure().max.y + px(FigureView::control_gap)});
-        ImGui::BeginChild("controls", {view.figure().width(), 0.0F}, false, ImGuiWindowFlags_NoScrollbar);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6.0F), px(FigureView::control_gap)});
-    }
-    ~FigureControls() {
+    /// `fade`: height of the mark that there is more below, in design pixels; 0: the part never scrolls.
+    Part(const char* name, ImVec2 from, ImVec2 size, float line_gap, float fade)
+        : behind_(ImGui::GetCursorScreenPos()), fade_(fade) {
+        const bool scrolls = fade > 0.0F;
+        ImGui::SetCursorScreenPos(from);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(DerivationFlow::padding), 0.0F});
+        ImGui::BeginChild(name, size, false,
+                          scrolls ? ImGuiWindowFlags_AlwaysUseWindowPadding
+                                  : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
-        ImGui::EndChild();
-        ImGui::SetCursorScreenPos(behind_);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6.0F), px(line_gap)});
     }
-    FigureControls(const FigureControls&) = delete;
-    FigureControls& operator=(const FigureControls&) = delete;
+    ~Part() {
+        ImGui::PopStyleVar();
+        if (fade_ > 0.0F) widgets::CountScrolled(false, fade_);
+        ImGui::EndChild();
+        if (fade_ == 0.0F) ImGui::SetCursorScreenPos(behind_);
+    }
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
 
 private:
     ImVec2 behind_;
-};
-
-/// The scrolling text beside or below the figure. Closes at the end of its scope.
-class Steps {
-public:
-    explicit Steps(const FigureView& view) {
-        if (view.is_wide()) ImGui::SetCursorScreenPos({view.figure().max.x + px(14.0F), view.figure().min.y});
-        ImGui::BeginChild("steps", {0.0F, 0.0F}, false);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6.0F), px(3.0F)});
-        is_short_ = ImGui::GetContentRegionAvail().y < px(420.0F);
-    }
-    ~Steps() {
-        ImGui::PopStyleVar();
-        widgets::CountScrolled();
-        ImGui::EndChild();
-    }
-    Steps(const Steps&) = delete;
-    Steps& operator=(const Steps&) = delete;
-
-    /// Whether there is space for the results, but not for every step toward them.
-    bool is_short() const { return is_short_; }
-
-private:
-    bool is_short_;
+    float fade_;
 };
 
 /// Draws "light: parallel [      ] point", a slider for l_w from 0 to 1; x, y and z stay the same. In a narrow view,
@@ -126,34 +80,28 @@ void light_slider(Params& params) {
     ImGui::TextUnformatted(tr("point"));
 }
 
-void tell_point(const Derived& derived, const char* letter) {
+DerivationLine note_line(std::string text) {
+    return {DerivationLine::Kind::note, {std::move(text)}};
+}
+
+/// Adds a sentence about the point that is derived if no vertex is followed.
+void tell_point(Lines& lines, const Derived& derived, const char* letter) {
     if (derived.followed) return;
-    const std::string note =
+    lines.push_back(note_line(
         say("Click an object to follow one of its vertices; until then, {point} is one unit from the center of the "
             "plane's patch, on the light's side.",
-            "point"_a = letter);
-    widgets::Note(note.c_str());
+            "point"_a = letter)));
 }
 
-void tell_ray(ShadowRay ray) {
+void tell_ray(Lines& lines, ShadowRay ray) {
     if (ray == ShadowRay::regular) return;
-    if (ray == ShadowRay::point_in_plane) return widgets::Note(sentence_of(ray));  // not an error
-    widgets::Trouble(sentence_of(ray));
+    lines.push_back(note_line(sentence_of(ray)));
+    if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;  // not an error there
 }
 
-void plane_line(const glm::dvec4& unit_plane) {
-    equation({"n", "= " + derivation_vector(glm::dvec3(unit_plane)), "d = " + derivation_number(unit_plane.w)});
-}
-
-void write_shown(const DerivationLine& line) {
-    switch (line.kind) {
-        case DerivationLine::Kind::equation:
-            return equation(line.parts);
-        case DerivationLine::Kind::heading:
-            return derivation_heading(line.parts.front().c_str());
-        case DerivationLine::Kind::note:
-            return widgets::Note(line.parts.front().c_str());
-    }
+DerivationLine plane_line(const glm::dvec4& unit_plane) {
+    return {DerivationLine::Kind::equation,
+            {"n", "= " + derivation_vector(glm::dvec3(unit_plane)), "d = " + derivation_number(unit_plane.w)}};
 }
 
 /// Whether this line, or another part that shows the same numbers, is covered.
@@ -175,29 +123,19 @@ bool is_covered(const std::string& target) {
            });
 }
 
-void write(const DerivationLine& line) {
+void write(const DerivationLine& line, bool is_small) {
     if (is_covered(line.target)) {
         widgets::Plate("line", {ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()});
         return widgets::MarkTarget(line.target);
     }
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    write_shown(line);
+    write_line(line, is_small);
     widgets::MarkTarget(line.target, from, {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y});
-}
-
-/// Writes all lines, or those up to the state's step; omits intermediate steps if `is_short`. Scrolls to the latest
-/// line if the step was just chosen. Returns true when all are written.
-bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_short, bool is_stepped) {
-    const std::vector<DerivationLine> shown = lines_until(lines, step);
-    for (const DerivationLine& line : shown)
-        if (!is_short || !line.is_step) write(line);
-    if (is_stepped) ImGui::SetScrollHereY(1.0F);
-    return shown.size() == lines.size();
 }
 
 /// Draws the step bar. Returns true when a step was chosen.
 bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets::StepPlayer& player) {
-    if (ImGui::GetContentRegionAvail().x < px(least_bar)) return false;
+    if (ImGui::GetContentRegionAvail().x < px(DerivationFlow::least_bar)) return false;
     int& step = params.view.derivation_step;
     const int before = step;
     widgets::StepBar("derivation", step, step_count(lines), player, ImGui::GetIO().DeltaTime);
@@ -210,6 +148,90 @@ bool is_part_covered(const char* target, float height) {
     widgets::Plate(target, {ImGui::GetContentRegionAvail().x, std::max(height, px(20.0F))});
     widgets::MarkTarget(target);
     return true;
+}
+
+/// The parts of a derivation's view.
+struct Derivation {
+    const char *name, *target;  ///< of the view's window; of its text in lessons
+    int control_rows;
+    Lines before = {}, lines = {}, after = {};  ///< the step bar counts only `lines`
+    std::function<void(const Rect&)> draw_figure = {};
+    std::function<bool(int)> controls = {};  ///< draws so many rows, and returns whether a step was chosen
+    std::function<void()> form = {};         ///< draws what is below the last line
+};
+
+/// The lines from one index to another of those that are written after the state's step.
+struct WrittenLines {
+    const Lines& all;
+    std::size_t counted, written, behind;  ///< ends of the lines before, the written ones, and all that are counted
+
+    void write(std::size_t begin, std::size_t end, const DerivationFlow& flow) const {
+        ImGui::SetWindowFontScale(flow.font_scale);
+        for (std::size_t i = begin; i < std::min(end, all.size()); ++i)
+            if ((i < written || i >= behind) && !(flow.is_short && all[i].is_step))
+                viewing::write(all[i], !flow.columns.empty());
+        ImGui::SetWindowFontScale(1.0F);
+    }
+};
+
+void draw_columns(const DerivationFlow& flow, const WrittenLines& lines, ImVec2 from, float first_top) {
+    for (std::size_t column = 0; column < flow.columns.size(); ++column) {
+        const bool is_last = column + 1 == flow.columns.size();
+        const float top = column == 0 ? first_top : 0.0F;
+        ImGui::PushID(static_cast<int>(column));
+        {
+            const Part part(
+                "column",
+                {from.x + static_cast<float>(column) * (flow.column.x + px(DerivationFlow::gap)), from.y + top},
+                {flow.column.x, std::max(flow.column.y - top, 1.0F)}, flow.line_gap(), 0.0F);
+            lines.write(flow.columns[column], is_last ? lines.all.size() : flow.columns[column + 1], flow);
+        }
+        ImGui::PopID();
+    }
+    ImGui::SetCursorScreenPos({from.x, from.y + flow.column.y + px(DerivationFlow::foot)});
+}
+
+void draw_derivation(const Derivation& shown, int step, const Rect& rect) {
+    const ViewWindow view(shown.name, rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const bool has_cover = widgets::IsCovered(shown.target);
+    Lines all = shown.before;
+    all.insert(all.end(), shown.lines.begin(), shown.lines.end());
+    all.insert(all.end(), shown.after.begin(), shown.after.end());
+    const std::size_t before = shown.before.size(), reached = lines_until(shown.lines, step).size();
+    const WrittenLines lines{all, before, before + reached, before + shown.lines.size()};
+    const DerivationFlow flow =
+        flow_of(has_cover ? Lines{} : all, ImGui::GetContentRegionAvail(), shown.control_rows, step < 0);
+
+    std::optional<Part> steps;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (!flow.columns.empty())
+        steps.emplace("steps", ImGui::GetCursorScreenPos(), room, flow.line_gap(), DerivationFlow::foot);
+    const ImVec2 from = ImGui::GetCursorScreenPos(), below{from.x, from.y + flow.figure.y};
+    if (flow.figure.y > 0.0F) {
+        shown.draw_figure({from, {from.x + flow.figure.x, below.y}});
+        ImGui::Dummy(flow.figure);
+        widgets::Record("figure");
+    }
+    bool is_stepped = false;
+    const float control_gap = px(DerivationFlow::control_gap);
+    const float controls = static_cast<float>(flow.control_rows) * (ImGui::GetFrameHeight() + control_gap);
+    if (flow.has_controls && !has_cover) {
+        const Part part("controls", {below.x, below.y + control_gap}, {flow.figure.x, controls},
+                        DerivationFlow::control_gap, 0.0F);
+        is_stepped = shown.controls(flow.control_rows);
+    }
+    if (!flow.columns.empty()) {
+        draw_columns(flow, lines, from, flow.figure.y + (flow.has_controls ? controls : 0.0F) + control_gap);
+    } else {
+        const ImVec2 beside{from.x + flow.figure.x + px(DerivationFlow::gap), from.y};
+        steps.emplace("steps", flow.is_wide ? beside : ImGui::GetCursorScreenPos(), ImVec2{0.0F, 0.0F}, flow.line_gap(),
+                      34.0F);
+        if (is_part_covered(shown.target, ImGui::GetContentRegionAvail().y)) return;
+        if (!flow.has_controls) is_stepped = shown.controls(flow.control_rows);
+        lines.write(0, all.size(), flow);
+        if (is_stepped) ImGui::SetScrollHereY(1.0F);
+    }
+    if (reached == shown.lines.size()) shown.form();
 }
 
 void mirror_form(const MirrorDerivation& found) {
@@ -238,59 +260,48 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     const DerivedPlane& plane = derived.chosen_plane();
     const ShadowDerivation found = derive_shadow(plane.unit_plane, derived.chosen_light(), derivation_point(derived));
     const ShadowForms forms = shadow_forms(plane.unit_plane, derived.chosen_light());
-    const FigureView view("shadow derivation", rect, 3);
-    draw_shadow_diagram(view.figure(), found, 3.0 * plane.patch.extent);
-
-    const std::vector<DerivationLine> lines = shadow_lines(found, forms.blinn.has_value());
-    bool is_stepped = false;
-    const auto controls = [&] {
-        is_stepped = step_bar(params, lines, player);
-        light_slider(params);
+    Derivation shown{"shadow derivation", "text:shadow_derivation", 3};
+    tell_ray(shown.before, found.ray);
+    if (derived.chosen_shadow().by_hand)
+        shown.before.push_back(note_line(marked("S was entered by hand; this view shows S as derived.")));
+    shown.before.push_back({DerivationLine::Kind::equation,
+                            {"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
+                             "= " + derivation_vector(found.light_world)}});
+    shown.before.push_back({DerivationLine::Kind::equation, {"p", "= " + derivation_vector(found.point_world)}});
+    shown.before.push_back(plane_line(found.unit_plane));
+    shown.before.back().is_step = true;  // the results have its numbers
+    shown.lines = shadow_lines(found, forms.blinn.has_value());
+    tell_point(shown.after, derived, "p");
+    shown.draw_figure = [&](const Rect& figure) { draw_shadow_diagram(figure, found, 3.0 * plane.patch.extent); };
+    shown.controls = [&](int rows) {
+        const bool is_stepped = step_bar(params, shown.lines, player);
+        if (rows == shown.control_rows) light_slider(params);
+        return is_stepped;
     };
-    if (view.has_controls() && !widgets::IsCovered("text:shadow_derivation")) {
-        const FigureControls below(view);
-        controls();
-    }
-    const Steps steps(view);
-    if (is_part_covered("text:shadow_derivation", ImGui::GetContentRegionAvail().y)) return;
-    if (!view.has_controls()) controls();
-    const int step = params.view.derivation_step;
-    const bool is_short = steps.is_short() && step < 0;
-    tell_ray(found.ray);
-    if (derived.chosen_shadow().by_hand) widgets::Note("S was entered by hand; this view shows S as derived.");
-    equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
-              "= " + derivation_vector(found.light_world)});
-    equation({"p", "= " + derivation_vector(found.point_world)});
-    if (!is_short) plane_line(found.unit_plane);
-    const bool is_whole = write_lines(lines, step, is_short, is_stepped);
-    if (is_short) plane_line(found.unit_plane);
-    tell_point(derived, "p");
-    if (!is_whole || is_part_covered("text:shadow_derivation.matrix", px(130.0F))) return;
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    show_three_forms(forms);
-    widgets::MarkTarget("text:shadow_derivation.matrix", from, ImGui::GetItemRectMax());
+    shown.form = [&] {
+        if (is_part_covered("text:shadow_derivation.matrix", px(130.0F))) return;
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        show_three_forms(forms);
+        widgets::MarkTarget("text:shadow_derivation.matrix", from, ImGui::GetItemRectMax());
+    };
+    draw_derivation(shown, params.view.derivation_step, rect);
 }
 
 void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player) {
     const MirrorDerivation found = derive_mirror(derived.chosen_plane().unit_plane, derivation_point(derived));
-    const FigureView view("mirror derivation", rect, 2);
-    draw_mirror_diagram(view.figure(), found);
-
-    const std::vector<DerivationLine> lines = mirror_lines(found);
-    bool is_stepped = false;
-    if (view.has_controls() && !widgets::IsCovered("text:mirror_derivation")) {
-        const FigureControls below(view);
-        is_stepped = step_bar(session.params, lines, player);
-    }
-    const Steps steps(view);
-    if (is_part_covered("text:mirror_derivation", ImGui::GetContentRegionAvail().y)) return;
-    if (!view.has_controls()) is_stepped = step_bar(session.params, lines, player);
-    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R was entered by hand; this view shows R as derived.");
-    if (derived.chosen_plane().mirror_has_slip) widgets::Note("R contains a mistake; this view shows R as derived.");
-    equation({"q", "= " + derivation_vector(found.point_world)});
-    plane_line(found.unit_plane);
-    tell_point(derived, "q");
-    if (write_lines(lines, session.params.view.derivation_step, false, is_stepped)) mirror_form(found);
+    Derivation shown{"mirror derivation", "text:mirror_derivation", 2};
+    if (derived.chosen_plane().mirror_by_hand)
+        shown.before.push_back(note_line(marked("R was entered by hand; this view shows R as derived.")));
+    if (derived.chosen_plane().mirror_has_slip)
+        shown.before.push_back(note_line(marked("R contains a mistake; this view shows R as derived.")));
+    shown.before.push_back({DerivationLine::Kind::equation, {"q", "= " + derivation_vector(found.point_world)}});
+    shown.before.push_back(plane_line(found.unit_plane));
+    shown.lines = mirror_lines(found);
+    tell_point(shown.after, derived, "q");
+    shown.draw_figure = [&](const Rect& figure) { draw_mirror_diagram(figure, found); };
+    shown.controls = [&](int) { return step_bar(session.params, shown.lines, player); };
+    shown.form = [&] { mirror_form(found); };
+    draw_derivation(shown, session.params.view.derivation_step, rect);
 }
 
 }  // namespace viewing

@@ -93,8 +93,7 @@ std::optional<DragAction> action_of_drag(const MouseHabits& mouse, Navigation mo
 /// Adds the pointer's way since the last frame to the motion.
 void move_by_drag(DragAction action, const ViewState& state, const Lens& lens, float height_px, MotionInput& motion) {
     const glm::dvec2 way_px(ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y);
-    const double degrees_per_px = 0.22 * state.mouse.sensitivity / static_cast<double>(px(1.0F));
-    const glm::dvec2 turn_deg = -degrees_per_px * way_px * glm::dvec2(1.0, state.mouse.inverts_y ? -1.0 : 1.0);
+    const glm::dvec2 turn_deg = turn_of_drag(state.mouse, 0.22);
     motion.keeps_horizon = state.mouse.keeps_horizon;
     switch (action) {
         case DragAction::look:
@@ -130,6 +129,12 @@ void turn_wheel(Session& session, const FrameInput& input, float lines, MotionIn
 }
 
 }  // namespace
+
+glm::dvec2 turn_of_drag(const MouseHabits& mouse, double usual_deg) {
+    const glm::dvec2 way_px(ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y);
+    const double degrees_per_px = usual_deg * mouse.sensitivity / static_cast<double>(px(1.0F));
+    return -degrees_per_px * way_px * glm::dvec2(1.0, mouse.inverts_y ? -1.0 : 1.0);
+}
 
 Handle movable_handle(const ViewState& state, Handle handle) {
     const std::string_view field = field_of(handle);

@@ -91,6 +91,11 @@ inline bool is_playing(const ViewState& state) {
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
+/// Returns by how many degrees the pointer's way since the last frame turns a view, as (yaw, pitch): a drag to the
+/// right turns right, and one upward looks up unless the person inverts it. `usual_deg`: for a design pixel, before the
+/// person's factor.
+glm::dvec2 turn_of_drag(const MouseHabits& mouse, double usual_deg);
+
 /// Handles the mouse in the camera's view. Pressing grabs a handle or starts looking around, and dragging continues
 /// that. A click without motion chooses a pixel if a hidden-surface method or a view examines pixels; otherwise it
 /// picks a vertex, or clears the pick if it hits no object. `hovered`: the handle under the pointer.

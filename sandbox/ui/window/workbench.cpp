@@ -42,8 +42,14 @@ Arrangement Workbench::arranged(const Session& session) const {
     constexpr float least_derivation = 420.0F;  // a figure with its lines beside it
     for (const Slot slot : {Slot::left, Slot::right})
         if (const Topic topic = topic_of(session.params, slot);
-            topic == Topic::shadow_derivation || topic == Topic::mirror_derivation)
+            topic == Topic::shadow_derivation || topic == Topic::mirror_derivation) {
             now.least_lower = least_derivation;
+            now.least_area = 100'000.0F;
+            // Its lines need more height, unless the person has chosen one.
+            constexpr float lines = 330.0F;
+            now.least_camera = 0.5F;
+            if (now.lower_height == Arrangement{}.lower_height) now.lower_height = lines;
+        }
     if (!arrangement.bare) arrange(now, session.params, listed_matrices(session));
     if (place() == Place::stage) open_lower_views(now, lower_shown(views, session.params));
     const std::vector<std::string>& controls = session.params.view.layout.controls;
@@ -87,7 +93,7 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && !arrangement.presents && !guide.is_sheet()) {
         // From step to step, the question stays at one height, unless that takes much from the views.
-        constexpr float most_share = 0.3F;
+        constexpr float most_share = 0.34F;
         const float tallest = tallest_strip(*guide.run(), strip_width, widgets, look);
         now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
     }

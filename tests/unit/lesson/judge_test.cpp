@@ -67,6 +67,28 @@ TEST(Judge, TilesCountInOrderOrAsASet) {
     EXPECT_FALSE(judged(ask, {{}, {1, 2}}).right);
 }
 
+TEST(Judge, AWrongNumberIsRelatedToTheRightOne) {
+    Ask ask;
+    ask.kind = AskKind::number;
+    ask.tolerance = 0.01;
+    const auto told = [&](double typed) { return judged(ask, {{typed}, {}}).near; };
+    ask.expect = "30";
+    EXPECT_EQ(told(15), Near::half);
+    EXPECT_EQ(told(60), Near::twice);
+    EXPECT_EQ(told(0.0333), Near::reciprocal);
+    EXPECT_EQ(told(0.5236), Near::radians) << "π/6";
+    EXPECT_EQ(told(300), Near::decimal);
+    EXPECT_EQ(told(0.3), Near::decimal);
+    EXPECT_EQ(told(-30), Near::sign);
+    EXPECT_EQ(told(0), Near::nothing);
+    EXPECT_EQ(told(15.1), Near::nothing) << "nearly half of it is not half of it";
+    EXPECT_EQ(told(61), Near::nothing);
+    ask.expect = "0.5236";
+    EXPECT_EQ(told(30), Near::degrees);
+    ask.expect = "0";
+    EXPECT_EQ(told(7), Near::nothing);
+}
+
 TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     Ask ask;
     ask.kind = AskKind::vector;
@@ -94,19 +116,19 @@ TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     ask.kind = AskKind::number;
     ask.expect = "5";
     EXPECT_EQ(told({{-5}, {}}), is(Near::sign, {1}));
-    EXPECT_EQ(told({{10}, {}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{7}, {}}), is(Near::nothing, {}));
     ask = {};
     ask.kind = AskKind::order;
     ask.items = {{"A", ""}, {"B", ""}, {"C", ""}, {"D", ""}};
     ask.expected_items = {{2, 0, 1, 3}, {2, 3, 1, 0}};
     EXPECT_EQ(told({{}, {2, 3, 0, 1}}), is(Near::first_items, {2}));
-    EXPECT_EQ(told({{}, {0, 1, 2, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {0, 1, 2, 3}}), is(Near::first_wrong, {}));
     ask.kind = AskKind::subset;
     ask.expected_items = {{1, 2}};
     EXPECT_EQ(told({{}, {2}}), is(Near::incomplete, {}));
     EXPECT_EQ(told({{}, {1, 3, 2}}), is(Near::too_many, {}));
     EXPECT_EQ(told({{}, {1, 3}}), is(Near::some_items, {1}));
-    EXPECT_EQ(told({{}, {0, 3}}), is(Near::nothing, {}));
+    EXPECT_EQ(told({{}, {0, 3}}), is(Near::no_items, {}));
     EXPECT_EQ(told({{}, {}}), is(Near::nothing, {}));
     ask = {};
     ask.kind = AskKind::vector;
