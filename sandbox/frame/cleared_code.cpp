@@ -42,7 +42,7 @@ bool has_only_cleared_code(const Params& params, const Derived& derived, const S
     forms.push_back(-towards_eye - glm::dvec4(0.0, 0.0, 0.0, start));
     forms.push_back(towards_eye + glm::dvec4(0.0, 0.0, 0.0, params.projection.far));
     const bool has_any = may_reach(scene, forms);
-    forms.back().w = start;
+    forms.back().w += start - params.projection.far;
     forms.erase(forms.end() - 2);
     return has_any && !may_reach(scene, forms) &&
            std::none_of(derived.planes.begin(), derived.planes.end(),

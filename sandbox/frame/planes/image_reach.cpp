@@ -33,6 +33,7 @@ WayThroughMirrors way_of(const Params& params, const Derived& derived, const Fra
     for (const glm::dvec4& side : forms_of_sides(derived.clip_from_world * world_from_scene))
         way.inside.push_back(side);
     way.distance = -glm::transpose(derived.view_from_world * world_from_scene)[2];
+    way.inside.push_back(way.distance - glm::dvec4(0.0, 0.0, 0.0, params.projection.near));
     const glm::dmat4 drawn = glm::transpose(pass.clip_from_world * pass.world_from_scene);
     way.before_far = frame.depth_mapping != DepthMapping::reversed ? drawn[3] - drawn[2]
                      : frame.clip_zero_to_one                      ? drawn[2]

@@ -12,7 +12,7 @@ namespace viewing {
 struct WayThroughMirrors {
     std::vector<std::size_t> mirrors;  ///< as the view ray meets them; never empty
     bool is_from_behind = false;       ///< the last mirror's normal points away from where it is seen from
-    std::vector<glm::dvec4> inside;    ///< all are positive where a point's image is seen inside each mirror
+    std::vector<glm::dvec4> inside;    ///< all positive where a point's image is seen in each mirror, beyond near
     glm::dvec4 side{0.0};              ///< positive on the side of the last mirror that it should show
     glm::dvec4 distance{0.0};          ///< the image's eye distance
     glm::dvec4 before_far{0.0};        ///< positive for images that far keeps

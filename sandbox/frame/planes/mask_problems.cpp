@@ -43,6 +43,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                    const Scene& scene) {
     if (!lets_nearer_win(params)) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
+    const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
     Params in_patches = params;  // beside the patch, it is not this that lets the image show
     in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
@@ -64,7 +65,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
             forms.push_back(image_towards_eye);
             forms.back().w -= standing;
             const bool is_in_front = may_reach(object, forms);
-            const double gap = coarse_gap(params, derived, mirror, object);
+            // An object hides where it touches its image, unless the image is drawn elsewhere.
+            const double gap = std::max(coarse_gap(params, derived, mirror, object), fits ? 0.0 : standing);
             forms.back().w += standing + gap;
             if (is_in_front || (gap > 0.0 && may_reach(object, forms)))
                 (is_in_front ? in_front : touching).push_back(object_text(object.description.name));

@@ -51,6 +51,13 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
+/// Returns whether a patch covers the image of its part behind a mirror: it is perpendicular to the mirror, so that the
+/// image lies in the patch's own plane, and more than half of it is in front.
+bool covers_own_image(const DerivedPlane& patch, const DerivedPlane& mirror, const glm::dvec4& side) {
+    const double cosine = glm::dot(glm::dvec3(patch.unit_plane), glm::dvec3(mirror.unit_plane));
+    return std::abs(cosine) < 1e-9 && glm::dot(side, glm::dvec4(patch.patch.center, 1.0)) > 0.0;
+}
+
 /// Reports what is behind a mirror, which shows it if nothing is clipped: other planes' patches, or else objects.
 void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
                 const Scene& scene) {
@@ -59,6 +66,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
         std::vector<std::size_t> behind;
         for (std::size_t other = 0; other < planes.size(); ++other)
             if (params.reflection.stencil && other != way.mirrors.back() &&
+                !covers_own_image(planes[other], planes[way.mirrors.back()], way.side) &&
                 may_reach(planes[other].patch, way.forms_behind(standing)))
                 behind.push_back(other);
         if (!behind.empty())
@@ -106,11 +114,14 @@ void say_clipping(Sayer& tell, const Params& params, const Derived& derived, con
             "reflection.oblique_with_logarithm",
             "the per-vertex logarithm overwrites the z that the oblique near plane clips against: nothing is clipped"),
         "reflection.clip");
-    const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
-    const bool is_wrong_side =
-        !reflection.side_of_eye && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
-            return way.is_from_behind && may_show(derived.planes[way.mirrors.front()].patch, params, derived);
+    std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
+    if (reflection.stencil)
+        std::erase_if(ways, [&](const WayThroughMirrors& way) {
+            return !may_show(derived.planes[way.mirrors.front()].patch, params, derived);
         });
+    const bool is_wrong_side =
+        !reflection.side_of_eye &&
+        std::any_of(ways.begin(), ways.end(), [](const WayThroughMirrors& way) { return way.is_from_behind; });
     tell.broken(
         is_wrong_side && reflection.clip == MirrorClip::oblique,
         sentence("reflection.behind_clipped",
