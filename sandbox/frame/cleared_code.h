@@ -10,13 +10,13 @@ namespace viewing {
 /// infinite if it rejects nothing for that reason.
 double start_of_cleared_code(const Params& params);
 
-/// Returns whether the depths of the previous, equal frame stay and hide this frame: hides_next_frame().
+/// Returns whether the depths of the previous, equal frame stay and hide this frame; see hides_next_frame().
 bool previous_frame_hides(const Params& params);
 
-/// Returns whether part of a patch is in the picture, between near and far, and nearer than that distance.
+/// Returns whether part of a patch is in the picture, between near and far, and nearer than start_of_cleared_code().
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived);
 
-/// Returns whether part of a patch is in the picture, between near and far, but beyond that distance.
+/// Returns whether part of a patch is in the picture, between near and far, but beyond start_of_cleared_code().
 bool loses_part(const PlanePatch& patch, const Params& params, const Derived& derived);
 
 /// Returns whether anything may be in the picture: part of an object or of a patch, at any distance.

@@ -78,7 +78,7 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
         finer_depth(params, derived, seen, worst->farthest));
 }
 
-/// A pair of flat surfaces that fight, or that may: no prediction rules it out.
+/// A pair of flat surfaces that fight or, since no prediction rules it out, may fight.
 struct FightingPair {
     const FlatPair* pair;
     double needed, distance;  ///< the gap, along the normal, that depth is sure to distinguish; where it was judged
@@ -151,7 +151,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
         finer.projection.near = std::max(finer.projection.near, *near);
     const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
                                 fighting_pairs(finer, derived, scene, pairs).empty();
-    // Where a code is a large part of the distance, a few codes more or less help nothing.
+    // Where a code is a large part of the distance, a few codes more or less make no difference.
     const bool is_hopeless = worst.needed > 0.05 * worst.distance;
     const std::string fix = is_hopeless      ? ""
                             : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"

@@ -13,7 +13,7 @@ namespace {
 struct WayThroughMirrors {
     std::vector<glm::dvec4> inside;  ///< forms of a scene point; all are positive where its image is seen
     glm::dvec4 distance{0.0};        ///< its image's eye distance, as a form
-    glm::dvec4 before_far{0.0};      ///< positive for images that far keeps
+    glm::dvec4 before_far{0.0};      ///< positive for images in front of far
 };
 
 WayThroughMirrors way_of(const Derived& derived, const FramePlan& frame, const Pass& pass) {

@@ -179,7 +179,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
                                     mirror.towards_eye(), mirror.plane.patch});
     };
-    // An image that is drawn larger is told by reflection.fovy's own sentence.
+    // The sentence about reflection.fovy already reports an image that is drawn larger.
     const bool is_distorted = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
     // Where depth hides the patch, it does not mark the stencil either.
     const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
@@ -226,8 +226,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 "reflection.after_objects");
 }
 
-/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
-/// value.
+/// Reports a mirror whose picture is cleared and drawn over earlier patches too, because they share its stencil value.
 void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.shadow.own_stencil || !params.reflection.stencil) return;
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);

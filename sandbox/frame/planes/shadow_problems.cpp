@@ -222,7 +222,7 @@ bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow
 void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
     for (const Thrown& one : thrown) {
         if (!one.cast.has_slip) continue;
-        // Where Sᵀ sends the patch's center, which S leaves where it is.
+        // The point to which Sᵀ sends the patch's center; S keeps the center in place.
         const glm::dvec4 sent = one.cast.shadowed_world_from_world * glm::dvec4(one.plane.patch.center, 1.0);
         const double height = glm::dot(one.plane.unit_plane, sent) / sent.w;
         return tell.broken(
