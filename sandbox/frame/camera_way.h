@@ -6,7 +6,7 @@
 
 namespace viewing {
 
-/// The six planes of the frustum, in the order in which they are named if several cut the point off.
+/// The six planes of the frustum, in order of precedence if several cut the point off.
 enum class FrustumPlane { none, near, far, left, right, bottom, top };
 
 struct CameraWay {

@@ -10,7 +10,7 @@ namespace viewing {
 /// infinite if it rejects nothing for that reason.
 double start_of_cleared_code(const Params& params);
 
-/// Returns whether the depths of the previous, equal frame stay and hide this frame; see hides_next_frame().
+/// Returns whether the depths left by an identical previous frame hide this frame; see hides_next_frame().
 bool previous_frame_hides(const Params& params);
 
 /// Returns whether part of a patch is in the picture, between near and far, and nearer than start_of_cleared_code().

@@ -24,8 +24,8 @@ glm::dmat4 centered_from_view(const Lens& lens, double aspect) {
     return centered;
 }
 
-/// Returns the map from eye space to (x, y, −w) of clip space, scaled to fit the cube. For an orthographic P, where w =
-/// 1, eye z replaces −w.
+/// Returns the map from eye space to (x, y, −w) of clip space, scaled to fit the cube. For an orthographic P, whose w
+/// is 1, eye z replaces −w.
 glm::dmat4 centered_clip_from_view(const Lens& lens, const glm::dmat4& clip_from_view, double aspect) {
     const double scale = lens.orthographic ? 1.0 : 1.0 / lens.shown_far();
     glm::dmat4 centered = centered_from_view(lens, aspect);

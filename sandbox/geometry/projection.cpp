@@ -30,7 +30,7 @@ glm::dmat4 with_depth_row(glm::dmat4 p, double a, double b) {
     return p;
 }
 
-/// Returns the lens with any finite far, for the entries of P that do not depend on it.
+/// Returns the lens with an arbitrary finite far, for the entries of P that do not depend on far.
 Lens with_finite_far(Lens lens) {
     lens.far = 2.0 * lens.near;
     return lens;

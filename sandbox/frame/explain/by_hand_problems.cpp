@@ -78,7 +78,7 @@ std::string plane_text(const glm::dvec4& plane) {
     return text + " = 0";
 }
 
-/// Explains a matrix with its own plane and light as the whole state.
+/// Explains a matrix as if its plane and light were the state's only ones.
 ExplainedMatrix explained(const glm::dmat4& matrix, char letter, const Params& params, const Derived& derived,
                           std::size_t plane, std::size_t light) {
     constexpr double shown = 5.1e-4;  // entries may be typed with the digits that the window shows

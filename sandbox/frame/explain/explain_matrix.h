@@ -48,8 +48,8 @@ struct FoundLens {
 struct ExplainedMatrix {
     char letter = 0;  ///< V, C, P, S, R; 0: unknown
     MatrixFault fault = MatrixFault::unknown;
-    std::size_t plane = 0, light = 0;  ///< of the state's S or R that `right` is; counted from 0
-    std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, as `--set` gives it without mistakes
+    std::size_t plane = 0, light = 0;  ///< indices, from 0, of the state's S or R in `right`
+    std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, without mistakes
     double off = 0.0;                  ///< largest absolute entry of the difference from `right`; S: up to a factor
     std::optional<LookAt> camera;      ///< V, C
     Angles angles;                     ///< of that camera

@@ -16,7 +16,7 @@ std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const Explained
 
 /// Gives the state the camera, projection, S or R of a matrix that can be taken, so that the state's own matrix equals
 /// it, and switches off mistakes that would change that. P is read for the clip range −1 … 1 or, if it is reversed, as
-/// is_for_zero_to_one() tells; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
+/// is_for_zero_to_one() decides; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
 /// `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns false for values that no
 /// state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);

@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Returns S as it should be: without the slip of S by rows.
+/// Returns the correct S, which is not filled by rows.
 glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
