@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the correct S, which is not filled by rows.
+/// Returns S without the mistake of filling it by rows.
 glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
