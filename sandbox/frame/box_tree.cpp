@@ -53,7 +53,7 @@ std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
     return place;
 }
 
-/// Keeps the trees of meshes, each for as long as its mesh lives.
+/// Keeps each mesh's trees for as long as the mesh exists.
 class KeptTrees {
 public:
     template <typename Make>

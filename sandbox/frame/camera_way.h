@@ -1,12 +1,12 @@
-// The followed point on its way into the picture: view space, clip space, after the division, depth buffer; and which
-// plane of the frustum cuts it off. Pure; ui/matrices/followed_point.h shows the numbers.
+// The followed point in view space, in clip space, after the division and in the depth buffer, and the frustum plane
+// that cuts it off. Pure; ui/matrices/followed_point.h shows the numbers.
 #pragma once
 
 #include "frame/derive.h"
 
 namespace viewing {
 
-/// The six planes of the frustum, in the order in which they are named if several cut the point off.
+/// The six planes of the frustum, in order of precedence if several cut the point off.
 enum class FrustumPlane { none, near, far, left, right, bottom, top };
 
 struct CameraWay {
@@ -15,17 +15,17 @@ struct CameraWay {
     std::optional<glm::dvec3> point_ndc;  ///< after ÷ w; none if w = 0
     FrustumPlane cut_by{};                ///< none: inside the frustum
     std::optional<double> window_depth;   ///< 0 … 1; none outside near … far
-    std::uint32_t code = 0;               ///< of window_depth, in the state's format
+    std::uint32_t code = 0;               ///< the code of window_depth, in the state's format
 };
 
-/// Returns the way of a world point through the state's V, P and depth mapping, mistakes included.
+/// Takes a world point through the state's V, P and depth mapping, mistakes included.
 CameraWay camera_way(const Params& params, const Derived& derived, const glm::dvec3& point_world);
 
 /// Returns the matrix of glViewport(0, 0, width, height) and glDepthRange(0, 1): from NDC to pixels, counted from the
 /// lower left corner, and window depth. `zero_to_one`: the clip range of z is 0 … 1, otherwise −1 … 1.
 glm::dmat4 window_from_ndc(const glm::dvec2& size_px, bool zero_to_one);
 
-/// Returns what a plane of the frustum does to a point, in the window's language: "cut off by the near plane".
+/// Returns a frustum plane's effect on a point, translated: "cut off by the near plane".
 const char* outcome_of(FrustumPlane plane);
 
 }  // namespace viewing

@@ -23,7 +23,7 @@ bool has_only_cleared_code(const Params& params, const Derived& derived, const S
 /// Returns whether part of a patch is in the picture, between near and far, and nearer than that distance.
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived);
 
-/// Returns whether part of a patch is in the picture, between near and far, but beyond that distance.
+/// Returns whether part of a patch is in the picture, between near and far, but beyond start_of_cleared_code().
 bool loses_part(const PlanePatch& patch, const Params& params, const Derived& derived);
 
 /// Returns whether anything may be in the picture: part of an object or of a patch, at any distance.

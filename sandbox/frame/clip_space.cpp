@@ -8,13 +8,13 @@
 namespace viewing {
 namespace {
 
-constexpr double usual_distance = 5.8;  ///< of the outside camera from the cube's middle
+constexpr double usual_distance = 5.8;  ///< from the outside camera to the cube's middle
 
 double mixed(double from, double to, double share) {
     return from + share * (to - from);
 }
 
-/// Returns eye space, moved and scaled so that the frustum fits the cube.
+/// Returns the map that moves and scales eye space so that the frustum fits the cube.
 glm::dmat4 centered_from_view(const Lens& lens, double aspect) {
     const double n = lens.near, f = lens.shown_far();
     const Edges edges = lens.edges_at(f, aspect);
@@ -24,7 +24,8 @@ glm::dmat4 centered_from_view(const Lens& lens, double aspect) {
     return centered;
 }
 
-/// Returns (x, y, −w) of clip space, scaled to fit the cube; for an orthographic P, where w = 1, the depth is eye z's.
+/// Returns the map from eye space to (x, y, −w) of clip space, scaled to fit the cube. For an orthographic P, whose w
+/// is 1, eye z replaces −w.
 glm::dmat4 centered_clip_from_view(const Lens& lens, const glm::dmat4& clip_from_view, double aspect) {
     const double scale = lens.orthographic ? 1.0 : 1.0 / lens.shown_far();
     glm::dmat4 centered = centered_from_view(lens, aspect);
@@ -36,7 +37,7 @@ glm::dmat4 centered_clip_from_view(const Lens& lens, const glm::dmat4& clip_from
     return centered;
 }
 
-/// Returns NDC, moved so that the range of z is around 0, with near toward +z.
+/// Returns the map that centers the z range of NDC at 0, with near toward +z.
 glm::dmat4 centered_from_ndc(const Lens& lens, const glm::dmat4& clip_from_view) {
     const auto ndc_z = [&](const glm::dvec4& point_view) {
         const glm::dvec4 clip = clip_from_view * point_view;
@@ -50,8 +51,8 @@ glm::dmat4 centered_from_ndc(const Lens& lens, const glm::dmat4& clip_from_view)
     return centered;
 }
 
-/// Returns the w of a point in the frustum's middle. A matrix blended with P has this weight, so that both take part
-/// equally.
+/// Returns the clip w in the middle of the frustum. It weights the matrix that is blended with P, so that the two
+/// contribute equally.
 double middle_w(const Lens& lens) {
     return lens.orthographic ? 1.0 : std::sqrt(lens.near * lens.shown_far());
 }
@@ -73,7 +74,7 @@ glm::dmat4 centered_from_world(const ObserverParams& observer) {
     return centered;
 }
 
-/// Returns a similarity between two: scale, rotation and the place of `fixed` change steadily.
+/// Interpolates between two similarities: scale, rotation and the position of `fixed` change steadily.
 glm::dmat4 between(const glm::dmat4& from, const glm::dmat4& to, double share, const glm::dvec3& fixed) {
     const double from_scale = glm::length(glm::dvec3(from[0])), to_scale = glm::length(glm::dvec3(to[0]));
     const glm::dquat from_turn = glm::quat_cast(glm::dmat3(from) / from_scale);
@@ -148,12 +149,12 @@ glm::dmat4 way_from_world(const Params& params, const Derived& derived) {
 
 ObserverView derive_way_view(const Params& params, const Derived& derived, const Viewport& viewport,
                              const Edges& free) {
-    const double share = std::clamp(params.view.way - 3.0, 0.0, 1.0);  // of the turn to the front
+    const double share = std::clamp(params.view.way - 3.0, 0.0, 1.0);  // how much of the turn to the front is done
     constexpr double front_fovy_deg = 2.0, margin = 1.25;
     const double aspect = viewport.aspect() * free.aspect();
     const double from_fovy_deg = outside_fovy(aspect), fovy_deg = mixed(from_fovy_deg, front_fovy_deg, share);
-    // Half the height that the picture shows at the cube's middle; at the front, just enough for the whole window.
-    // Nearer than in the view Clip space, since the numbers leave less room.
+    // Half the height that the picture shows at the cube's middle; at the front, just enough for the whole window. The
+    // camera is nearer than in the view Clip space, since the numbers leave the cube less room.
     constexpr std::array nearer{0.75, 0.6, 0.68, 0.78, 0.78};
     const auto space = static_cast<std::size_t>(std::clamp(params.view.way, 0.0, way_steps - 1e-9));
     const double near_share = mixed(nearer[space], nearer[space + 1], params.view.way - static_cast<double>(space));

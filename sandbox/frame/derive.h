@@ -77,7 +77,7 @@ struct Derived {
     LookAt look_at;                            ///< the camera as eye, center and up, without mistakes
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
     glm::dmat4 clip_from_world{1.0};           ///< P V
-    bool has_distances = true;                 ///< false if a V or P entered by hand leaves near and far no meaning
+    bool has_distances = true;                 ///< false if a V or P entered by hand makes near and far meaningless
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
     StoredDepth stored_depth{};                ///< as measured or, without a measurement, as requested
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: direction toward the eye, with w = 0 as for a light
@@ -147,12 +147,11 @@ glm::dmat4 projection_without_hand(const Params& params, const Derived& derived)
 glm::dmat4 effective_camera(const Derived& derived);
 
 /// Returns, in world space, the eight frustum corners of a camera with this state's projection: first the four near
-/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them. If no
-/// lens makes a P entered by hand, they are the points that it sends to the corners of the clip range, as far as there
-/// are any.
+/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them. If no lens makes a
+/// P entered by hand, returns the points that it sends to the corners of the clip range, where such points exist.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
-/// Does the same for the placed camera, to show where the camera is even while a mistake breaks V.
+/// Does the same for the placed camera, to show the camera even while a mistake breaks V.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
 
 }  // namespace viewing

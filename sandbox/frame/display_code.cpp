@@ -43,7 +43,7 @@ std::vector<DisplayLine> display_lines(const Params& params, const Derived& deri
     const ProjectionParams& projection = params.projection;
     const bool is_infinite = std::isinf(projection.far);
     const std::string near = plain_decimals(projection.near, 3);
-    // GLM has no frustum with an infinite far: its limit stands in a comment.
+    // GLM has no frustum with an infinite far, so a comment gives the limit.
     const std::string range = is_infinite && projection.has_window() ? near + ", f);  // f → ∞"
                               : is_infinite                          ? near + ");"
                                             : near + ", " + plain_decimals(projection.far, 1) + ");";

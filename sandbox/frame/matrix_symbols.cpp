@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Names of more than one letter; every other letter is a symbol of its own.
+/// Names of more than one letter; every other letter is a separate symbol.
 constexpr std::string_view words[] = {"right", "up", "back", "eye", "aspect"};
 
 bool is_word(std::string_view letters) {

@@ -10,7 +10,7 @@
 namespace viewing {
 
 /// The entries row by row. Products have no operator ("-l_x n_y", "2fn"); powers are written "a^2". right, up, back,
-/// eye and aspect are words; every other letter is a symbol of its own.
+/// eye and aspect are words; every other letter is a separate symbol.
 using MatrixSymbols = std::array<const char*, 16>;
 
 /// Returns S for the unit plane (n, d) and the light l.

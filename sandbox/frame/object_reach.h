@@ -67,7 +67,8 @@ std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 /// than 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 
-/// Returns whether any object may reach there. Looks at no mesh if the scene's bounds rule it out.
+/// Returns whether any object may reach a point where all forms are positive. Visits no mesh if the scene's bounds rule
+/// this out.
 bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether any object has a vertex, not always the same one, where each of the forms is positive.
@@ -76,8 +77,8 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
-/// Returns whether a mesh from a file is thinner across than a pixel: its area in the picture, divided by its length
-/// there, is less than 1/2000 of the picture's height. False for large meshes and behind the eye.
+/// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is
+/// less than 1/2000 of the picture's height. False for large meshes and behind the eye.
 bool is_too_thin(const SceneObject& object, const Derived& derived);
 
 /// Returns whether every vertex of an object is at most `tolerance` (world units) away from a unit plane.

@@ -1,7 +1,7 @@
 // The technique, pass by pass: for each plane the mirror image inside the stenciled patch, the patch, and the shadows
-// on it; then the objects. A mirror shows the same world once more: plan_mirror.cpp. Shadows are in plan_shadow.cpp.
-// Nothing here depends on the sign or length of the plane's equation, only on which side of the plane the eye and the
-// light are on. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
+// on it; then the objects. The world that a mirror shows is in plan_mirror.cpp, shadows in plan_shadow.cpp. Nothing
+// here depends on the sign or length of the plane's equation, only on which side of the plane the eye and the light are
+// on. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
 #include "frame/plan.h"
 
 #include <algorithm>

@@ -126,7 +126,8 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
                          "this hidden-surface method draws only one plane: the others are left out of its picture"));
 }
 
-/// Says how a window that is not shaped like the view is stretched, and offers left and right that fit.
+/// Says how the picture is stretched if the window's aspect ratio differs from the view's, and offers a left and right
+/// that fit.
 void tell_stretched_window(Sayer& tell, const Edges& window, double view_aspect) {
     const double middle = window.center().x, half = 0.5 * window.height() * view_aspect;
     tell(std::abs(view_aspect / window.aspect() - 1.0) > 1e-3,

@@ -12,8 +12,8 @@
 
 namespace viewing {
 
-/// What a problem's sentence is about; worst first. The picture is wrong; the picture is right, but the user should
-/// know something; or the window shows only a part of it.
+/// The kinds of problem, worst first: the picture is wrong; the picture is right, but the user should know something;
+/// or the window shows only a part of it.
 enum class ProblemKind { wrong, worth_knowing, about_window };
 
 /// The values that fill a sentence's placeholders, as the sentence writes them: ("z", "12.5").
@@ -43,10 +43,10 @@ void find_view_problems(std::vector<Problem>& problems, const Params& params, co
 void find_cull_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const Scene& scene, const std::vector<SeenImage>& images);
 
-/// Adds what V and P entered by hand are, and what is wrong with them.
+/// Identifies a V and P entered by hand, and adds what is wrong with them.
 void find_camera_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
 
-/// Adds what each S and R entered by hand is, if it is recognized: a transpose, or a right matrix of something else.
+/// Identifies each S and R entered by hand, if possible: a transpose, or a right matrix of something else.
 void find_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
 
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.

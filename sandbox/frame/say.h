@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// A problem's sentence. Sentences that say the same about one thing or several share an id.
+/// A problem's sentence. The singular and the plural of a sentence share an id.
 struct Sentence {
     std::string_view id;
     std::string text;

@@ -61,7 +61,7 @@ Sentence beside_the_view(const Params& params, const Derived& derived, const Sce
 }
 
 /// Returns the longest side of the box that holds all vertices but a few: along each axis, the lowest and the highest
-/// fiftieth of them do not count. Model units; judged by some thousand vertices.
+/// fiftieth of them do not count. In model units; estimated from some thousand vertices.
 double size_of_most(const Mesh& mesh) {
     constexpr std::size_t judged = 4096, left_out = 50;
     const std::size_t step = std::max<std::size_t>(1, mesh.positions.size() / judged);
@@ -77,7 +77,7 @@ double size_of_most(const Mesh& mesh) {
     return longest;
 }
 
-/// Returns how many times a mesh is as large as the box of most of its vertices, if that box is a dot in the picture;
+/// Returns the size of a mesh divided by that of the box of most of its vertices, if that box is a dot in the picture;
 /// otherwise 0.
 double times_of_most(const SceneObject& object, const Params& params, const Derived& derived) {
     constexpr std::size_t most_vertices = 200'000;
@@ -98,7 +98,7 @@ double times_of_most(const SceneObject& object, const Params& params, const Deri
     return is_dot ? whole / std::max(most, 1e-6 * whole) : 0.0;
 }
 
-/// Reports meshes from files of which nothing, or only a dot, can be seen although they are in the view.
+/// Reports meshes from files that are in the view but invisible, or visible only as a dot.
 void say_too_small(std::vector<Problem>& problems, const Params& params, const Derived& derived, const Scene& scene) {
     Sayer tell(problems, group);
     for (const SceneObject& object : scene.objects) {
@@ -123,7 +123,7 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
     }
 }
 
-/// Reports the objects that near and far cut off. `seen`: the objects in view, wherever near and far are.
+/// Reports the objects that near and far cut off. `seen`: the objects in view, regardless of near and far.
 void say_cut(std::vector<Problem>& problems, const Params& params, const std::vector<SeenThing>& seen) {
     constexpr double rounding = 1e-6;
     const double near = params.projection.near, far = params.projection.far;

@@ -1,5 +1,5 @@
-// The camera as gluLookAt takes it: eye, center and up. Angles are the one truth; look_at_of derives the three points
-// from them, and camera_looking_at converts them back. Read camera.h first.
+// The camera as gluLookAt takes it: eye, center and up. The angles define the camera; look_at_of derives the three
+// points from them, and camera_looking_at converts them back. Read camera.h first.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// The arguments of glm::lookAt, in world coordinates and world units. The camera looks from `eye` towards `center`;
+/// The arguments of glm::lookAt, in world coordinates and world units. The camera looks from `eye` toward `center`;
 /// `up` is a direction of any length, which appears vertical in the picture.
 struct LookAt {
     glm::dvec3 eye{0.0, 0.0, 5.0};
@@ -17,7 +17,7 @@ struct LookAt {
     bool operator==(const LookAt&) const = default;
 };
 
-/// Why a LookAt does not define a camera, for which glm::lookAt returns NaN.
+/// The reasons why a LookAt may not define a camera; glm::lookAt then returns NaN.
 enum class LookAtFault { none, center_is_eye, up_along_view };
 
 /// The camera of a LookAt: its position is the eye.

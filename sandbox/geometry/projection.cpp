@@ -30,7 +30,7 @@ glm::dmat4 with_depth_row(glm::dmat4 p, double a, double b) {
     return p;
 }
 
-/// Returns the lens with any finite far, for the entries of P that do not depend on it.
+/// Returns the lens with an arbitrary finite far, for the entries of P that do not depend on far.
 Lens with_finite_far(Lens lens) {
     lens.far = 2.0 * lens.near;
     return lens;
@@ -90,12 +90,12 @@ std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, d
         return std::all_of(entries.begin(), entries.end(), [&](double entry) { return std::abs(entry) <= tolerance; });
     };
     const glm::dvec4 &x = rows[0], &y = rows[1], &z = rows[2];
-    // The window's middle is moved by the entry beside z or, if nothing divides, beside 1; the other one is 0.
+    // The entry that multiplies z or, without a division, 1 shifts the window's middle; the other entry is 0.
     const int middle = lens.orthographic ? 3 : 2, other = 5 - middle;
     if (!are_zero({x.y, x[other], y.x, y[other], z.x, z.y, rows[3].x, rows[3].y, rows[3][other]}) || x.x == 0.0 ||
         y.y == 0.0)
         return std::nullopt;
-    // z ÷ w is z.w ÷ distance − z.z or, orthographic, z.w − z.z distance.
+    // z ÷ w is z.w ÷ distance − z.z or, if orthographic, z.w − z.z · distance.
     const auto distance_of = [&](double ndc) {
         if (lens.orthographic) return (z.w - ndc) / z.z;
         return std::abs(z.z + ndc) < 1e-12 ? std::numeric_limits<double>::infinity() : z.w / (z.z + ndc);
@@ -113,7 +113,7 @@ std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, d
 
 std::optional<glm::dvec4> eye_of(const glm::dmat4& clip_from_world, bool reversed) {
     const glm::dmat4 rows = glm::transpose(clip_from_world);
-    // The product of three vectors that is perpendicular to each of them: the minors of their matrix.
+    // The minors of three rows form a vector perpendicular to each of them: the eye.
     glm::dvec4 eye(0.0);
     for (int axis = 0; axis < 4; ++axis) {
         glm::dmat3 minor(0.0);

@@ -32,17 +32,17 @@ struct Lens {
     double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
     std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
-    /// Returns the picture's edges at an eye distance. A window of its own decides them whatever `aspect` (width /
-    /// height) is. With a negative fovy, left > right and bottom > top.
+    /// Returns the picture's edges at an eye distance. A lens with a window of its own ignores `aspect` (width /
+    /// height). With a negative fovy, left > right and bottom > top.
     Edges edges_at(double distance, double aspect) const;
-    double reach = 100.0;  ///< to where pictures and charts show an infinite far
+    double reach = 100.0;  ///< the distance where pictures and charts end if far is infinite
 
     bool is_infinite() const { return std::isinf(far); }
     /// Returns far or, if that is infinite, the distance to which pictures and charts show it.
     double shown_far() const { return is_infinite() ? reach : far; }
     /// Returns f n / (f − n), which is n for an infinite f: window depth changes by this ÷ z² per unit of distance.
     double depth_per_inverse_distance() const { return is_infinite() ? near : far * near / (far - near); }
-    /// Returns the distance at which a logarithm ends; for an infinite far, at the largest finite one.
+    /// Returns the distance at which a logarithm ends: far or, if that is infinite, the largest finite far.
     double logarithmic_far() const { return is_infinite() ? 1e9 : far; }
     /// Returns the least eye distance that a logarithm can start from: near or, if near ≤ 0, a millionth of far.
     double logarithmic_near() const { return near > 0.0 ? near : 1e-6 * far; }
@@ -56,9 +56,9 @@ glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 /// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
-/// Returns the lens that a P is made for, with a window of its own; none if no lens makes it, even up to a positive
-/// factor. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far, or near
-/// ≤ 0; its window is that of a perspective lens at the nearer of both. Entries up to `tolerance` count as 0.
+/// Returns the lens whose P this is up to a positive factor, with a window of its own; none if there is no such lens.
+/// `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far, or near ≤ 0; its
+/// window is that of a perspective lens at the nearer of the two. Entries up to `tolerance` count as 0.
 std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
 
 /// Returns the eye of a camera: the point with w = 1 that P V sends to x = y = w = 0 or, if its rays are parallel, the

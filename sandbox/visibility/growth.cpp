@@ -33,13 +33,13 @@ std::string polygons_text(int count) {
     return say_count(count, "{count} polygon", "{count} polygons");
 }
 
-/// Why a method is no longer tried.
+/// The reason why a method is no longer tried.
 enum class TooMuch { nothing, polygons, time, missing_tree };
 
 /// A method's state between rows: whether another row is worthwhile.
 struct Candidate {
     TooMuch too_much = TooMuch::nothing;
-    int too_many = 0;  ///< polygon count at which that happened
+    int too_many = 0;  ///< polygon count at which it became too much
     bool is_over = false;
 };
 

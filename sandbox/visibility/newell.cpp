@@ -77,7 +77,8 @@ private:
         return std::nullopt;
     }
 
-    /// Returns whether fragment a is drawn after b. The list is sorted by this, so the next one to draw is at its end.
+    /// Returns whether fragment a is drawn after b. This order sorts the list, so the next fragment to draw is at its
+    /// end.
     bool is_drawn_later(int a, int b) const {
         const double a_farthest = projected_[a].farthest, b_farthest = projected_[b].farthest;
         return a_farthest != b_farthest ? a_farthest < b_farthest : a < b;

@@ -22,8 +22,8 @@ double unresolved_share(const Params& params, const Derived& derived, double dis
     return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
 }
 
-/// Returns the setting that makes depth fine enough for the things in view: a larger near or, without perspective, a
-/// smaller far; "" if it does not make depth fine enough.
+/// Returns the setting that makes depth fine enough for the objects in view: a larger near or, without perspective, a
+/// smaller far; "" if that is not enough.
 std::string finer_depth(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen, double z) {
     Params finer = params;
     std::string setting;
@@ -78,10 +78,10 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
         finer_depth(params, derived, seen, worst->farthest));
 }
 
-/// A pair of flat surfaces that fight, or that may: no prediction rules it out.
+/// A pair of flat surfaces that fight or, since no prediction rules it out, may fight.
 struct FightingPair {
     const FlatPair* pair;
-    double needed, distance;  ///< the gap, along the normal, that depth is sure to distinguish; where it was judged
+    double needed, distance;  ///< gap along the normal that depth surely distinguishes; eye distance of that gap
 };
 
 /// Returns whether parts of both surfaces are in the picture and beyond near.
@@ -134,7 +134,8 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
         "depth.offset.units=" + plain_number(std::copysign(1.0, depth.offset.units) / *unit * 1.5));
 }
 
-/// Reports nearly coplanar surfaces that fight, by the pair whose gap is the smallest part of the one that is needed.
+/// Reports nearly coplanar surfaces that fight, naming the pair whose gap is the smallest fraction of the gap that it
+/// needs.
 void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                std::span<const FlatPair> pairs) {
     if (!is_cleared_to_farthest(params.depth) || has_bent_depth(params.depth)) return;
@@ -155,7 +156,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
         finer.projection.near = std::max(finer.projection.near, *near);
     const bool is_near_enough = !is_decal && worst.pair->gap() > 0.0 && !params.lens().orthographic &&
                                 fighting_pairs(finer, derived, scene, pairs).empty();
-    // Where a code is a large part of the distance, a few codes more or less help nothing.
+    // Where a code is a large part of the distance, a few codes more or less make no difference.
     const bool is_hopeless = worst.needed > 0.05 * worst.distance;
     const std::string fix = is_hopeless      ? ""
                             : is_decal       ? "depth.offset={\"factor\": -1, \"units\": -1}"
@@ -175,7 +176,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                 fix);
 }
 
-/// Reports objects that lie in a plane itself, so that the two fight wherever both are in the picture.
+/// Reports objects that lie in a plane, so that the two fight wherever both are in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const Lens lens = params.lens();
     const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);
@@ -219,7 +220,7 @@ void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& pa
     const DepthParams& depth = params.depth;
     if (!wants_nearer(depth) || rejects_all(depth) || !depth.write) return;
     Sayer tell(problems, "depth");
-    // Nearly coplanar surfaces have a view and sentences of their own.
+    // Nearly coplanar surfaces have their own view and sentences.
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
     if (pairs.empty())
         say_coarse_depth(tell, params, derived, scene, images);

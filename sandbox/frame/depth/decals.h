@@ -10,7 +10,7 @@ namespace viewing {
 
 bool has_decals(const Scene& scene);
 
-/// Returns each object's stencil value: a value of its own for an object under a decal, that object's value for the
+/// Returns each object's stencil value: a separate value for each object under a decal, that object's value for the
 /// decal, and 0 for anything else. A decal lies on the first flat object that is not a decal and is nearly coplanar
 /// with it (frame/depth/fighting.h); a decal without such an object gets 0. After 252 objects under decals, the values
 /// repeat.

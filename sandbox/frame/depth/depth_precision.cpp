@@ -17,7 +17,7 @@ struct Steps {
 };
 
 Steps steps_of(const DepthCoding& coding) {
-    // The curves of an infinite far end where the chart's axis usually does.
+    // With an infinite far, curves end where the chart's axis usually ends.
     const double end = coding.lens.is_infinite() ? std::max(coding.lens.reach, 1e4) : coding.lens.far;
     Steps steps;
     for (int i = 0; i <= curve_points; ++i) {

@@ -50,7 +50,7 @@ inline bool rejects_all(const DepthParams& depth) {
     }
 }
 
-/// Returns whether the depths of the previous, equal frame stay and hide this frame altogether.
+/// Returns whether the depths left by an identical previous frame hide this frame completely.
 inline bool hides_next_frame(const DepthParams& depth) {
     const bool refuses_ties = depth.func == CompareFunc::less || depth.func == CompareFunc::greater;
     return depth.tests() && refuses_ties && depth.write && !(depth.clear && depth.write_while_clearing);

@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// What a triangle's corner becomes under a pass's matrices. Mirror images and shadows may have a near plane of their
-/// own, and S is projective: then the eye distance alone does not determine the depth.
+/// A triangle's corner after a pass's matrices. Mirror images and shadows may have their own near plane, and S is
+/// projective; in these cases, the eye distance alone does not determine the depth.
 struct ProjectedCorner {
     double z = 0.0, w = 1.0;            ///< of clip space
     double view_z = 0.0, view_w = 1.0;  ///< of view space, before the division by view_w

@@ -75,8 +75,8 @@ public:
     std::vector<Met> found;
 
 private:
-    /// Whether the plane cuts the box: a triangle there may have corners on both sides of w = 0. If the sign of w is
-    /// forced, such a triangle covers pixels that none of its points project to.
+    /// Returns whether the plane cuts the box, so that a triangle there may have corners on both sides of w = 0. If the
+    /// sign of w is forced, such a triangle covers pixels that none of its points project to.
     static bool crosses(const glm::dvec4& plane, const Bounds& box) {
         const double middle = glm::dot(plane, glm::dvec4(box.center(), 1.0));
         return std::abs(middle) <= glm::dot(glm::abs(glm::dvec3(plane)), box.size() * 0.5);
@@ -322,7 +322,7 @@ std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& 
 
 PassRole role_of(const Pass& pass) {
     if (pass.subject == Subject::backdrop) return PassRole::backdrop;
-    // While overdraw is counted, the scene has a flat color too, but it does show surfaces.
+    // The overdraw count also draws surfaces in a flat color: additive blending sets these passes apart.
     const bool is_flat = pass.shading == Shading::flat && pass.blend != Blend::add;
     if (pass.subject == Subject::patch) return is_flat ? PassRole::mask : PassRole::patch;
     return is_flat ? PassRole::shadow : PassRole::objects;

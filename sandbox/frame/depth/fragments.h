@@ -17,10 +17,10 @@ namespace viewing {
 /// The object index of a pass that fills the picture.
 inline constexpr int no_object = std::numeric_limits<int>::min();
 
-/// What a pass is for.
+/// The purpose of a pass.
 enum class PassRole { objects, patch, shadow, mask, backdrop };
 PassRole role_of(const Pass& pass);
-/// Whether a pass draws surfaces, not shadows, masks or squares over the picture.
+/// Returns whether a pass draws surfaces, not shadows, masks or squares over the picture.
 bool is_surface(const Pass& pass);
 
 struct Fragment {

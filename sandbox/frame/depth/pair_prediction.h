@@ -26,7 +26,7 @@ struct PairPrediction {
     double distance = 0.0;  ///< eye distance of the overlap's center
     double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< as eye distance, where the visible part needs the widest gap
-    double slant = 1.0;     ///< there, gap along the normal ÷ slant = gap in eye distance; 0: seen edge-on
+    double slant = 1.0;     ///< at that place: gap along the normal ÷ gap in eye distance; 0: seen edge-on
     /// The share of the pair's pixels that are wrong; none if it cannot be predicted to within nine tenths. There is no
     /// prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
     /// nearness, a depth buffer that is not written or not cleared to the farthest depth, depths that may equal the

@@ -1,5 +1,5 @@
-// Says what an S or R entered by hand is. Checks such as rank, det and S² = (Π·L) S pass for the matrix of another
-// light or plane too, so explain_matrix.h names it.
+// Identifies an S or R entered by hand. Checks such as rank, det and S² = (Π·L) S also pass for another light's or
+// plane's matrix, so explain_matrix.h identifies it.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -37,7 +37,7 @@ bool sends(const glm::dmat4& matrix, const glm::dvec3& point, const glm::dvec3& 
     return glm::length(glm::dvec3(found) / found.w - image) <= by_hand_tolerance * patch.extent;
 }
 
-/// Returns whether S or R leaves three points of the plane where they are, and therefore all of its points.
+/// Returns whether S or R keeps three points of the plane in place, and therefore all of its points.
 bool keeps_plane(const glm::dmat4& matrix, const PlanePatch& patch) {
     const glm::dvec3 points[] = {patch.center, patch.center + patch.extent * patch.u,
                                  patch.center + patch.extent * patch.v};
@@ -78,10 +78,10 @@ std::string plane_text(const glm::dvec4& plane) {
     return text + " = 0";
 }
 
-/// Explains a matrix with its own plane and light as the whole state.
+/// Explains a matrix as if its plane and light were the state's only ones.
 ExplainedMatrix explained(const glm::dmat4& matrix, char letter, const Params& params, const Derived& derived,
                           std::size_t plane, std::size_t light) {
-    constexpr double shown = 5.1e-4;  // entries may be typed as they are shown
+    constexpr double shown = 5.1e-4;  // entries may be typed with the digits that the window shows
     Params own;
     own.camera = params.camera;
     own.projection = params.projection;
@@ -99,8 +99,8 @@ bool is_right_transposed(const ExplainedMatrix& found, const glm::dmat4& matrix)
     return off <= 1e-3 * largest_entry(right);
 }
 
-/// Returns what an S or R entered by hand is instead of the right one; nothing if it is right or not recognized.
-/// `matrix` is its name, `letter` what it should be.
+/// Identifies a wrong S or R entered by hand; returns nothing if it is right or not recognized. `matrix` is its name,
+/// `letter` the letter of the right matrix.
 std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat4& entries, char letter,
                                    const std::string& matrix) {
     if (found.letter != 'S' && found.letter != 'R') return std::nullopt;
@@ -129,7 +129,7 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
                               "matrix"_a = matrix);
     switch (found.fault) {
         case MatrixFault::transposed:
-            if (is_shadow) return std::nullopt;  // of another plane and light, Sᵀ is a shadow matrix too
+            if (is_shadow) return std::nullopt;  // Sᵀ is a shadow matrix too, of another plane and light
             return sentence("by_hand.other_mirror_transposed",
                             "{matrix} entered by hand is the transpose of a mirror matrix: of the plane {plane}",
                             "matrix"_a = matrix, "plane"_a = plane);
@@ -164,8 +164,8 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
     }
 }
 
-/// Reports the first property of S that a matrix lacks: it sends points to the plane and the light to 0, and leaves the
-/// plane's points where they are.
+/// Reports the first property of S that a matrix lacks: S sends points to the plane, sends the light to 0, and keeps
+/// the plane's points in place.
 void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of, const CastShadow& cast,
                        const std::string& matrix) {
     const double size = by_hand_tolerance * largest_entry(s);
@@ -189,8 +189,8 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
                  "matrix"_a = matrix));
 }
 
-/// Reports the first property of R that a matrix lacks: it leaves the plane's points where they are, and sends a point
-/// beside the plane to its mirror image.
+/// Reports the first property of R that a matrix lacks: R keeps the plane's points in place, and sends a point beside
+/// the plane to its mirror image.
 void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& matrix) {
     const PlanePatch& patch = of.patch;
     const glm::dvec3 normal(of.unit_plane), q = patch.center + normal;
@@ -206,7 +206,7 @@ void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& m
                          "matrix"_a = matrix));
 }
 
-/// Reports one S: what it is or, if that is not recognized, what is wrong with it.
+/// Identifies one S or, if it is not recognized, reports the property that it lacks.
 void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& derived, std::size_t plane,
                          std::size_t light) {
     const DerivedPlane& of = derived.planes[plane];

@@ -1,4 +1,4 @@
-// Says what a V or P entered by hand is: the state's own, that of another camera or lens, or a wrong one, with the
+// Identifies a V or P entered by hand: the state's own, the matrix of another camera or lens, or a wrong one with a
 // fault that explain_matrix.h names.
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr double shown = 5.1e-4;  // entries may be typed as they are shown
+constexpr double shown = 5.1e-4;  // entries may be typed with the digits that the window shows
 
 std::string setting_of(const char* path, const glm::dmat4& matrix) {
     std::string text = std::string(path) + "=[";
@@ -25,7 +25,8 @@ std::string setting_of(const char* path, const glm::dmat4& matrix) {
     return text + "]";
 }
 
-/// Returns the setting that takes the fault out of a matrix; the field alone, which releases it, if that is not known.
+/// Returns the setting that fixes a matrix; if no fix is known, the field alone, which clears the matrix entered by
+/// hand.
 std::string fix_of(const char* path, const glm::dmat4& matrix, const ExplainedMatrix& found) {
     const std::optional<glm::dmat4> fixed = fixed_matrix(matrix, found);
     return fixed ? setting_of(path, *fixed) : path;
@@ -35,7 +36,7 @@ bool is_flat(const glm::dmat4& matrix) {
     return !(std::abs(glm::determinant(matrix)) > 1e-12);
 }
 
-/// Reports a fault with a name; returns whether there is one. `letter`: V or P.
+/// Reports a fault that has a name; returns whether there is one. `letter`: V or P.
 bool tell_fault(Sayer& tell, char letter, const char* path, const glm::dmat4& matrix, const ExplainedMatrix& found) {
     const std::string name(1, letter);
     if (is_flat(matrix)) {

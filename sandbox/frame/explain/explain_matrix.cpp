@@ -12,7 +12,7 @@ namespace {
 
 using glm::dmat4;
 
-/// Fills in what the right matrix tells, for a matrix that was recognized by comparison.
+/// For a matrix recognized by comparison, fills in what follows from the right matrix.
 void describe_right(ExplainedMatrix& found, const StateMatrices& state) {
     if (found.letter == 'V' || found.letter == 'C') describe_camera(found, state.first('C').right);
     if (found.letter == 'P') found.lens = read_lens(*found.right, state.is_zero_to_one(), 1e-12);

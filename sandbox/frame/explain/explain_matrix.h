@@ -1,5 +1,6 @@
-// Says what a matrix is, and how it differs from the state's V, C, P, S or R: first by comparing it with these and with
-// what common mistakes make of them, then by its own structure. Pure; cli/results/explained_text.h puts it into words.
+// Identifies a matrix, and finds how it differs from the state's V, C, P, S or R. Compares it with these and with their
+// versions after common mistakes, then examines its own structure. Pure; cli/results/explained_text.h puts the result
+// into words.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +11,7 @@
 
 namespace viewing {
 
-/// What is wrong with a matrix. `other_…` and `different` are right matrices of something else.
+/// The fault of a matrix. `other_…` and `different` mean a right matrix, but of something else.
 enum class MatrixFault {
     none,
     inverse,             ///< C where V belongs, or V where C belongs
@@ -22,7 +23,7 @@ enum class MatrixFault {
     degrees,             ///< P: fovy in degrees where radians belong
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
     zero_to_one,         ///< P: for a clip range 0 … 1, but not reversed
-    minus_one_to_one,    ///< P: the other way round
+    minus_one_to_one,    ///< P: for a clip range −1 … 1, but reversed
     reversed,            ///< P: near and far swapped, unlike in the state
     other_light,         ///< S of the state's plane and another light
     other_plane,         ///< S, R of another plane
@@ -32,7 +33,7 @@ enum class MatrixFault {
     unknown,             ///< none of the lecture's matrices
 };
 
-/// The parameters of a projection as its entries tell them; lengths in world units, angles in degrees.
+/// The parameters of a projection, read from its entries; lengths in world units, angles in degrees.
 struct FoundLens {
     bool orthographic = false;
     double fovy_deg = 0.0, height = 0.0;  ///< perspective; orthographic
@@ -43,12 +44,12 @@ struct FoundLens {
     Edges edges;                   ///< of the picture; perspective: at the near plane
 };
 
-/// What a matrix is. Optional parts are set if the matrix, once the fault is fixed, has them.
+/// An identified matrix. Optional parts are set if the matrix, once its fault is fixed, has them.
 struct ExplainedMatrix {
     char letter = 0;  ///< V, C, P, S, R; 0: unknown
     MatrixFault fault = MatrixFault::unknown;
-    std::size_t plane = 0, light = 0;  ///< of the state's S or R that `right` is; counted from 0
-    std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, as `--set` gives it without mistakes
+    std::size_t plane = 0, light = 0;  ///< indices, from 0, of the state's S or R in `right`
+    std::optional<glm::dmat4> right;   ///< the state's matrix of that letter, without mistakes
     double off = 0.0;                  ///< largest absolute entry of the difference from `right`; S: up to a factor
     std::optional<LookAt> camera;      ///< V, C
     Angles angles;                     ///< of that camera
@@ -61,13 +62,14 @@ struct ExplainedMatrix {
 /// clip range; `tolerance`: rounding of each entry.
 std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double tolerance);
 
-/// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. Reversed depth tells it by the third
-/// row, unless near and far are close together: then the state decides. Otherwise each range has a near that gives the
-/// same third row: 0 … 1 is meant if only its near is the state's own or a number of at most two digits.
+/// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. For reversed depth, the third row
+/// decides or, if near and far are close together, the state. Otherwise, each range has a near that gives the same
+/// third row: 0 … 1 is meant if only its near is the state's own or has at most two digits.
 bool is_for_zero_to_one(const glm::dmat4& p, const Params& params, double tolerance);
 
-/// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter that it should be, 0 if open. `aspect`:
-/// width ÷ height of the picture. `tolerance`: rounding of each entry; 2e-6 of the entry is added for float32.
+/// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter of the expected matrix, 0 if any.
+/// `aspect`: width ÷ height of the picture. `tolerance`: rounding of each entry; 2e-6 of the entry is added for
+/// float32.
 ExplainedMatrix explain_matrix(const glm::dmat4& pasted, char named, const Params& params, double aspect,
                                double tolerance = 1e-9);
 

@@ -43,7 +43,7 @@ std::optional<FoundLens> read_lens(const dmat4& m, bool zero_to_one, double tole
 
 namespace {
 
-/// Whether somebody may have typed the number: it has at most two significant digits.
+/// Returns whether a person may have typed the number: it has at most two significant digits.
 bool is_round(double value) {
     if (value == 0.0) return true;
     const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
@@ -66,7 +66,7 @@ bool is_for_zero_to_one(const dmat4& p, const Params& params, double tolerance) 
 
 namespace {
 
-/// A matrix of rank 1 as column · rowᵀ; none if the rank is not 1.
+/// The factors of a matrix of rank 1, column · rowᵀ; none for another rank.
 struct Outer {
     dvec4 column, row;
 };
@@ -149,7 +149,7 @@ bool explain_pose(ExplainedMatrix& found, const dmat4& m, char named, const Stat
                 return false;
         return true;
     };
-    // V · scale has rows, scale · V columns that are not perpendicular, unless the scale is uniform.
+    // Unless the scale is uniform, the rows of V · scale and the columns of scale · V are not perpendicular.
     const bool by_columns = is_perpendicular(axes), by_rows = is_perpendicular(glm::transpose(axes));
     if (!by_columns && !by_rows) return false;
     found.letter = named == 'C' ? 'C' : 'V';

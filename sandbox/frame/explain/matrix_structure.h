@@ -1,4 +1,4 @@
-// What a matrix is by its own structure, whatever the state's matrices are. Part of explain_matrix.h.
+// Identifies a matrix by its own structure, independently of the state's matrices. Part of explain_matrix.h.
 #pragma once
 
 #include "frame/explain/state_matrices.h"
@@ -8,8 +8,8 @@ namespace viewing {
 /// Sets the camera and its angles.
 void describe_camera(ExplainedMatrix& found, const glm::dmat4& world_from_view);
 
-/// Sets what the matrix is and holds, as far as its structure tells; returns whether it tells anything. The state
-/// decides where the structure allows two answers.
+/// Sets the matrix's letter and parameters as far as its structure determines them; returns whether it determines any.
+/// Where the structure allows two answers, the state decides.
 bool explain_structure(ExplainedMatrix& found, const glm::dmat4& m, char named, const StateMatrices& state,
                        double tolerance);
 

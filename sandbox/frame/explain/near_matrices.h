@@ -16,7 +16,7 @@ bool is_same(const glm::dmat4& a, const glm::dmat4& b, double tolerance);
 bool is_same_map(const glm::dmat4& a, const glm::dmat4& b, double tolerance);
 bool is_same_direction(const glm::dvec4& a, const glm::dvec4& b, double tolerance);
 bool has_row(const glm::dmat4& m, int row, const glm::dvec4& values, double tolerance);
-/// Whether the last row is (0, 0, 0, 1).
+/// Returns whether the last row is (0, 0, 0, 1).
 bool has_affine_row(const glm::dmat4& m, double tolerance);
 
 }  // namespace viewing

@@ -35,7 +35,7 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
-/// Returns the letter that the words in front of the numbers give the matrix; 0 if none.
+/// Returns the matrix's letter according to the words in front of the numbers; 0 if they give none.
 char letter_in(std::string_view front) {
     static constexpr std::pair<std::string_view, char> names[] = {{"view_from_world", 'V'},
                                                                   {"world_from_view", 'C'},
@@ -64,7 +64,7 @@ char letter_in(std::string_view front) {
     return letter;
 }
 
-/// Returns half a unit of the last decimal that any number has.
+/// Returns half a unit in the last place of the number with the most decimals.
 double written_tolerance(std::string_view text) {
     std::size_t most = 0;
     for (std::size_t at = text.find('.'); at != std::string_view::npos; at = text.find('.', at + 1)) {

@@ -1,4 +1,4 @@
-// Reads a matrix pasted from a program or a sheet. Read explain_matrix.h next, which says what it is.
+// Reads a matrix pasted from a program or a sheet. Read explain_matrix.h next, which identifies the matrix.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,14 +12,14 @@ namespace viewing {
 struct PastedMatrix {
     glm::dmat4 matrix{1.0};
     const char* syntax = "";  ///< "GLM", "NumPy", "MATLAB", "C array", "JSON", "LaTeX" or "plain text"
-    bool by_columns = false;  ///< the numbers were read as columns, since this syntax lists them so
+    bool by_columns = false;  ///< the numbers were read by columns, the order of this syntax
     char letter = 0;          ///< V, C, P, S or R if the text names the matrix; 0 if not
-    double tolerance = 1e-9;  ///< half a unit of the last decimal written
+    double tolerance = 1e-9;  ///< half a unit in the last decimal place
 };
 
 /// Reads 16 numbers as GLM and C write them (columns first; nested or flat), or as NumPy, MATLAB, JSON, LaTeX and plain
-/// text do (rows; a flat JSON list by columns, like the arrays of WebGL). Comments and a name in front are allowed.
-/// Refuses any other count of numbers.
+/// text do (rows; a flat JSON list by columns, like the arrays of WebGL). Allows comments and a name in front; refuses
+/// any other count of numbers.
 Result<PastedMatrix> read_pasted_matrix(std::string_view text);
 
 }  // namespace viewing

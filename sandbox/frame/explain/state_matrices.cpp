@@ -50,7 +50,7 @@ dmat4 StateMatrices::projection(bool zero_to_one, bool reversed, bool degrees, b
     const Lens lens = other.lens();
     const double aspect = inverse_aspect ? 1.0 / shown_aspect() : shown_aspect();
     dmat4 p = reversed ? clip_from_view_reversed(lens, aspect) : clip_from_view(lens, aspect);
-    if (reversed == zero_to_one) return p;  // reversed P is made for 0 … 1, the other one for −1 … 1
+    if (reversed == zero_to_one) return p;  // a reversed P is made for 0 … 1, any other for −1 … 1
     for (int column = 0; column < 4; ++column)
         p[column][2] = zero_to_one ? 0.5 * (p[column][2] + p[column][3]) : 2.0 * p[column][2] - p[column][3];
     return p;

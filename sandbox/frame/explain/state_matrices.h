@@ -1,4 +1,4 @@
-// The matrices that a state should have, and what common mistakes make of them. Part of explain_matrix.h.
+// The matrices that a state should have, and their versions after common mistakes. Part of explain_matrix.h.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@ struct Known {
     std::size_t plane = 0, light = 0;
 };
 
-/// The state without its mistakes and without a V or P entered by hand: V, C, P, then S and R of each plane.
+/// The matrices of a state without its mistakes and without a V or P entered by hand: V, C, P, then each plane's S and
+/// R.
 class StateMatrices {
 public:
     StateMatrices(const Params& params, double aspect);
@@ -45,10 +46,10 @@ struct Spoiled {
     glm::dmat4 matrix;
 };
 
-/// Returns what the common mistakes make of a matrix.
+/// Returns the versions of a matrix that common mistakes produce.
 std::vector<Spoiled> spoiled(const StateMatrices& state, const Known& one);
 
-/// Returns the matrix that scales the axes: by −1 to flip them.
+/// Returns the matrix that scales the axes; −1 flips an axis.
 glm::dmat4 flipped(const glm::dvec3& signs);
 
 }  // namespace viewing

@@ -43,7 +43,7 @@ void take_camera(Params& params, const dmat4& world_from_view) {
     params.camera_overrides.view_from_world.reset();
 }
 
-/// Writes near, far and the depth mapping; returns whether they are a range that a state may have.
+/// Writes near, far and the depth mapping; returns whether a state may have that range.
 bool take_range(Params& params, const FoundLens& lens, bool is_reversed) {
     ProjectionParams& projection = params.projection;
     projection.near = is_reversed ? lens.far : lens.near;
@@ -118,7 +118,7 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
             return found.letter == 'C' ? pose : view_from_world(pose);
         }
         case MatrixFault::left_handed:
-            // V looks along +z: its third row; the third column of C and P.
+            // V looks along +z: negate the third row of V, or the third column of C or P.
             return found.letter == 'V' ? negated(pasted, 2) : glm::transpose(negated(glm::transpose(pasted), 2));
         case MatrixFault::looks_back:
             return negated(negated(pasted, 0), 2);
@@ -136,7 +136,7 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
 
 namespace {
 
-/// Takes over a changed state if it is one that a state may be; returns whether it is.
+/// Takes over a changed state if all its values are in range; returns whether they are.
 bool take_if_legal(Params& params, Params&& taken) {
     Params legal = taken;
     clamp_to_ranges(legal);

@@ -14,16 +14,15 @@ bool is_takeable(const ExplainedMatrix& found);
 /// Returns the pasted V, C or P without its fault; none for other matrices and unknown faults.
 std::optional<glm::dmat4> fixed_matrix(const glm::dmat4& pasted, const ExplainedMatrix& found);
 
-/// Gives the state the camera, projection, S or R of a matrix that can be taken, so that its own is the same, and
-/// switches off mistakes that would change it. P is read for the clip range −1 … 1 or, if it is
-/// reversed, as is_for_zero_to_one() tells; S and R replace those of the chosen plane and light. `letter`: V, C, P, S
-/// or R. `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns whether that is
-/// possible: not for values that no state may have.
+/// Gives the state the camera, projection, S or R of a matrix that can be taken, so that the state's own matrix equals
+/// it, and switches off mistakes that would change that. P is read for the clip range −1 … 1 or, if it is reversed, as
+/// is_for_zero_to_one() decides; S and R replace those of the chosen plane and light. `letter`: V, C, P, S or R.
+/// `view_aspect`: width ÷ height of the view; `tolerance`: rounding of each entry. Returns false for values that no
+/// state may have.
 bool take_matrix(Params& params, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance = 1e-9);
 
-/// Enters a matrix by hand, right or wrong: in place of V, P, or the chosen plane's and light's S or R; a C by its
-/// inverse, in place of V. Returns whether that is possible: not for values that no state may have, nor for a C without
-/// an inverse.
+/// Enters a matrix by hand, right or wrong: in place of V, P, or the chosen plane's and light's S or R; for a C, its
+/// inverse in place of V. Returns false for values that no state may have and for a C without an inverse.
 bool enter_by_hand(Params& params, char letter, const glm::dmat4& matrix);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ WayThroughMirrors way_of(const Params& params, const Derived& derived, const Fra
     std::vector<glm::dvec4> eyes = {derived.eye_world};
     for (const std::size_t mirror : mirrors)
         eyes.push_back(mirror_matrix(derived.planes[mirror].unit_plane) * eyes.back());
-    glm::dmat4 world_from_scene(1.0);  // of the mirrors from this one on
+    glm::dmat4 world_from_scene(1.0);  // of this mirror and those after it
     for (std::size_t i = mirrors.size(); i-- > 0;) {
         const DerivedPlane& plane = derived.planes[mirrors[i]];
         if (i + 1 == mirrors.size()) {

@@ -28,7 +28,7 @@ std::vector<WayThroughMirrors> ways_through_mirrors(const Params& params, const 
                                                     const FramePlan& frame);
 
 /// The images of one object, in every mirror and bounce that the frame draws. An image counts where it is in the
-/// picture and inside each mirror on the way, whether or not far cuts it off and whatever is in front of it.
+/// picture and inside each mirror on the way, even if far cuts it off or something hides it.
 struct SeenImage {
     std::string name;                           ///< of the object
     double nearest = 0.0, farthest = 0.0;       ///< eye distances of its vertices, over all its images

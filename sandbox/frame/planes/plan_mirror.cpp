@@ -41,7 +41,7 @@ void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
 /// Transforms the camera by R and flips its picture: (F P) (F V R) = P V R. The lights keep their positions.
 void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
-    // The mistake is an aspect ratio of 1, whatever the picture's is.
+    // The mistake is an aspect ratio of 1, regardless of the picture's.
     if (!params.reflection.same_projection && inside.bounces() == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();

@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-/// Returns S as it should be: without the slip of S by rows.
+/// Returns S without the mistake of filling it by rows.
 glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
@@ -295,7 +295,7 @@ bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow
 void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
     for (const Thrown& one : thrown) {
         if (!one.cast.has_slip) continue;
-        // Where Sᵀ sends the patch's center, which S leaves where it is.
+        // The point to which Sᵀ sends the patch's center; S keeps the center in place.
         const glm::dvec4 sent = one.cast.shadowed_world_from_world * glm::dvec4(one.plane.patch.center, 1.0);
         const double height = glm::dot(one.plane.unit_plane, sent) / sent.w;
         return tell.broken(

@@ -1,4 +1,4 @@
-// Finds what lies between a point of a surface and a light, and what the shadow passes of a frame did about it. Read
+// Finds the object between a point of a surface and a light, and the effect of a frame's shadow passes there. Read
 // why.h next.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace viewing {
 /// The first object between a point and a light, seen from the point.
 struct Blocker {
     int object_index = -1;
-    glm::dvec3 point_world{0.0};  ///< where the ray to the light leaves the point's side of the object
+    glm::dvec3 point_world{0.0};  ///< on the object, where the ray to the light meets it
 };
 
 /// Returns the object that the ray from the point to the light meets first; none if the light reaches the point.
@@ -19,7 +19,7 @@ struct Blocker {
 std::optional<Blocker> blocker(const FragmentFinder& finder, const glm::dvec3& point_world,
                                const glm::dvec4& light_world);
 
-/// What a caster's point is to a light and a plane.
+/// The position of a caster's point relative to a light and a plane.
 enum class CasterPlace { between, behind_plane, beyond_light };
 CasterPlace place_of(const DerivedPlane& plane, const CastShadow& cast, const glm::dvec3& caster_world);
 
@@ -31,7 +31,7 @@ struct ShadowAtPixel {
     const Touch* rejected = nullptr;  ///< the first that the depth test rejects
 };
 
-/// Returns the shadow that a light casts on a plane there, in the world behind these mirrors.
+/// Returns the shadow that a light casts on a plane at the chain's pixel, in the world behind these mirrors.
 ShadowAtPixel shadow_at(const FramePlan& plan, const PixelChain& chain, std::size_t plane, std::size_t light,
                         const std::vector<std::size_t>& mirrors_met);
 

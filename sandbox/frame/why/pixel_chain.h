@@ -14,7 +14,7 @@ namespace viewing {
 /// One fragment and its effect on the pixel.
 struct Touch {
     Fragment fragment;
-    SurfaceColor color;   ///< if it paints
+    SurfaceColor color;   ///< set if `paints`
     bool paints = false;  ///< passes all tests and writes color
     Color after;          ///< the pixel's color after it
     double share = 0.0;   ///< of the final color, 0 … 1: the rest has been painted over
@@ -30,7 +30,7 @@ struct PixelChain {
     std::uint32_t stored = 0;       ///< the code at the end
     Color color;                    ///< the scene's color at the end
 
-    /// Whether rounding decides a depth comparison: a chain that chain_as_rounded() found.
+    /// Returns whether rounding decides a depth comparison, as in a chain that chain_as_rounded() found.
     bool is_as_rounded() const;
 
     /// Returns how many touches write color, as the overdraw picture counts them.
@@ -53,11 +53,11 @@ PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder,
 /// Returns whether GL's error may reverse the outcome of a fragment's depth comparison.
 bool is_decided_by_rounding(const Fragment& fragment);
 
-/// Whether two colors differ by at most one level per channel, which the rounding of blending explains.
+/// Returns whether two colors differ by at most one level per channel, which rounding in blending explains.
 bool is_same_color(const Color& a, const Color& b);
 
-/// Returns the color that the picture shows there for view.shows: the chain's own, or that of its depth, stencil or
-/// count. None for heat maps and differences, whose colors are not computed.
+/// Returns the chain's pixel as view.shows displays it: its own color, or the color of its depth, stencil or count.
+/// None for heat maps and differences, whose colors are not computed.
 std::optional<Color> predicted_color(const FramePlan& plan, const PixelChain& chain);
 
 }  // namespace viewing

@@ -90,7 +90,7 @@ ShadedPoint point_of(const FramePlan& plan, const Pass& pass, const Scene& scene
     return made;
 }
 
-/// Returns the patch's checkerboard at a point of its square, −1 … 1. `width`: how far the neighboring pixels are.
+/// Returns the patch's checkerboard at a point of its square, −1 … 1. `width`: the distance to the neighboring pixels.
 glm::dvec3 patch_pattern(const FramePlan& plan, double extent, const glm::dvec2& position, const glm::dvec2& width) {
     const glm::dvec2 cell = position * extent, across = glm::max(width * extent, glm::dvec2(1e-6));
     const glm::dvec2 to_line = glm::abs(glm::fract(cell - 0.5) - 0.5);

@@ -9,19 +9,19 @@
 
 namespace viewing {
 
-/// What one light adds to a surface.
+/// The light that one source adds to a surface.
 struct LightShare {
     std::size_t light = 0;        ///< index in Derived::lights_world
     double cosine = 0.0;          ///< n · l̂, both unit vectors; not positive: the surface faces away
     glm::dvec3 adds_linear{0.0};  ///< linear light: diffuse and highlight
-    double highlight = 0.0;       ///< the highlight's part of it
+    double highlight = 0.0;       ///< the highlight's part of adds_linear
 };
 
 struct SurfaceColor {
     glm::dvec3 srgb{0.0};  ///< 0 … 1, as the pass sends it to blending
     double alpha = 1.0;
     glm::dvec3 albedo_linear{0.0};   ///< lit and unlit shading only, like all that follows
-    glm::dvec3 ambient_linear{0.0};  ///< what ambient light adds
+    glm::dvec3 ambient_linear{0.0};  ///< added by ambient light
     std::vector<LightShare> lights;
 };
 

@@ -30,8 +30,8 @@ std::optional<Color> color_with(const WhyQuestion& question, const std::string& 
     return predicted_color(frame, chain);
 }
 
-/// Names each problem whose fix changes this very pixel. A fight's own row already says it of the pair that fights
-/// here.
+/// Adds a row for each problem whose fix changes this pixel. For the pair that fights here, the fight's row gets the
+/// fix.
 void add_fault_rows(Why& made, const WhyQuestion& question) {
     if (!made.predicted) return;
     for (const Problem& problem : question.problems) {
@@ -53,7 +53,7 @@ void add_fault_rows(Why& made, const WhyQuestion& question) {
     }
 }
 
-/// Finds what is seen, and the casters of the shadows on it.
+/// Finds the visible surface, and the casters of the shadows on it.
 void find_names(Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
     if (surface) made.surface = surface->fragment.object;
@@ -68,7 +68,7 @@ void find_names(Why& made, const WhyQuestion& question) {
     }
 }
 
-/// Says what is seen, whether light is missing, and what shares the color.
+/// Names the visible surface, says whether light is missing, and names what shares the color.
 std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
     const std::vector<const Touch*> images = images_of(made, question.plan);
@@ -125,7 +125,7 @@ Why why(const WhyQuestion& question) {
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);
-    // Only these pictures are made of the colors that the rows end in.
+    // Other pictures do not show the colors in the rows.
     if (question.plan.shows != Shows::color && question.plan.shows != Shows::facing)
         for (WhyRow& row : made.rows)
             if (row.fix.empty() && row.kind != WhyRow::Kind::sum) row.after.reset();

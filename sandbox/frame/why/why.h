@@ -17,10 +17,10 @@ struct WhyRow {
     Kind kind = Kind::ray;
     std::string title = "";           ///< "Pass 3, Mirror image"; translated
     std::string sentence = "";        ///< translated
-    std::optional<Color> after = {};  ///< the pixel's color after it
+    std::optional<Color> after = {};  ///< the pixel's color after this row
     int pass = -1;                    ///< index in FramePlan::passes; −1: no pass
     bool is_quiet = false;            ///< changes nothing
-    std::string fix = "";             ///< the setting that removes it; "" if none
+    std::string fix = "";             ///< the setting that removes the problem; "" if none
 };
 
 /// A line of the explanation in world space, drawn in the views.
@@ -28,24 +28,24 @@ struct WhyLine {
     enum class Kind { sight, light, cut_light, image };
     Kind kind = Kind::sight;
     glm::dvec3 from_world{0.0}, to_world{0.0};
-    std::string label = "";  ///< at the end; translated
+    std::string label = "";  ///< at the line's end; translated
     std::size_t row = 0;     ///< the row that it belongs to
 };
 
 struct Why {
-    std::string sentence;  ///< what is seen there, in one or two sentences
-    std::string fault;     ///< what is wrong there; "" if no fix changes the pixel
+    std::string sentence;  ///< names what the pixel shows, in one or two sentences
+    std::string fault;     ///< the problem at the pixel; "" if no fix changes the pixel
     std::vector<WhyRow> rows;
     std::vector<WhyLine> lines;
     PixelChain chain;
     std::optional<Color> predicted;  ///< none: this picture's colors are not computed
-    std::optional<Color> read_back;  ///< the question's
-    std::string surface;             ///< name in the scene of what is seen, "plane" for a patch; "" for the background
-    std::vector<std::string> casters;             ///< names of the objects whose shadow is on it
+    std::optional<Color> read_back;  ///< copied from the question
+    std::string surface;             ///< scene name of the visible surface, "plane" for a patch; "" for the background
+    std::vector<std::string> casters;             ///< names of the objects whose shadow is on the surface
     bool has_shadow = false, has_mirror = false;  ///< a shadow or a mirror image is part of the color
 };
 
-/// What an explanation needs. `plan` must be plan(params, derived), and the finder must hold the scene.
+/// The input of an explanation. `plan` must be plan(params, derived), and the finder must hold the scene.
 struct WhyQuestion {
     const Params& params;
     const Derived& derived;
@@ -63,7 +63,7 @@ Why why(const WhyQuestion& question);
 /// Returns a row's sentence, which may have several lines in a view, on one line.
 std::string on_one_line(std::string sentence);
 
-/// Returns the sentence, one line per row, and an empty line.
+/// Returns the sentence, then one line per row, then an empty line.
 std::string why_as_text(const Why& why);
 
 // The parts of why(): why_rows.cpp and why_lights.cpp.
@@ -84,7 +84,7 @@ void add_fight_row(Why& made, const WhyQuestion& question);
 void add_sample_row(Why& made, const WhyQuestion& question);
 void add_sum_row(Why& made, const WhyQuestion& question);
 
-/// A smaller share of the color, one level of 255, is not said.
+/// Shares of the color below this, about one level of 255, are not mentioned.
 inline constexpr double least_share = 0.004;
 
 /// Returns the surfaces in mirrors that are part of the color, the greatest share first.

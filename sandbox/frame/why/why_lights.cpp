@@ -1,5 +1,5 @@
-// The rows of an explanation that tell of lights: what each adds to a surface, or what is in its way and what the
-// shadow passes did about it. Part of why.h.
+// The rows about lights: what each light adds to a surface, or what is in its way and how the shadow passes draw that.
+// Part of why.h.
 #include <algorithm>
 
 #include "frame/say.h"
@@ -43,7 +43,7 @@ std::string lit_sentence(const WhyQuestion& question, const Touch& surface, std:
                "cosine"_a = number_text(share->cosine, 2), "share"_a = percent(all > 0.0 ? added / all : 0.0, 0));
 }
 
-/// Says which shadow passes darken the pixel for one light, and which caster's point S carries there.
+/// Says which shadow passes darken the pixel for one light, and which caster's point S maps to it.
 std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& shadow, std::size_t plane,
                             std::size_t light) {
     const Touch& first = *shadow.first;
@@ -79,7 +79,7 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
     return said;
 }
 
-/// Says why a pixel in the way of the light shows no shadow.
+/// Says why a pixel shows no shadow although a caster is in the light's way.
 std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
                                std::size_t plane, std::size_t light) {
     const std::string name = name_of_light(question, light);
@@ -104,7 +104,7 @@ glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
     return eye;
 }
 
-/// A light's row, and the caster in its way.
+/// A light's row, and the caster in the light's way.
 struct LightRow {
     std::string sentence;
     std::optional<Color> after = {};
@@ -112,7 +112,7 @@ struct LightRow {
     std::string caster = "";
 };
 
-/// Says what a light does at a patch: it adds to it, or casters darken it, or should.
+/// Says that a light reaches a patch, that casters darken the patch, or why they fail to.
 LightRow row_of_patch(const Why& made, const WhyQuestion& question, const Touch& surface, std::size_t light) {
     const Pass& pass = question.plan.passes[surface.fragment.pass];
     const ShadowAtPixel shadow = shadow_at(question.plan, made.chain, pass.plane, light, pass.mirrors_met);
@@ -145,7 +145,7 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     return row;
 }
 
-/// Returns a light's place; for a parallel light, a point outside the scene, as seen from `point`.
+/// Returns a light's position; for a parallel light, a point outside the scene, as seen from `point`.
 glm::dvec3 place_of_light(const WhyQuestion& question, const glm::dvec4& light_world, const glm::dvec3& point) {
     if (light_world.w != 0.0) return glm::dvec3(light_world) / light_world.w;
     return point + glm::normalize(glm::dvec3(light_world)) * glm::length(question.finder.scene().bounds_world.size());

@@ -1,5 +1,5 @@
-// The rows of an explanation, but for those of the lights: the ray, the passes, the mirrors, depth fighting, the
-// samples and the sum. Part of why.h.
+// All rows of an explanation except those about lights: the ray, the passes, the mirrors, depth fighting, the samples
+// and the sum. Part of why.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +69,7 @@ std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch
     return said;
 }
 
-/// Lists the fragments of one pass, most of those that change nothing only as a count.
+/// Lists the fragments of one pass. Most of those that change nothing are only counted.
 std::string outcomes(const WhyQuestion& question, const std::vector<const Touch*>& touches) {
     constexpr std::size_t most = 4;
     std::vector<std::string> said;
@@ -118,7 +118,7 @@ std::vector<PathPoint> path_of(const Derived& derived, const std::vector<std::si
     return path;
 }
 
-/// Returns the point that the camera is at; for parallel view rays, a point far along the ray.
+/// Returns the camera's position; for parallel view rays, a point far along the ray.
 glm::dvec3 eye_for(const Derived& derived, const glm::dvec3& point) {
     const glm::dvec4& eye = derived.eye_world;
     return eye.w != 0.0 ? glm::dvec3(eye) / eye.w : point + 100.0 * glm::dvec3(eye);
@@ -215,15 +215,15 @@ void add_pass_rows(Why& made, const WhyQuestion& question) {
 
 namespace {
 
-/// Returns the pixel where an image belongs if that is not the explained one: its picture is drawn with another lens or
-/// with a wrong matrix.
+/// Returns the pixel where an image belongs if it differs from the explained pixel because the image is drawn with
+/// another lens or a wrong matrix.
 std::optional<glm::ivec2> pixel_elsewhere(const WhyQuestion& question, const glm::dvec3& image_world) {
     const glm::dvec4 clip = question.derived.clip_from_world * glm::dvec4(image_world, 1.0);
     if (!(clip.w > 0.0)) return std::nullopt;
     const glm::dvec2 place =
         (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(question.viewport.size_px);
     const glm::dvec2 off = place - (glm::dvec2(question.pixel) + 0.5);
-    constexpr double far_px = 1e6;  // coordinates beyond this are no pixels
+    constexpr double far_px = 1e6;  // larger coordinates are not pixels
     if (glm::length(off) <= 1.5 || !(glm::length(off) < far_px)) return std::nullopt;
     return glm::ivec2(glm::floor(place));
 }
@@ -280,7 +280,7 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
         const Pass& pass = question.plan.passes[touch.fragment.pass];
         return !pass.is_mirror_image && role_of(pass) != PassRole::mask && role_of(pass) != PassRole::backdrop;
     };
-    // The last fragment that is compared with one at nearly the same depth; what is seen must be one of the two.
+    // The last fragment that is compared with another at nearly the same depth; one of the two must be the visible one.
     const Touch* rival = nullptr;
     const Touch* other = nullptr;
     const Touch* writer = nullptr;
@@ -329,8 +329,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
 
 void add_sample_row(Why& made, const WhyQuestion& question) {
     if (question.plan.samples == 0) return;
-    // The four places in a pixel where GL's usual pattern takes its samples, in eighths of a pixel, are centers of
-    // pixels of a picture four times as large.
+    // GL's usual pattern places a pixel's four samples, given here in eighths of a pixel, at pixel centers of a picture
+    // four times as large.
     static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
     std::vector<std::pair<std::string, int>> seen;
     for (const glm::ivec2& place : places) {
