@@ -11,11 +11,11 @@ namespace viewing {
 
 /// What is right about an answer that matches no known mistake.
 enum class Near {
-    nothing,      ///< nothing that can be said
-    factor,       ///< all numbers are right but for one common factor
-    sign,         ///< only the signs at the places are wrong
-    right_parts,  ///< the rows or entries at the places are right, the others are not
-    first_items,  ///< so many tiles at the beginning are right
+    nothing,      ///< no feedback applies
+    factor,       ///< all numbers are right except for a common factor
+    sign,         ///< only the signs at `places` are wrong
+    right_parts,  ///< only the rows or entries at `places` are right
+    first_items,  ///< the first `places[0]` tiles are right
     some_items,   ///< so many chosen tiles are right; others are not, and some are missing
     incomplete,   ///< every chosen tile is right, but some are missing
     too_many      ///< all right tiles are chosen, and others too
