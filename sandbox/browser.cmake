@@ -1,5 +1,5 @@
-# The libraries of the browser's build, under the names that CMakeLists.txt links: Debian's headers if a library has
-# nothing else, its source packages (sandbox/web fetches them) if there is something to compile.
+# The libraries of the browser's build, under the names that CMakeLists.txt links: Debian's headers for a
+# header-only library, otherwise its source package (sandbox/web fetches them).
 set(VIEWING_WEB_SOURCES ${PROJECT_SOURCE_DIR}/build/web-sources CACHE PATH "Debian's source packages, unpacked")
 
 # source_folder(RESULT NAME): the folder of a source package, whatever its version.
@@ -70,7 +70,7 @@ source_folder(lua lua5.4)
 from_source(PkgConfig::lua ${lua}/src lapi.c lauxlib.c lbaselib.c lcode.c lcorolib.c lctype.c ldblib.c ldebug.c ldo.c ldump.c
             lfunc.c lgc.c linit.c liolib.c llex.c lmathlib.c lmem.c loadlib.c lobject.c lopcodes.c loslib.c lparser.c lstate.c
             lstring.c lstrlib.c ltable.c ltablib.c ltm.c lundump.c lutf8lib.c lvm.c lzio.c)
-# Debian's patch asks where the modules of this architecture are: nowhere.
+# Debian's patch needs the module path of this architecture; there are no modules.
 file(CONFIGURE OUTPUT ${web_headers}/lua5.4-deb-multiarch.h CONTENT "#define DEB_HOST_MULTIARCH \"\"\n")
 get_target_property(lua_sources web_PkgConfig__lua SOURCES)
 set_source_files_properties(${lua_sources} PROPERTIES LANGUAGE CXX)  # its errors unwind, as in Debian's lua5.4-c++

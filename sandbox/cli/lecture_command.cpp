@@ -34,7 +34,7 @@ std::string plan_of(const Lesson& lecture) {
            counted(std::ssize(lecture.steps), "step") + ", " + counted(from_min, "minute") + "\n";
 }
 
-/// Returns a lecture; a lesson's name or file is refused.
+/// Returns a lecture; refuses a lesson's name or file.
 Lesson lecture_at(const std::string& argument) {
     Lesson lecture = value_or_end(load_lesson(argument));
     if (!lecture.lecture)

@@ -31,7 +31,7 @@ struct TypedMatrices {
     bool is_symbolic = false;
 };
 
-/// `look_at`: the camera to add to plain text; null: none.
+/// `look_at` is the camera to add to plain text, or null.
 std::string listed_as_text(const TypedMatrices& wish, const LookAt* look_at, const std::vector<Problem>& problems,
                            MatrixFormat format) {
     // Math between $ and $ must not contain empty lines.
@@ -80,7 +80,7 @@ Json listed_as_json(const TypedMatrices& wish, const Json& all, bool is_chosen) 
     return rounded(std::move(json), wish.digits);
 }
 
-/// Prints what a pasted matrix is. `format`: 0 for JSON; else text.
+/// Prints what a pasted matrix is; `format` 0 selects JSON, any other value text.
 ExitStatus explain(const std::string& file, const Params& params, double aspect, std::size_t format) {
     const std::string source = file == "-" ? "standard input" : file;
     const std::string text = value_or_end(file == "-" ? read_text(std::cin, source) : read_text_file(file));

@@ -94,7 +94,7 @@ LoadedState StateArguments::load() const {
         loaded.base.clear();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
         loaded.reach.add(mesh_.value_or(state_));
-        loaded.preset.reset();  // its description is about other objects
+        loaded.preset.reset();  // its description no longer fits the objects
     }
     if (std::any_of(settings_.begin(), settings_.end(), sets_scene)) {
         rebase_to_working_directory(loaded);

@@ -1,4 +1,4 @@
-// Implements --timeout: when time is up, ends the process, wherever it hangs, or lets it write its results so far.
+// Implements --timeout: when time is up, ends the process wherever it hangs, or lets it write its partial results.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ inline constexpr TemplateTexts template_texts{"What the picture shows.",
 
 /// Returns the file's content with one more step. The step stores how the state differs from the preset, and has a text
 /// and a question for the author to fill in. `existing` is the file's current content, "" for a new file. `preset` is
-/// the preset that the state is based on, "" for the opening state; `highlight` are the parts that are framed on the
+/// the preset that the state is based on, "" for the opening state; `highlight` lists the parts framed on the
 /// screen. The error is one sentence that begins with `source`.
 Result<std::string> with_step(std::string_view existing, const std::string& source, const Params& params,
                               const std::string& preset, const std::vector<std::string>& highlight = {});

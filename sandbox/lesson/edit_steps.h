@@ -1,5 +1,5 @@
-// Edits a person's own lesson as a text: what its author types in the window, and the steps that are moved, doubled,
-// removed or given another state. Every function returns the whole new text of the file, which has been read as a
+// Edits the text of a custom lesson: replaces parts that its author types in the window, and moves, duplicates or
+// removes steps or changes their state. Every function returns the whole new text of the file, which has been read as a
 // lesson, or one sentence that begins with `source`; the folder is that of the files that its scenes name.
 #pragma once
 
@@ -46,8 +46,8 @@ struct StepPart {
 /// the sentence of the reveal, and the lecturer's note, empty if it has none. Empty if the text is not a lesson.
 std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language);
 
-/// Replaces a part. Marking a choice as right unmarks the one that was, which takes over why it is wrong. A sentence
-/// that exists in one language only gets a second one beside it.
+/// Replaces a part. Marking a choice as right unmarks the previous right choice and moves the marked choice's "why" to
+/// it. A sentence in only one language gets a second language beside it.
 Result<std::string> with_part(const LessonSource& source, std::size_t step, const StepPart& part, Language language);
 
 /// Moves a step; `to` is clamped to the list.

@@ -138,7 +138,7 @@ const T& typed_last(const T& kept, const T& known, const T& now) {
 }
 
 /// Merges two lists of attempts in chronological order, without duplicates. A window may write before it has seen
-/// another window's latest attempts, so an attempt that only one list has is never taken for a deleted one.
+/// another window's latest attempts, so an attempt in only one list is never treated as deleted.
 std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt>& now) {
     const auto count = [](const std::vector<Attempt>& attempts, const Attempt& attempt) {
         return std::count(attempts.begin(), attempts.end(), attempt);

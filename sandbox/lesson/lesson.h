@@ -112,7 +112,7 @@ struct LessonTarget {
 
 struct LessonStep {
     std::string id;
-    std::vector<int> slides;  ///< those that this step is about; without its own, the lesson's
+    std::vector<int> slides;  ///< the slides that this step is about; by default, the lesson's
     LoadedState start;        ///< before the answer, including the layout
     Params revealed;          ///< after the answer: with a goal's model and the reveal's changes
     bool names_lower_left = false, names_lower_right = false;  ///< in the layout; the stage shows no other lower views
@@ -123,14 +123,14 @@ struct LessonStep {
     Reveal reveal;
     std::vector<std::string> claims_before, claims;
     LessonText note;
-    /// Whether the step asks nothing, like a preset in a lecture: a sentence stands in place of the question.
+    /// Whether the step asks nothing, like a preset in a lecture: a sentence replaces the question.
     bool only_shows() const { return ask.kind == AskKind::choice && ask.choices.empty(); }
 };
 
 /// What the card at the end of a lesson says.
 struct LessonEnd {
     std::vector<LessonText> says;  ///< what was seen, in three sentences; empty: there is no card
-    std::string exercise;          ///< the exercise that fits, by its id; "": none
+    std::string exercise;          ///< the id of the matching exercise; "": none
 };
 
 /// The parts of a lecture: each is a lesson, some of its steps, or a preset.
@@ -139,7 +139,7 @@ struct Lecture {
         LessonText title;
         std::string lesson;  ///< "" for a preset
         int minutes = 0;
-        std::size_t first = 0, count = 0;  ///< its steps among the lecture's
+        std::size_t first = 0, count = 0;  ///< the range of its steps in the lecture
         LessonEnd end;
     };
     std::vector<Part> parts;
@@ -208,8 +208,8 @@ Result<std::vector<std::string>> lecture_mistakes(const std::string& argument);
 /// relative to `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// Returns all mistakes of such a text, each as parse_lesson() would say it; empty if it can be read. What only follows
-/// from another mistake is left out.
+/// Returns all mistakes in such a text, each as parse_lesson() would report it; empty if it can be read. Omits mistakes
+/// that only follow from others.
 std::vector<std::string> lesson_mistakes(std::string_view json, const std::string& source,
                                          const std::filesystem::path& folder);
 

@@ -41,7 +41,7 @@ std::string time_text(const Lesson& lesson, double presented_s) {
                "left"_a = minutes_of(left_s));
 }
 
-/// The time from when to when a step is planned, in seconds.
+/// The planned start and end of a step, in seconds.
 struct Planned {
     double from_s = 0.0, to_s = 0.0;
 };

@@ -26,7 +26,7 @@ bool are_same(const glm::dvec4& a, const glm::dvec4& b) {
     return glm::length(a - b) <= 2.0 * tolerance || glm::length(a + b) <= 2.0 * tolerance;
 }
 
-/// Returns L_i of a row of S: its entries beside the diagonal are −L_i Π_j. None if they are not, or all are 0.
+/// Returns L_i of a row of S: its off-diagonal entries are −L_i Π_j. None if they are not, or all are 0.
 std::optional<double> light_at(const glm::dvec4& row, int index, const glm::dvec4& plane) {
     glm::dvec4 beside = plane, entries = row;
     beside[index] = entries[index] = 0.0;
@@ -37,7 +37,7 @@ std::optional<double> light_at(const glm::dvec4& row, int index, const glm::dvec
     return number;
 }
 
-/// Returns the light that the rows beside the diagonal belong to; where a row tells nothing, that of `asked`.
+/// Returns the light given by the off-diagonal entries; where a row does not determine it, uses `asked`.
 glm::dvec4 light_of_rows(const std::array<glm::dvec4, 4>& rows, const glm::dvec4& plane, const glm::dvec4& asked) {
     glm::dvec4 light = asked;
     for (int i = 0; i < 4; ++i) light[i] = light_at(rows[static_cast<std::size_t>(i)], i, plane).value_or(asked[i]);

@@ -1,4 +1,4 @@
-// A row of an entered R or S that is right for another plane or light than the one that is asked for.
+// A row of an entered R or S that is right for another plane or light than the question's.
 #pragma once
 
 #include <glm/vec4.hpp>

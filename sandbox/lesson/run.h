@@ -55,10 +55,10 @@ public:
         now().verdict.reset();
         now().trouble.clear();
     }
-    /// Why the latest answer could not be judged or pasted; "": no trouble. Gone with the next answer or step.
+    /// Why the latest answer could not be judged or pasted, "" if it could. The next answer or step clears it.
     const std::string& trouble() const { return now().trouble; }
     void tell_trouble(std::string sentence) { now().trouble = std::move(sentence); }
-    /// Returns, for each entered number, the typed text in its place that is no number; empty ones for the others.
+    /// Returns, for each entered number, the typed text if it is not a number; otherwise an empty text.
     std::vector<std::string>& unread() { return now().unread; }
     /// Returns the first of these texts; "" if every number can be read.
     std::string first_unread() const;

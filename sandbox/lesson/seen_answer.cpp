@@ -23,7 +23,7 @@ struct Token {
 
 constexpr std::string_view minus = "−";
 
-/// Returns the numbers in a text; the digits of a name (d24, s₁) are none, nor is a number with a power of ten.
+/// Returns the numbers in a text, without the digits of names (d24, s₁) and numbers with a power of ten.
 std::vector<Token> numbers_in(const SeenText& seen) {
     const std::string& text = seen.text;
     std::vector<Token> numbers;
@@ -95,8 +95,8 @@ bool is_trivial(double value) {
 
 using Matches = std::function<bool(std::size_t, const Token&)>;
 
-/// Finds `count` tokens side by side or one below another, of which each matches; returns the first. `tokens` contains
-/// everything that may stand in between.
+/// Finds `count` matching tokens side by side or one below another, and returns the first. `tokens` contains
+/// everything that may be in between.
 const Token* find_run(const std::vector<Token>& tokens, std::size_t count, const Matches& matches) {
     const auto next = [&](const Token& token, bool in_column) {
         const Token* nearest = nullptr;
@@ -123,7 +123,7 @@ const Token* find_run(const std::vector<Token>& tokens, std::size_t count, const
     return nullptr;
 }
 
-/// Whether a text contains another one, not as a part of a longer word or number.
+/// Whether a text contains another as a whole word or number.
 bool has_words_of(std::string_view text, std::string_view wanted) {
     const auto goes_on = [](char byte) {
         return is_digit(byte) || (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '.';
@@ -135,8 +135,8 @@ bool has_words_of(std::string_view text, std::string_view wanted) {
     return false;
 }
 
-/// Whether a text belongs to a control that the step lists, such as "light/position/x": it is what the question starts
-/// from.
+/// Whether a text belongs to a control that the step lists, such as "light/position/x". The question
+/// starts from such a text.
 bool is_given(const LessonStep& step, const SeenText& text) {
     const std::vector<std::string>& controls = step.start.params.view.layout.controls;
     return std::any_of(controls.begin(), controls.end(), [&](std::string path) {

@@ -64,7 +64,7 @@ constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", 
 /// on z-near, formulas in tooltips, links between entries and controls).
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
-/// Former names, which lessons from before the labels changed still use, each with its present name.
+/// Former names, still used by lessons older than the current labels, each with its current name.
 constexpr std::pair<std::string_view, const char*> former_names[] = {
     {"button:mend", "button:fix"},
     {"button:normalise", "button:normalize"},

@@ -1,4 +1,4 @@
-// The matrix that an answer is: entered numbers, or the product of the factors on its tiles. States that show the
+// The matrix in an answer: entered numbers, or the product of the factors on its tiles. States that show the
 // effect of that matrix, and of the right one, on the picture.
 #pragma once
 

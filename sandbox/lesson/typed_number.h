@@ -7,8 +7,8 @@
 namespace viewing {
 
 /// Returns the value of a formula from the mathematics of the lesson language: "4/2.7", "−sqrt(2)/2", "pi/6". Angles
-/// are in radians there; "cos(30°)" is cos(radians(30)), but an angle alone, "30°", is 30. None if the text is no
-/// finite number.
+/// are in radians there; "cos(30°)" is cos(radians(30)), but "30°" alone is 30. None if the text is
+/// not a finite number.
 std::optional<double> typed_number(std::string_view text);
 
 }  // namespace viewing

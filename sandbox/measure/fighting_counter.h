@@ -15,8 +15,8 @@ namespace viewing {
 class FightingCounter {
 public:
     /// Returns the report so far; null while there is none. Its predictions belong to this state; its counts are marked
-    /// if they belong to an earlier one. With `may_wait`,
-    /// counts everything before it returns; otherwise, work starts and continues only while nothing moves.
+    /// if they belong to an earlier one. With `may_wait`, counts everything before it returns; otherwise, work starts
+    /// and continues only while nothing moves.
     std::shared_ptr<const FightingReport> update(Renderer& renderer, const Params& state, const Scene& scene,
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
 
@@ -34,7 +34,7 @@ private:
 
     void start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait);
     void take(Result<FightingCounts> counts, const Scene& scene);
-    /// Predicts what has a formula, at once, also while the counts are behind.
+    /// Immediately predicts the numbers that have a formula, even while the counts are outdated.
     void predict(const Renderer& renderer, const Scene& scene, const Question& question);
     void search(Renderer& renderer, bool may_wait);
     void count_next(Renderer& renderer, const Scene& scene);

@@ -1,4 +1,4 @@
-// Writes files completely, so that nobody ever finds a half-written file, and checks files before they are read. The
+// Writes files completely, so that no half-written file is ever visible, and checks files before they are read. The
 // program writes its files with these functions.
 #pragma once
 

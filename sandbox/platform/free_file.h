@@ -1,4 +1,4 @@
-// Chooses a name for a file that the person did not name.
+// Chooses a name for a file that the user did not name.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A file that several windows of one person write. Each window adds its changes to the file's current content while no
+// A file that several windows of one user write. Each window adds its changes to the file's current content while no
 // other window writes. If a window is killed during that time (kill -9), the system releases the lock, and the file has
 // the previous or the new content.
 #pragma once

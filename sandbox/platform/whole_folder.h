@@ -1,4 +1,4 @@
-// A folder of results that nobody ever finds half-complete: it is written next to its target and gets the target's name
+// A folder of results that is never visible half-complete: it is written next to its target and gets the target's name
 // only when it is complete. Read file.h for single files.
 #pragma once
 

@@ -105,7 +105,7 @@ private:
 
 constexpr std::size_t text_width = 100;
 
-/// Makes each column as wide as its widest cell; the last column wraps.
+/// Formats a table: each column is as wide as its widest cell; the last column wraps.
 std::string table_text(std::span<const ManualBlock> rows) {
     std::vector<std::size_t> widths;
     for (const ManualBlock& row : rows)

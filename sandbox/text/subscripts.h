@@ -1,5 +1,5 @@
-// Subscripts in sentences: "ℓ_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as they are typed; what
-// shows them lowers the letters.
+// Subscripts in sentences: "ℓ_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as typed;
+// the code that draws them lowers the letters.
 #pragma once
 
 #include <string_view>

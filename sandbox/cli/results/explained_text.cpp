@@ -31,7 +31,7 @@ std::string depth_text(const FoundLens& lens) {
     return text + (is_reversed ? ", reversed" : "");
 }
 
-/// Returns what the matrix holds, as sentences.
+/// Describes the matrix's parts in sentences.
 std::vector<std::string> contents(const ExplainedMatrix& found) {
     std::vector<std::string> lines;
     if (found.camera) {

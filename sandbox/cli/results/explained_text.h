@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// Whether something is wrong with the matrix, as opposed to a right one, of this state or of another.
+/// Whether something is wrong with the matrix; false if it is right for this state or another one.
 bool is_wrong(const ExplainedMatrix& found);
 
 /// Returns the explanation as lines: how the text was read, what the matrix is, what is wrong, by how much, and the

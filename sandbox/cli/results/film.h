@@ -13,8 +13,8 @@ namespace viewing {
 
 class Film {
 public:
-    /// Starts ffmpeg. `ending`: ".mp4" (H.264, both sides even), ".gif" (with a palette made for these pictures) or
-    /// ".webp" (lossless). Fails if ffmpeg is not installed.
+    /// Starts ffmpeg. `ending` is ".mp4" (H.264; width and height must be even), ".gif" (with a palette made for these
+    /// pictures) or ".webp" (lossless). Fails if ffmpeg is not installed.
     static Result<Film> begin(const std::string& ending, glm::ivec2 size_px, double frames_per_second);
     Film(Film&& other) noexcept : process_(std::move(other.process_)), file_(std::exchange(other.file_, -1)) {}
     Film& operator=(Film&&) = delete;

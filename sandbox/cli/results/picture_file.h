@@ -19,7 +19,7 @@ bool is_vector_name(const std::string& target);
 struct DrawnPicture {
     Image image;
     Drawing drawing;
-    DepthImage depths = {};  ///< of the same picture, if its file holds them instead
+    DepthImage depths = {};  ///< the picture's depths, if the file stores them instead of colors
 
     bool is_blank() const;  ///< all pixels have the same color, or nothing is drawn
 };
