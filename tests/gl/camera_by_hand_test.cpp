@@ -17,7 +17,7 @@ using glm::dvec3;
 
 constexpr glm::ivec2 entered_px(192, 120);
 
-/// A V and P of one's own, either of which may be missing.
+/// V and P entered by hand; either may be missing.
 struct Entered {
     std::string what;
     CameraOverrides matrices;

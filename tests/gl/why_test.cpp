@@ -166,8 +166,8 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
     check(seen);
 }
 
-/// What the explanation says about surfaces, mirrors, lights and casters agrees with an oracle that follows rays
-/// through rooms of spheres and boxes, with formulas alone.
+/// The explanation of surfaces, mirrors, lights, and casters agrees with an oracle that traces rays through rooms of
+/// spheres and boxes by closed formulas.
 TEST_F(WhyThisPixel, AgreesWithARayCaster) {
     int surfaces = 0, images = 0, shadows = 0;
     for (unsigned number = 0; number < testing::rooms(60); ++number) {
@@ -250,8 +250,8 @@ TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
     EXPECT_GT(fights["depth-fighting"], 2);
 }
 
-/// What a mirror shows at a pixel is also in the line of sight there, unless the mirror's picture has another lens:
-/// then the row names the pixel at which the image belongs, and with the camera's fovy the same point is drawn there.
+/// A mirror's image at a pixel also lies on the line of sight there, unless the mirror's picture uses another fovy.
+/// Then the row names the pixel where the image belongs, and with the camera's fovy the same point is drawn there.
 TEST_F(WhyThisPixel, AMirrorRowSaysWhereAnImageBelongs) {
     std::map<std::string, int> rows, elsewhere;
     for (const char* const name :

@@ -304,7 +304,7 @@ TEST_F(SearchTest, OnStageItIsLargeAndSettingsStayWithinTheStep) {
     EXPECT_TRUE(desk.workbench.presenter.is_on()) << "the stage stays";
 }
 
-/// What the step's panel cannot change, the search cannot change either, in all steps.
+/// In all steps, the search cannot change a field that the step's panel cannot change.
 TEST_F(SearchTest, NoStepOffersCoveredSettings) {
     for (const char* id : {"lens", "depth-fighting", "mirror-matrix"}) {
         const Result<Lesson> lesson = load_lesson(id);

@@ -236,7 +236,7 @@ TEST_F(ViewsTest, TheHeaderSelectsWhatTheCameraShows) {
     EXPECT_EQ(params.view.depth_scale, DepthScale::window);
 }
 
-/// Of five mistakes, each with a sentence and a fix, three are told, and a click tells the others too.
+/// Of five mistakes, each with a sentence and a fix, three are shown at first, and a click shows the others.
 TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
     const auto fixes = [] {
         const std::vector<widgets::RecordedItem>& items = widgets::CurrentContext().recorded;
