@@ -39,8 +39,8 @@ protected:
         return answer_hidden_question(solver, *question).pictures;
     }
 
-    /// Returns the names of everything that touches a pixel, with the decisions: another text beside a pixel means an
-    /// edge.
+    /// Returns the names of everything that touches a pixel, with the decisions. If a neighboring pixel has another
+    /// text, there is an edge between them.
     static std::string touches_of(const PixelChain& chain) {
         std::string text;
         for (const Touch& touch : chain.touches)
@@ -219,7 +219,7 @@ TEST_F(WhyThisPixel, AgreesWithARayCaster) {
     EXPECT_GT(shadows, 50);
 }
 
-/// A row about depth fighting names what is seen, and a shadow as a shadow; a tie behind what is seen has no row.
+/// A row about depth fighting names the visible surface, and calls a shadow a shadow; a hidden tie has no row.
 TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
     std::map<std::string, int> fights;
     for (const std::string name : {"opening", "shadow-fights", "depth-fighting"}) {

@@ -1,5 +1,5 @@
 // The stage, measured on the pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts
-// with what is behind it, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
+// with its background, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
 // (ui/letters.h), colors from the picture; neither knows the layout. VIEWING_LONG_TESTS=1 measures every step, asked
 // and revealed, in every room, and prints the distributions.
 #include <array>

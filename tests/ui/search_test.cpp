@@ -1,5 +1,5 @@
-// The search over everything: which entries fit typed words and in which order, and in the window and on stage, what is
-// offered and what choosing does.
+// The search over everything: the entries that match typed words and their order, and, in the window and on stage, the
+// entries offered and the effect of choosing one.
 #include <algorithm>
 #include <chrono>
 #include <thread>

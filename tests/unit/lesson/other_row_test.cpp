@@ -1,4 +1,4 @@
-// A wrong row that belongs to another plane or light. The rows are worked out from where points go, not from R's and
+// A wrong row that belongs to another plane or light. The rows are computed from the images of points, not from R's and
 // S's formulas.
 #include "lesson/other_row.h"
 
