@@ -1,6 +1,6 @@
-// V and P entered by hand, as GL draws them: the explanation of a pixel predicts its color, the inspected point is the
-// one that P V sends to the pixel, and where an entered matrix changes the picture for the worse, a sentence says so
-// and its fix gives the right picture back.
+// Pictures that GL draws with V and P entered by hand: the explanation of a pixel predicts its color, and P V maps the
+// inspected point to the pixel. If an entered matrix spoils the picture, a sentence says so, and its fix restores the
+// correct picture.
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
@@ -17,7 +17,7 @@ using glm::dvec3;
 
 constexpr glm::ivec2 entered_px(192, 120);
 
-/// A V and P of one's own, either of which may be missing.
+/// V and P entered by hand; either may be missing.
 struct Entered {
     std::string what;
     CameraOverrides matrices;

@@ -1,4 +1,4 @@
-// A field reported as having no effect has none: whatever its value, the frame's plan or the picture stays the same,
+// A field reported as having no effect has none: changing its value leaves the frame's plan or the picture identical,
 // byte for byte.
 #include "frame/effect.h"
 

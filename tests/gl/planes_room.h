@@ -124,7 +124,7 @@ private:
         camera.fovy_deg = random_.number(35, 80);
         camera.height = random_.number(3, 7);
         if (number_ % 7 != 2) return;
-        // A window beside the view axis: every seventh room is seen as glFrustum or glOrtho shows it.
+        // An off-axis window, as in glFrustum or glOrtho, in every seventh room.
         const double half =
             camera.orthographic ? 0.5 * camera.height : camera.near * std::tan(glm::radians(0.5 * camera.fovy_deg));
         camera.window = half * glm::dvec4(-1.1, 2.2, -1.3, 0.6);

@@ -39,8 +39,8 @@ protected:
         return answer_hidden_question(solver, *question).pictures;
     }
 
-    /// Returns the names of everything that touches a pixel, with the decisions: another text beside a pixel means an
-    /// edge.
+    /// Returns the names of everything that touches a pixel, with the decisions. If a neighboring pixel has another
+    /// text, there is an edge between them.
     static std::string touches_of(const PixelChain& chain) {
         std::string text;
         for (const Touch& touch : chain.touches)
@@ -166,8 +166,8 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
     check(seen);
 }
 
-/// What the explanation says about surfaces, mirrors, lights and casters agrees with an oracle that follows rays
-/// through rooms of spheres and boxes, with formulas alone.
+/// The explanation of surfaces, mirrors, lights, and casters agrees with an oracle that traces rays through rooms of
+/// spheres and boxes by closed formulas.
 TEST_F(WhyThisPixel, AgreesWithARayCaster) {
     int surfaces = 0, images = 0, shadows = 0;
     for (unsigned number = 0; number < testing::rooms(60); ++number) {
@@ -219,7 +219,7 @@ TEST_F(WhyThisPixel, AgreesWithARayCaster) {
     EXPECT_GT(shadows, 50);
 }
 
-/// A row about depth fighting names what is seen, and a shadow as a shadow; a tie behind what is seen has no row.
+/// A row about depth fighting names the visible surface, and calls a shadow a shadow; a hidden tie has no row.
 TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
     std::map<std::string, int> fights;
     for (const std::string name : {"opening", "shadow-fights", "depth-fighting"}) {
@@ -250,8 +250,8 @@ TEST_F(WhyThisPixel, TellsOnlyTheFightThatDecidesWhatIsSeen) {
     EXPECT_GT(fights["depth-fighting"], 2);
 }
 
-/// What a mirror shows at a pixel is also in the line of sight there, unless the mirror's picture has another lens:
-/// then the row names the pixel at which the image belongs, and with the camera's fovy the same point is drawn there.
+/// A mirror's image at a pixel also lies on the line of sight there, unless the mirror's picture uses another fovy.
+/// Then the row names the pixel where the image belongs, and with the camera's fovy the same point is drawn there.
 TEST_F(WhyThisPixel, AMirrorRowSaysWhereAnImageBelongs) {
     std::map<std::string, int> rows, elsewhere;
     for (const char* const name :

@@ -1,5 +1,5 @@
 // The stage, measured on the pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts
-// with what is behind it, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
+// with its background, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
 // (ui/letters.h), colors from the picture; neither knows the layout. VIEWING_LONG_TESTS=1 measures every step, asked
 // and revealed, in every room, and prints the distributions.
 #include <array>
@@ -126,7 +126,7 @@ const std::array<Hall, 4> halls = {{{{1920, 1080}, Theme::dark, Language::en},
                                     {{1280, 720}, Theme::projector, Language::ko},
                                     {{1024, 768}, Theme::projector, Language::en}}};
 
-/// What was measured in one or more pictures.
+/// Measurements from one or more pictures.
 struct Measured {
     std::vector<double> contrasts, sizes;         ///< of each letter; sizes in heights of the window
     std::vector<double> empty_parts, main_views;  ///< of each picture, relative to the area above the text

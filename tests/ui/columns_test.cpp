@@ -1,5 +1,5 @@
-// The window's columns where they are too low for everything: the matrices that the preset is about are whole and first
-// in rank, the others give way, and one click leads to what is out of sight.
+// Columns too short for everything: the matrices that the preset is about come first and are shown in full, the other
+// items give way, and one click leads to anything hidden.
 #include <algorithm>
 #include <numeric>
 #include <random>

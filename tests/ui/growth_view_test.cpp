@@ -58,7 +58,7 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     EXPECT_TRUE(rows().empty());
 }
 
-/// A stage has no buttons: there the counting starts with the step, once, and shows what is the same everywhere.
+/// A stage has no buttons: counting starts once, with the step, and shows operations, which are equal on all machines.
 TEST_F(GrowthView, OnStageItMeasuresByItself) {
     HiddenStatus status;
     status.shows_time = true;

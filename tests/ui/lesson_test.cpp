@@ -132,7 +132,7 @@ bool is_all_seen(const Desk& desk) {
     return has_list || desk.workbench.widgets.seen_share == 1.0F;
 }
 
-/// What a step names and the window does not show: views, matrices, controls, and highlighted parts.
+/// Returns the views, matrices, controls, and highlighted parts that a step names and the window does not show.
 std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step) {
     std::vector<std::string> missing;
     const Layout layout = desk.layout();

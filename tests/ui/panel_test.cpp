@@ -604,7 +604,7 @@ TEST(Matrices, VAndPEnteredByHandOverrideUntilReleased) {
     EXPECT_EQ(desk.params(), before);
 }
 
-/// No view breaks while V or P is entered by hand, whatever its entries are.
+/// No view breaks while V or P is entered by hand, even with arbitrary entries.
 TEST(Matrices, EveryViewBearsAnyVAndP) {
     const glm::dmat4 none(0.0), huge(1e12);
     glm::dmat4 behind(1.0), swapped(0.0);

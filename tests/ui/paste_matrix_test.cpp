@@ -1,4 +1,4 @@
-// A matrix pasted in the window: a right one is taken, of any other a dialog says what it is and fixes it.
+// Pasting a matrix into the window: a correct one is accepted; for any other, a dialog names the mistake and fixes it.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "desk.h"

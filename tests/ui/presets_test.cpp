@@ -1,5 +1,5 @@
-// What the window offers around the open preset: its caption, its title in the list, the way back, the list with its
-// search, and the next preset.
+// The window's controls for the open preset: its caption, its title in the list, the button back, the searchable list,
+// and the next preset.
 #include <filesystem>
 
 #include "desk.h"

@@ -1,4 +1,4 @@
-// Whatever the user does, the state can still be read back, and no displayed number is NaN.
+// After any user input, the state can still be read back, and no displayed number is NaN.
 #include <unistd.h>
 
 #include <filesystem>

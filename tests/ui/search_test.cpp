@@ -1,5 +1,5 @@
-// The search over everything: which entries fit typed words and in which order, and in the window and on stage, what is
-// offered and what choosing does.
+// The search over everything: the entries that match typed words and their order, and, in the window and on stage, the
+// entries offered and the effect of choosing one.
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -304,7 +304,7 @@ TEST_F(SearchTest, OnStageItIsLargeAndSettingsStayWithinTheStep) {
     EXPECT_TRUE(desk.workbench.presenter.is_on()) << "the stage stays";
 }
 
-/// What the step's panel cannot change, the search cannot change either, in all steps.
+/// In all steps, the search cannot change a field that the step's panel cannot change.
 TEST_F(SearchTest, NoStepOffersCoveredSettings) {
     for (const char* id : {"lens", "depth-fighting", "mirror-matrix"}) {
         const Result<Lesson> lesson = load_lesson(id);

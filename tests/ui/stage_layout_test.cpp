@@ -27,7 +27,7 @@ bool are_apart(const Rect& a, const Rect& b) {
     return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
 }
 
-/// What a step names besides the camera's view.
+/// The parts of the window that a step names besides the camera's view.
 struct Named {
     bool left, right, matrices, controls, vectors;
 };

@@ -1,5 +1,5 @@
-// Nothing jumps: whatever the user switches or follows and whatever is reported, each control stays in place, so that
-// the next click lands where the user aimed.
+// Nothing jumps: each control stays in place when the user switches an option or follows a point, or when a problem is
+// reported, so that the next click lands where the user aimed.
 #include <map>
 
 #include "desk.h"
@@ -119,7 +119,7 @@ TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
     }
 }
 
-/// Whatever a step tells, its question, its answers and its buttons stay where they are.
+/// A step's question, answers, and buttons stay in place, regardless of its text.
 TEST(SteadyStrip, StaysInPlaceFromTheQuestionToTheAnswer) {
     struct Window {
         ImVec2 size;

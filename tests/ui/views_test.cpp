@@ -236,7 +236,7 @@ TEST_F(ViewsTest, TheHeaderSelectsWhatTheCameraShows) {
     EXPECT_EQ(params.view.depth_scale, DepthScale::window);
 }
 
-/// Of five mistakes, each with a sentence and a fix, three are told, and a click tells the others too.
+/// Of five mistakes, each with a sentence and a fix, three are shown at first, and a click shows the others.
 TEST_F(ViewsTest, ThreeSentencesAreToldAtOnceAndAClickTellsTheOthers) {
     const auto fixes = [] {
         const std::vector<widgets::RecordedItem>& items = widgets::CurrentContext().recorded;
@@ -566,7 +566,7 @@ TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
             const ImVec2 from = desk.in_observer_view(places().near[edge]);
             drag(places().near[edge], 0.4F * (from.x - middle.x), 0.4F * (from.y - middle.y));
             EXPECT_EQ(differing_fields(start, params), Paths{paths[edge]});
-            // 0.4 of half the window's size of 2.5, but for the perspective of the observer.
+            // 0.4 of half the window's size of 2.5, except for the perspective of the observer.
             const double moved = params.projection.*edges[edge] - start.projection.*edges[edge];
             EXPECT_NEAR(std::abs(moved), 0.5, 0.15) << paths[edge];
             EXPECT_EQ(moved > 0.0, start.projection.*edges[edge] > 0.0) << "away from the middle";

@@ -1,5 +1,5 @@
-// An S or R entered by hand: what it is has a sentence exactly where it lacks a property of the right one. The matrices
-// are the slides' formulas written out, and the properties are tried on points.
+// An S or R entered by hand: a sentence appears exactly if it lacks a property of the correct matrix. The matrices
+// are the slides' formulas written out, and the properties are checked on points.
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -108,8 +108,8 @@ TEST(ByHand, WorkedSentences) {
                   "R entered by hand is the mirror of the plane 0.6 x + 0.8 y − 2 = 0, not of this one"}));
 }
 
-// The properties decide: S p in the plane for all p, S L = 0, points of the plane stay; R keeps the plane's points and
-// sends one point beside it to its image. A matrix with all of them needs no sentence, one that lacks any has one.
+// The properties: S p is in the plane for all p, S L = 0, and S leaves points of the plane fixed. R leaves the plane's
+// points fixed and maps a point off the plane to its image. A sentence appears exactly if a property is missing.
 TEST(ByHand, ASentenceExactlyWhereAPropertyIsMissing) {
     Random random(seed + 1);
     int right = 0, wrong = 0;

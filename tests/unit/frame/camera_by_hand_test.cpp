@@ -1,4 +1,4 @@
-// V and P entered by hand: they are uploaded as they are, the sentence names what is wrong with them, its fix repairs
+// V and P entered by hand: they are uploaded unchanged, the sentence names what is wrong with them, its fix repairs
 // the picture, and no matrix breaks the program.
 #include <glm/gtc/matrix_transform.hpp>
 

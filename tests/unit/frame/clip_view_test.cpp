@@ -153,7 +153,7 @@ TEST(WayView, TheWindowIsTheCamerasPicture) {
             const dvec3 p(random.number(-1, 1), random.number(-1, 1), -random.number(1, 11));
             const glm::dvec2 ndc(sent(derived.clip_from_view, p));
             if (glm::length(ndc) > 1.0) continue;
-            // The picture keeps its shape, but for the little perspective of the view from the front.
+            // The picture keeps its shape, except for the slight perspective of the front view.
             const double scale = 0.5 * free.height() / 1.25, shape = 1200.0 / 900.0 / (500.0 / 300.0);
             const double shrunk = std::min(1.0, 500.0 * free.width() / (300.0 * free.height()) / (1200.0 / 900.0));
             const glm::dvec2 expected = free.center() + shrunk * scale * ndc * glm::dvec2(shape, 1.0);

@@ -1,5 +1,5 @@
-// What a pasted matrix is: on random states, each way to spoil a matrix is named rightly, and a right one is never
-// called wrong. The matrices come from GLM and from the slides' formulas, written out here.
+// Diagnoses of pasted matrices: on random states, each kind of mistake is named correctly, and a correct matrix is
+// never reported as wrong. The matrices come from GLM and from the slides' formulas, written out here.
 #include "frame/explain/explain_matrix.h"
 
 #include <gtest/gtest.h>

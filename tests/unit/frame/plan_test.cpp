@@ -696,7 +696,7 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
     }
 }
 
-/// Where casters are clipped at the light, the w of all that is left has one sign, so forcing it gives the right frame.
+/// After clipping casters at the light, all remaining points have w of one sign, so forcing it gives the right frame.
 TEST(Plan, ForcesTheSignOfTheWholeShadowWhereCastersAreClippedAtTheLight) {
     for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-1,0,0]"})
         for (const char* const light : {"light.position=[2,5,2,1]", "light.position=[2,5,2,0]"})

@@ -172,7 +172,7 @@ TEST(TakeMatrix, AProjectionForZeroToOneKeepsItsLens) {
     ASSERT_TRUE(take_matrix(params, 'P', *fixed, 1.3));
     EXPECT_NEAR(params.projection.near, 0.2, 1e-12);
 
-    // Reversed, the third row alone tells the range: here also while the state's switch says −1 … 1.
+    // If depth is reversed, the third row alone determines the range, even while the state's switch says −1 … 1.
     params.depth.reversed_zero_to_one = false;
     const dmat4 reversed = glm::perspectiveRH_ZO(1.1, 16.0 / 9.0, 70.0, 0.2);
     ASSERT_TRUE(is_takeable(explain_matrix(reversed, 'P', params, 16.0 / 9.0)));

@@ -1,5 +1,5 @@
-// Editing a lesson's file from the window: what is typed, moved, doubled and removed reads back as it should, and a bad
-// edit is one sentence that leaves the text alone.
+// Editing a lesson's file from the window: steps that are typed, moved, duplicated, or removed read back correctly, and
+// a bad edit gives one error sentence and leaves the text unchanged.
 #include "lesson/edit_steps.h"
 
 #include <gtest/gtest.h>

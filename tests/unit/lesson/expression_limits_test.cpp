@@ -1,4 +1,4 @@
-// Tests expressions that compute whatever Lua can. Random expressions, most of them hostile, must end within the limits
+// Tests expressions that use all of Lua. Random expressions, most of them hostile, must end within the limits
 // with a value or one sentence, and no disguise may hide a word from the check.
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -166,7 +166,7 @@ Attempt attempt_of(const std::string& at, double number) {
     return attempt;
 }
 
-/// Whatever the two windows do, and in whatever order they write, each attempt appears exactly once, sorted by time.
+/// Two windows may write in any order: each attempt appears exactly once, sorted by time.
 /// The draft is that of the window that last wrote a changed draft.
 TEST(MergedHandIn, KeepsTheWorkOfBothWindows) {
     constexpr unsigned seed = 11;

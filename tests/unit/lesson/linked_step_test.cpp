@@ -50,7 +50,7 @@ TEST(LinkedStep, ReportsAMissingStep) {
         EXPECT_EQ(link_trouble(other), "none") << other;
 }
 
-/// A link cannot open the user's own file, so there is no link to it, whatever its id.
+/// A link cannot open the user's own file, so a custom lesson has no link, regardless of its id.
 TEST(LinkedStep, CustomLessonHasNoLink) {
     Lesson lesson = *load_lesson("depth-fighting");
     lesson.file = "/tmp/depth-fighting.json";

@@ -1,4 +1,4 @@
-// A wrong row that belongs to another plane or light. The rows are worked out from where points go, not from R's and
+// A wrong row that belongs to another plane or light. The rows are computed from the images of points, not from R's and
 // S's formulas.
 #include "lesson/other_row.h"
 
@@ -27,7 +27,7 @@ TEST(OtherRow, OfAMirrorRowMirrorsPointsAlike) {
     for (int round = 0; round < 200; ++round) {
         const glm::dvec3 n = glm::normalize(glm::dvec3(number(random), number(random), number(random)));
         const double d = 2.0 * number(random);
-        // Where mirroring takes the origin and the three unit points: each twice its distance along the normal.
+        // The reflections of the origin and the three unit points: each moves along the normal by twice its distance.
         const auto mirrored = [&](const glm::dvec3& p) { return p - 2.0 * (glm::dot(n, p) + d) * n; };
         for (int row = 0; row < 3; ++row) {
             glm::dvec4 entries(0.0);

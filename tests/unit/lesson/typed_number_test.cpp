@@ -1,4 +1,4 @@
-// What students type into a field for a number.
+// Input that students type into a number field.
 #include "lesson/typed_number.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Files are written completely or not at all, whatever is planted beside them. Files that would block a reader are
-// refused.
+// Files are written completely or not at all, even if other files are planted beside them. Files that would block a
+// reader are refused.
 #include "platform/file.h"
 
 #include <gtest/gtest.h>

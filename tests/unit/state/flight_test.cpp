@@ -1,4 +1,4 @@
-// Flights: a written flight reads back exactly, whatever has changed, and a broken file is reported by name and frame.
+// A saved flight reads back exactly, whichever fields change in it. An error names the broken file and the frame.
 #include <gtest/gtest.h>
 
 #include "random_params.h"

@@ -1,4 +1,4 @@
-// camera.look_at in files and settings: read in place of position and angles, refused beside them, never written.
+// camera.look_at in files and settings: read instead of position and angles, refused along with them, never written.
 #include <gtest/gtest.h>
 
 #include "state/file/json.h"
