@@ -12,7 +12,8 @@ namespace {
 
 using Lines = std::vector<DerivationLine>;
 
-constexpr float least_figure = 60.0F;  ///< height, in design pixels
+constexpr float least_column = 236.0F;  ///< width, in design pixels
+constexpr float least_figure = 60.0F;   ///< height, in design pixels
 
 /// Measures lines at a scale of the fonts. Closes at the end of its scope.
 class Measure {
@@ -129,8 +130,8 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
                 flow.column = {std::floor((room.x - gaps) / static_cast<float>(count)),
                                room.y - px(DerivationFlow::foot)};
                 flow.has_controls = has_bar && rows > 0;
-                is_done = flow.column.x >= px(DerivationFlow::least_bar) &&
-                          fill_columns(flow, lines, count, controls_px, least_height);
+                is_done =
+                    flow.column.x >= px(least_column) && fill_columns(flow, lines, count, controls_px, least_height);
             }
             return is_done;
         });

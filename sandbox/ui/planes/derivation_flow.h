@@ -18,7 +18,7 @@ struct DerivationFlow {
     std::vector<std::size_t> columns;
     ImVec2 column;  ///< size in pixels of a column, with the figure in the first
 
-    static constexpr float least_bar = 210.0F;  ///< width of a step bar, in design pixels
+    static constexpr float least_bar = 215.0F;  ///< width of a step bar, in design pixels
     static constexpr float gap = 10.0F;         ///< between figure and lines, and between columns; design pixels
     static constexpr float padding = 2.0F;      ///< at both sides of the lines, for letters that reach out
     static constexpr float foot = 12.0F;        ///< free space below the columns; design pixels
