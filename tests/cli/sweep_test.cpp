@@ -71,8 +71,8 @@ TEST_F(Sweep, MakesASheet) {
         for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[i]);
         return value;
     };
-    EXPECT_EQ(number_at(16), 8 + 3 * (64 + 8)) << "a column for each value of the second";
-    EXPECT_EQ(number_at(20), 8 + 2 * (36 + 20 + 16)) << "a row for each of the first";
+    EXPECT_EQ(number_at(16), 8 + 3 * (64 + 8)) << "one column for each value of the second field";
+    EXPECT_EQ(number_at(20), 8 + 2 * (36 + 20 + 16)) << "one row for each value of the first field";
 }
 
 TEST_F(Sweep, MakesFilmsWithFfmpeg) {
@@ -106,7 +106,7 @@ TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
     const std::string second = read("frames/0002.png");
     expect(0, small({"--vary", "camera.yaw=0:90:2", "-o", "frames/"}));
     EXPECT_NE(read("frames/0002.png"), second);
-    EXPECT_FALSE(exists("frames/0003.png")) << "one of the earlier sweep";
+    EXPECT_FALSE(exists("frames/0003.png")) << "a picture of the earlier sweep";
     EXPECT_EQ(std::filesystem::status(folder() / "frames").permissions(), std::filesystem::perms(0750));
     EXPECT_EQ(files(), 1U) << "the earlier folder is gone";
 
@@ -197,7 +197,7 @@ TEST_F(SweepOfAFlight, DrawsEachRecordedPictureAsSnapshotDrawsItsState) {
     }
     EXPECT_TRUE(exists("frames/0003.png"));
     EXPECT_FALSE(exists("frames/0005.png"));
-    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at it is the start";
+    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at, the state at the start";
 }
 
 TEST_F(SweepOfAFlight, ShowsTheScreenAtEachTime) {

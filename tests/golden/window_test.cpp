@@ -1,5 +1,5 @@
-// The screen and its snapshot have the same bytes, however often they are drawn. These tests need no
-// reference pictures.
+// The screen and its snapshot have the same bytes, however often they are drawn. These tests need no reference
+// pictures.
 #include <chrono>
 #include <set>
 #include <thread>

@@ -140,7 +140,7 @@ TEST_F(HistogramTest, InvalidInputDoesNoHarm) {
         changes = 0;
         ui.frames(2);
         expect_finite_picture();
-        EXPECT_EQ(changes, 0) << "drawing repairs nothing";
+        EXPECT_EQ(changes, 0) << "drawing does not correct the range";
         ui.right_click("counts/histogram");
         EXPECT_EQ(range, glm::dvec2(0, 1));
         EXPECT_EQ(changes, 1);
