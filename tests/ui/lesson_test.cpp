@@ -207,7 +207,7 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     RecordProperty("median share of the main view", std::to_string(shares[shares.size() / 2]));
 }
 
-/// On stage, no button switches between the two.
+/// On stage, no button switches between the lower views, so both must be visible.
 TEST(OnStage, BothLowerViewsAreVisibleOnSquareProjectors) {
     for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
         Desk desk(size);
@@ -231,7 +231,8 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     }
 }
 
-/// A pointer left over a control covers nothing; a tooltip appears while it moves there, and ends with the motion.
+/// A resting pointer shows no tooltip, which would cover the stage. A tooltip appears only while the pointer moves over
+/// a control.
 TEST(OnStage, TooltipsEndWhenThePointerRests) {
     const auto has_tooltip = [](const Desk& desk) {
         return std::ranges::any_of(desk.recorded(),
@@ -267,7 +268,7 @@ TEST(InALesson, UnnamedHandlesAreLockedUntilTheAnswer) {
         desk.drag_from(desk.in_camera_view(patch.center), 0.0F, -30.0F);
         return desk.params().planes.front().equation != before;
     };
-    EXPECT_FALSE(drag_plane()) << "while the question is open";
+    EXPECT_FALSE(drag_plane()) << "the plane is locked while the question is open";
     desk.workbench.guide.return_to_step(desk.session);
     desk.settle();
     desk.hold(Key::ctrl);
@@ -394,7 +395,7 @@ TEST(OnStage, AccidentalKeysDoNothing) {
     EXPECT_EQ(desk.params(), before);
     desk.press_with(Key::shift, Key::escape);
     EXPECT_FALSE(desk.workbench.presenter.is_on());
-    EXPECT_TRUE(desk.workbench.guide.is_shown()) << "the lesson goes on in the window";
+    EXPECT_TRUE(desk.workbench.guide.is_shown()) << "the lesson continues in the window";
 }
 
 TEST(OnStage, WakingABlackScreenDoesNothingElse) {
@@ -625,7 +626,7 @@ TEST(LessonStrip, AProductGrowsBelowItsTiles) {
             EXPECT_LE(item.max.x, desk.layout().strip.max.x) << name;
             before = item.max;
         }
-        EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before it is checked";
+        EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before the answer is checked";
     }
 }
 
@@ -747,7 +748,7 @@ TEST(FirstPageLeads, StartOpensTheFirstLessonAndGoOnTheLastOne) {
         desk.ui.frames(4);
     };
     open();
-    EXPECT_FALSE(desk.ui.has("start/Go on")) << "nobody was anywhere yet";
+    EXPECT_FALSE(desk.ui.has("start/Go on")) << "no lesson has been started yet";
     desk.ui.click("start/Start");
     ASSERT_TRUE(wait("view-is-the-inverse"));
     EXPECT_FALSE(desk.workbench.presenter.is_on());
