@@ -87,7 +87,7 @@ TEST_F(Ending, OfASuiteReportsTheRestAsNotDrawn) {
             const bool is_drawn = entry["outcome"] == "new";
             EXPECT_TRUE(is_drawn ? has_picture : has(entry["reasons"][0], "SIG")) << entry;
         }
-        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "other programs see it as well";
+        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "other programs see skipped entries";
         EXPECT_TRUE(has(ended.err, std::to_string(all["counts"]["not drawn"].get<int>()) + " entries were not drawn"))
             << ended.err;
     }

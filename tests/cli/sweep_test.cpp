@@ -122,7 +122,7 @@ TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
     const Ended table = run(small({"--vary", "camera.yaw=0:30:2", "-o", "frames", "--csv", "/dev/full"}));
     EXPECT_EQ(table.status, 2) << table.told();
     EXPECT_EQ(read("frames/0003.png"), kept);
-    EXPECT_EQ(files(), 2U) << "nothing unfinished is left";
+    EXPECT_EQ(files(), 2U) << "no unfinished file is left";
 }
 
 /// A folder is replaced only if everything in it comes from a sweep.

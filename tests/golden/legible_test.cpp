@@ -191,8 +191,8 @@ protected:
         EXPECT_LE(all.pale.size(), all.contrasts.size() / 500) << all.pale.front();
         EXPECT_LE(all.missing.size(), all.contrasts.size() / 200) << all.missing.front();
         constexpr double least_size = 1.0 / 42.0, least_index = 0.77 / 41.0;
-        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "smaller than an index";
-        EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "more than indices are small";
+        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "a letter is smaller than an index";
+        EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "letters other than indices are small";
     }
 };
 

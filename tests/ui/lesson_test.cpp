@@ -517,7 +517,7 @@ TEST(OnStage, TypedVotesBecomeSharesBeforeAndAfterTheDiscussion) {
         const Ballot& ballot = desk.workbench.guide.run()->ballot();
         EXPECT_EQ(ballot.votes(), (std::vector{80, 60, 0, 45}));
         for (const char* text : {"43 % · 80", "33 % · 60", "0 % · 0", "24 % · 45"}) EXPECT_TRUE(is_on_top(desk, text));
-        EXPECT_EQ(desk.params().camera.position, eye) << "letters move nothing";
+        EXPECT_EQ(desk.params().camera.position, eye) << "letters do not move the camera";
 
         desk.press_with(Key::shift, Key::v);
         type_votes(desk, "a 20 b 160");

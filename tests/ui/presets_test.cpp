@@ -211,7 +211,7 @@ TEST_F(PresetsTest, TitlesRankBeforeSentences) {
     ui.type("mirror");
     ui.frames(2);
     EXPECT_TRUE(ui.has("top/room")) << "its sentence mentions mirrors";
-    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "observer-rays") << "the title is Rays, mirrored eye, image space";
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "observer-rays") << "titled Rays, mirrored eye, image space";
 }
 
 TEST_F(PresetsTest, ASlidesNumberFindsItsPresets) {

@@ -690,7 +690,7 @@ TEST_F(ViewsTest, ALightOutsideThePictureIsAnArrowAtItsEdge) {
     EXPECT_LT(above->y, 70.0F);
     EXPECT_GT(right_behind->x, 480.0F) << "a light behind the eye on the right is to the right";
     EXPECT_NEAR(right_behind->y, 200.0F, 3.0F);
-    EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "straight behind";
+    EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "a point straight behind the eye";
 }
 
 }  // namespace

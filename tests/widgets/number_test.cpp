@@ -171,7 +171,7 @@ TEST_F(NumberTest, TabMovesToTheNextNumberAndBack) {
     ui.key(ImGuiKey_Enter);
     EXPECT_EQ(value, glm::dvec3(10, 25, 30));
     ui.frames(20);
-    EXPECT_LT(RedrawIn(context), 0.0F) << "there is nothing left to do";
+    EXPECT_LT(RedrawIn(context), 0.0F) << "no frame is due";
 }
 
 TEST_F(NumberTest, RightClickResets) {
