@@ -197,7 +197,7 @@ TEST_F(SweepOfAFlight, DrawsEachRecordedPictureAsSnapshotDrawsItsState) {
     }
     EXPECT_TRUE(exists("frames/0003.png"));
     EXPECT_FALSE(exists("frames/0005.png"));
-    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at, the state at the start";
+    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "the start, without --at";
 }
 
 TEST_F(SweepOfAFlight, ShowsTheScreenAtEachTime) {

@@ -74,7 +74,7 @@ TEST_F(GrowthView, OnStageItMeasuresByItself) {
     hidden().growth.measuring.cancel();
     wait_until_measured();
     begin_hidden_frame(hidden(), desk.session, status);
-    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "it was canceled";
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "a canceled measurement does not restart";
 }
 
 TEST_F(GrowthView, MeasuringShowsProgressAndCanBeCanceled) {

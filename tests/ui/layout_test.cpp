@@ -271,10 +271,10 @@ TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {
     EXPECT_NEAR(enlargement({1280, 720}, 1.0F, arrangement), 1.2F, 1e-6F);
     EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "the text never shrinks";
     arrangement.bare = true;
-    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of only the view is not enlarged";
     arrangement.bare = false;
     arrangement.in_lesson = true;
-    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may maximize nothing";
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may not maximize a view";
 }
 
 TEST(Layout, OneColumnGivesWayAtEightHundredBySixHundred) {

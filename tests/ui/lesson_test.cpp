@@ -321,14 +321,14 @@ TEST(OnStage, AClickerNeverSkipsAnAnswer) {
     EXPECT_TRUE(guide.run()->is_revealed());
     EXPECT_TRUE(guide.run()->shows_end());
     desk.press(Key::page_down);
-    EXPECT_TRUE(guide.run()->shows_end()) << "nothing follows";
+    EXPECT_TRUE(guide.run()->shows_end()) << "nothing follows the end";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_FALSE(guide.run()->shows_end());
-    EXPECT_TRUE(guide.run()->is_revealed()) << "goes back to the last answer first";
+    EXPECT_TRUE(guide.run()->is_revealed()) << "Page Up first returns to the last answer";
     desk.press(Key::page_up);
     desk.settle();
-    EXPECT_FALSE(guide.run()->is_revealed()) << "then to its question";
+    EXPECT_FALSE(guide.run()->is_revealed()) << "then it returns to the question";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_EQ(guide.run()->index(), lesson.steps.size() - 2);

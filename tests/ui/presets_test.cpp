@@ -157,7 +157,7 @@ TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     ASSERT_EQ(params.ui.theme, Theme::projector);
     desk.press(Key::page_down);
     desk.settle();
-    EXPECT_EQ(desk.session.preset()->name, "camera-plus-ten") << "the next one of the lecture";
+    EXPECT_EQ(desk.session.preset()->name, "camera-plus-ten") << "the lecture's next preset";
     EXPECT_EQ(params.ui.theme, Theme::dark);
 }
 
