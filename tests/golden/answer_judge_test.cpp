@@ -64,7 +64,7 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     EXPECT_FALSE(run().verdict()) << "nothing was changed";
     set_units(-40.0);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
-    EXPECT_FALSE(run().verdict()) << "the check in progress hides the old verdict";
+    EXPECT_FALSE(run().verdict()) << "no verdict is shown during the check";
     EXPECT_GE(studio_->redraw_in_s(), 0.0);
     ASSERT_TRUE(frames_until([&] { return !is_checking(); }));
     ASSERT_TRUE(run().verdict()) << run().trouble();
