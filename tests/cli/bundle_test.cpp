@@ -56,7 +56,7 @@ protected:
         EXPECT_EQ(names("bundle"), expected);
         fs::rename(folder() / "bundle", folder() / "moved");
         EXPECT_TRUE(picture({"moved/state.json"}) == before);
-        EXPECT_EQ(files(), 1U) << "nothing is left over";
+        EXPECT_EQ(files(), 1U) << "no other file is left";
     }
 };
 

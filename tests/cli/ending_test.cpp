@@ -87,7 +87,7 @@ TEST_F(Ending, OfASuiteReportsTheRestAsNotDrawn) {
             const bool is_drawn = entry["outcome"] == "new";
             EXPECT_TRUE(is_drawn ? has_picture : has(entry["reasons"][0], "SIG")) << entry;
         }
-        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "other programs see it as well";
+        EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "other programs see skipped entries";
         EXPECT_TRUE(has(ended.err, std::to_string(all["counts"]["not drawn"].get<int>()) + " entries were not drawn"))
             << ended.err;
     }
@@ -114,7 +114,7 @@ TEST_F(Ending, OfASuiteKeepsKnownResults) {
     expect(0, {"suite", "run", "suite.json", "--cache"});
     run({"suite", "run", "suite.json", "--cache"},
         {.signal = SIGTERM, .signal_when = [&] { return processes_in_it() > 1; }});
-    EXPECT_GT(report()["counts"]["not drawn"], 0) << "it is ended while its worker begins";
+    EXPECT_GT(report()["counts"]["not drawn"], 0) << "the suite is stopped while its worker starts";
     EXPECT_TRUE(has(expect(0, {"suite", "run", "suite.json", "--cache"}).out, "(6 unchanged, not drawn again)"));
 }
 
@@ -127,7 +127,7 @@ TEST_F(Ending, OfAKilledSuiteEndsItsWorkersToo) {
     expect_nothing_unfinished();
     expect_whole_pictures();
     EXPECT_FALSE(exists("report/report.json"));
-    EXPECT_EQ(run({"suite", "run", "suite.json", "--only", "e0"}).status, 0) << "the folder is still the suite's";
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--only", "e0"}).status, 0) << "the folder still belongs to the suite";
 }
 
 /// Signals arrive at random moments of the sweep, but not before its first picture.

@@ -62,7 +62,7 @@ TEST_F(ExercisesCommand, ListsASetOrNamedExercises) {
         EXPECT_GT(lines.size(), 1U);
         for (std::size_t i = 0; i + 1 < lines.size(); ++i) all.insert(lines[i].substr(0, 3));
     }
-    EXPECT_EQ(all.size(), 26U) << "each belongs to one or more";
+    EXPECT_EQ(all.size(), 26U) << "each exercise belongs to one or more sets";
 }
 
 TEST_F(ExercisesCommand, AnUnknownSetSuggestsTheNearest) {
@@ -100,7 +100,7 @@ TEST_F(ExercisesCommand, VariantsMatchAnIndependentComputation) {
     EXPECT_EQ(sheet["exercises"][0]["exercise"], "E16-shadow-matrix");
     EXPECT_EQ(sheet["exercises"][0]["variant"], 8);
     EXPECT_EQ(sheet["exercises"][0]["values"], nlohmann::json::parse(R"({"P": [0, 1, 0, 0], "L": [-1, 4, 3, 1]})"))
-        << "the ninth of its deployed ones";
+        << "the ninth of its deployed variants";
     EXPECT_EQ(sheet["exercises"][0]["points"], 3);
     EXPECT_EQ(
         sheet["exercises"][0]["question"],

@@ -241,7 +241,7 @@ TEST_F(GradeCommand, FoldersAreSearchedWithoutLinksAndSkippedFilesAreCounted) {
     const Ended as_csv = run({"grade", "hand-ins", "--format", "csv", "--exercises", "exercises"});
     EXPECT_EQ(as_csv.err, "grade: " + counted + "\n");
     EXPECT_FALSE(has(as_csv.out, "skipped"));
-    EXPECT_TRUE(has(grade(0, {"hand-ins/link.json"}).out, " 7/7 ")) << "a link that is named is followed";
+    EXPECT_TRUE(has(grade(0, {"hand-ins/link.json"}).out, " 7/7 ")) << "a link named on the command line is followed";
     write("hand-ins/broken.json", "{");
     EXPECT_TRUE(has(grade(2, {"hand-ins", "--html", "page.html"}).err, "; 3 files judged, 1 not read, 7 skipped: "));
     EXPECT_TRUE(has(read("page.html"), "3 files judged, 1 not read, 7 skipped: 3 not JSON"));

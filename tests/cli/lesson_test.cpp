@@ -66,7 +66,7 @@ TEST_F(LessonCommand, ACheckTellsAllMistakesOfAFile) {
           "projection.naer", "claims[0]", "claims[2]", "step two: say", "chioce", "step two: reveal: is missing"})
         EXPECT_TRUE(has(told, part)) << part << "\n" << told;
     EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 14) << told;
-    EXPECT_EQ(lines_of(expect(2, {"lesson", "mine.json", "--handout", "-"}).err).size(), 1U) << "elsewhere, the first";
+    EXPECT_EQ(lines_of(expect(2, {"lesson", "mine.json", "--handout", "-"}).err).size(), 1U) << "only the first error";
 }
 
 TEST_F(LessonCommand, ACheckRefusesTheTextsOfASavedStep) {

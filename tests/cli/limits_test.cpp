@@ -62,7 +62,7 @@ TEST_F(Limits, TheLargestPictureTakesAtMostAGigabyte) {
     if (!viewing::is_sanitized) {
         EXPECT_LT(ended.peak_bytes, 1'000'000'000);
     }
-    EXPECT_GT(ended.peak_bytes, 4 * 4096 * 4096) << "that is the picture alone";
+    EXPECT_GT(ended.peak_bytes, 4 * 4096 * 4096) << "the picture alone takes this much";
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST_F(Measure, PainterUsesTheStatesKey) {
 
 TEST_F(Measure, ExactCurvesAreComparedByObject) {
     const Json measured = visibility({"curved", "--size", "160x90", "--set", "visibility.exact_curves=true"});
-    EXPECT_LT(measured["methods"]["ray_cast"]["wrong_pixels"], 100) << "not every pixel of a curved shape";
+    EXPECT_LT(measured["methods"]["ray_cast"]["wrong_pixels"], 100) << "only a few pixels of a curved shape are wrong";
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
 }
 
@@ -200,7 +200,7 @@ TEST_F(Measure, GrowthUsesTheScenesPolygons) {
                               .json();
     EXPECT_EQ(measured["polygons"], "scene");
     EXPECT_EQ(measured["scene"], "cyclic-overlap");
-    for (const Json& row : measured["rows"]) EXPECT_LE(row["polygons"], 100) << "no more than there are";
+    for (const Json& row : measured["rows"]) EXPECT_LE(row["polygons"], 100) << "the scene has no more polygons";
 }
 
 TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {

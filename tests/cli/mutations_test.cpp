@@ -254,8 +254,8 @@ void write_kind(const std::filesystem::path& path, const Image& image, const Kin
     std::fclose(file);
 }
 
-/// Reduces the picture to gray, so that a gray file can store it. The next function reduces it to 5 levels per channel,
-/// so that its colors fit in a palette.
+/// Reduces the picture to gray, so that a gray file can store it. The next function reduces the picture to 5 levels per
+/// channel, so that its colors fit in a palette.
 Image grey(const Image& image) {
     Image result = image;
     for (std::size_t i = 0; i < result.rgba.size(); i += 4) result.rgba[i + 1] = result.rgba[i + 2] = result.rgba[i];

@@ -245,7 +245,7 @@ TEST_F(Snapshot, AFullDiskIsNoticed) {
     expect(2, small("/dev/full"));
     expect(2, {"state"}, {.output = "/dev/full"});
     expect(2, small("a.png", {"--json", "/dev/full"}));
-    EXPECT_EQ(files(), 0U) << "the picture without its report";
+    EXPECT_EQ(files(), 0U) << "no picture is left without its report";
 }
 
 TEST_F(Snapshot, AFailedPictureKeepsTheOldFile) {

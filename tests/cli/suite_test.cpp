@@ -79,7 +79,7 @@ TEST_F(SuiteCommand, AcceptUsesTheResultsOfTheLastRun) {
     EXPECT_EQ(expect(0, {"suite", "accept", "suite.json", "opening"}).out, "1 reference accepted\n");
     EXPECT_EQ(read("references/opening.png"), read("report/pictures/opening.actual.png"));
     EXPECT_EQ(outcome("opening"), "passed");
-    EXPECT_EQ(outcome("derivation"), "different") << "it was not accepted";
+    EXPECT_EQ(outcome("derivation"), "different") << "this entry was not accepted";
     EXPECT_EQ(expect(0, {"suite", "accept", "suite.json"}).out, "1 reference accepted\n");
     expect(0, {"suite", "run", "suite.json"});
 }
@@ -95,7 +95,7 @@ TEST_F(SuiteCommand, AReferenceThatCannotBeReplacedWholeIsKept) {
     const Ended ended = expect(2, {"suite", "accept", "suite.json"}, {.limits = {{RLIMIT_FSIZE, 2000}}});
     EXPECT_TRUE(has(ended.err, "opening.png: cannot be written")) << ended.told();
     EXPECT_EQ(read("references/opening.png"), reference);
-    EXPECT_EQ(files(), before) << "something unfinished is left";
+    EXPECT_EQ(files(), before) << "an unfinished file is left";
 }
 
 TEST_F(SuiteCommand, AFolderOfStatesIsASuite) {

@@ -71,8 +71,8 @@ TEST_F(Sweep, MakesASheet) {
         for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[i]);
         return value;
     };
-    EXPECT_EQ(number_at(16), 8 + 3 * (64 + 8)) << "a column for each value of the second";
-    EXPECT_EQ(number_at(20), 8 + 2 * (36 + 20 + 16)) << "a row for each of the first";
+    EXPECT_EQ(number_at(16), 8 + 3 * (64 + 8)) << "one column for each value of the second field";
+    EXPECT_EQ(number_at(20), 8 + 2 * (36 + 20 + 16)) << "one row for each value of the first field";
 }
 
 TEST_F(Sweep, MakesFilmsWithFfmpeg) {
@@ -106,7 +106,7 @@ TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
     const std::string second = read("frames/0002.png");
     expect(0, small({"--vary", "camera.yaw=0:90:2", "-o", "frames/"}));
     EXPECT_NE(read("frames/0002.png"), second);
-    EXPECT_FALSE(exists("frames/0003.png")) << "one of the earlier sweep";
+    EXPECT_FALSE(exists("frames/0003.png")) << "a picture of the earlier sweep";
     EXPECT_EQ(std::filesystem::status(folder() / "frames").permissions(), std::filesystem::perms(0750));
     EXPECT_EQ(files(), 1U) << "the earlier folder is gone";
 
@@ -122,7 +122,7 @@ TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
     const Ended table = run(small({"--vary", "camera.yaw=0:30:2", "-o", "frames", "--csv", "/dev/full"}));
     EXPECT_EQ(table.status, 2) << table.told();
     EXPECT_EQ(read("frames/0003.png"), kept);
-    EXPECT_EQ(files(), 2U) << "nothing unfinished is left";
+    EXPECT_EQ(files(), 2U) << "no unfinished file is left";
 }
 
 /// A folder is replaced only if everything in it comes from a sweep.
@@ -197,7 +197,7 @@ TEST_F(SweepOfAFlight, DrawsEachRecordedPictureAsSnapshotDrawsItsState) {
     }
     EXPECT_TRUE(exists("frames/0003.png"));
     EXPECT_FALSE(exists("frames/0005.png"));
-    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at it is the start";
+    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "the start, without --at";
 }
 
 TEST_F(SweepOfAFlight, ShowsTheScreenAtEachTime) {

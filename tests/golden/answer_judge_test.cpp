@@ -64,7 +64,7 @@ TEST_F(AnswerJudgeTest, ChecksInTheBackgroundAsGradeDoes) {
     EXPECT_FALSE(run().verdict()) << "nothing was changed";
     set_units(-40.0);
     ASSERT_TRUE(frames_until([&] { return is_checking(); }));
-    EXPECT_FALSE(run().verdict()) << "the check in progress is shown first";
+    EXPECT_FALSE(run().verdict()) << "no verdict is shown during the check";
     EXPECT_GE(studio_->redraw_in_s(), 0.0);
     ASSERT_TRUE(frames_until([&] { return !is_checking(); }));
     ASSERT_TRUE(run().verdict()) << run().trouble();
@@ -96,11 +96,11 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     EXPECT_FALSE(is_checking());
     EXPECT_FALSE(run().is_revealed());
     studio_->workbench.guide.resume(studio_->session);
-    ASSERT_EQ(studio_->session.params.depth.offset.units, -0.75) << "unchanged since it was left";
+    ASSERT_EQ(studio_->session.params.depth.offset.units, -0.75) << "unchanged since the user left the question";
     EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change that closely follows a save is saved later. Possibly nothing else would wake the window by then.
+/// A change that closely follows a save is saved later. By then, nothing else may wake the window.
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -117,12 +117,12 @@ TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     ASSERT_TRUE(frames_until([&] { return is_written("-40.5"); }));
     set_units(-41.5);
     EXPECT_TRUE(frames_until([&] { return !is_checking() && studio_->redraw_in_s() > 0.1; }));
-    EXPECT_LE(studio_->redraw_in_s(), 0.3) << "these frames took no time of the window's";
+    EXPECT_LE(studio_->redraw_in_s(), 0.3) << "these frames took none of the window's time";
     EXPECT_TRUE(exercises.finish());
     std::filesystem::remove_all(folder);
 }
 
-/// The product of the tiles follows their order and the state; in the right order it is C.
+/// The product of the tiles depends on their order and on the state; in the right order it is C.
 TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
     Guide& guide = studio_->workbench.guide;
     const Result<Lesson> walk = load_lesson("fly-and-walk");
@@ -140,7 +140,7 @@ TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
     };
     ASSERT_TRUE(frames_until(is_told));
     ASSERT_EQ(run().products().matrices.size(), 4U);
-    EXPECT_GT(off_camera(run().products().matrices.back()), 0.1) << "the tiles begin in a wrong order";
+    EXPECT_GT(off_camera(run().products().matrices.back()), 0.1) << "the tiles start in a wrong order";
     guide.run()->answer().items = {3, 1, 0, 2};
     ASSERT_TRUE(frames_until([&] { return run().products().items == guide.run()->answer().items; }));
     EXPECT_LT(off_camera(run().products().matrices.back()), 1e-12);
@@ -151,7 +151,8 @@ TEST_F(AnswerJudgeTest, TheProductOfTilesFollowsTheirOrderAndTheState) {
 
 class AnswerJudgeSlowTest : public AnswerJudgeTest {};
 
-/// A revealed question shows its right answer, also if another one was left while its own was still being measured.
+/// A revealed question shows its right answer, even if the user left another question while that one's answer was
+/// still being measured.
 TEST_F(AnswerJudgeSlowTest, RevealedQuestionsGetTheirRightAnswer) {
     Guide& guide = studio_->workbench.guide;
     const auto reveal = [&](const Lesson& lesson, std::size_t step) {

@@ -111,7 +111,7 @@ TEST_F(GradingTest, AfterTheTimeLimitTheRestIsUnjudgedAndRightAnswersStay) {
         EXPECT_EQ(static_cast<int>(typed.judged() + goal.judged()), judged);
         EXPECT_EQ(grade.is_cut, judged < 5) << judged;
         EXPECT_EQ(typed.standing, judged == 0 ? Standing::not_judged : Standing::right)
-            << "its last answer is the first";
+            << "its last answer is judged first";
         EXPECT_EQ(typed.points, judged == 0 ? 0 : 2);
         EXPECT_EQ(goal.standing, judged < 4 ? Standing::not_judged : Standing::wrong) << judged;
         EXPECT_EQ(goal.trouble, judged < 4 ? "no time" : "") << judged;

@@ -1,5 +1,5 @@
-// The stage, measured on the pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts
-// with its background, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
+// Measures the stage in pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts with
+// its background, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
 // (ui/letters.h), colors from the picture; neither knows the layout. VIEWING_LONG_TESTS=1 measures every step, asked
 // and revealed, in every room, and prints the distributions.
 #include <array>
@@ -62,9 +62,9 @@ glm::dvec3 ground_of(const Box& box, const Image& image) {
 }
 
 struct Legible {
-    double contrast;  ///< of the letter's color, mixed with what is behind it by its opacity
-    double drawn;     ///< the share of the way from the ground to that color that its most inked pixel has gone
-    double size;      ///< of the type, in heights of the window
+    double contrast;  ///< of the letter's color, blended with its background by its opacity
+    double drawn;     ///< how close the most inked pixel comes to that color: 0 (background) to 1
+    double size;      ///< of the font, in window heights
 };
 
 std::optional<Legible> measured(const Letter& letter, const Image& image) {
@@ -128,13 +128,13 @@ const std::array<Hall, 4> halls = {{{{1920, 1080}, Theme::dark, Language::en},
 
 /// Measurements from one or more pictures.
 struct Measured {
-    std::vector<double> contrasts, sizes;         ///< of each letter; sizes in heights of the window
-    std::vector<double> empty_parts, main_views;  ///< of each picture, relative to the area above the text
-    std::vector<std::string> pale, missing;       ///< letters below the least contrast; letters that left no ink
+    std::vector<double> contrasts, sizes;         ///< one per letter; sizes in window heights
+    std::vector<double> empty_parts, main_views;  ///< one per picture, relative to the area above the text
+    std::vector<std::string> pale, missing;       ///< letters with too little contrast; letters that left no ink
 
     void add(const Letter& letter, const std::string& where, const Image& image) {
         const bool is_word = letter.character >= 0x80 || std::isalnum(static_cast<int>(letter.character)) != 0;
-        const bool is_disabled = (letter.color >> IM_COL32_A_SHIFT) <= 153U;  // those may be pale, as in WCAG
+        const bool is_disabled = (letter.color >> IM_COL32_A_SHIFT) <= 153U;  // disabled text may be pale, as in WCAG
         const bool is_scrolled_to = letter.pen.y + letter.line_height > letter.clip.w + 0.5F;  // fades at a list's edge
         if (is_scrolled_to) return;
         const std::optional<Legible> legible = measured(letter, image);
@@ -191,12 +191,12 @@ protected:
         EXPECT_LE(all.pale.size(), all.contrasts.size() / 500) << all.pale.front();
         EXPECT_LE(all.missing.size(), all.contrasts.size() / 200) << all.missing.front();
         constexpr double least_size = 1.0 / 42.0, least_index = 0.77 / 41.0;
-        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "smaller than an index";
-        EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "more than indices are small";
+        EXPECT_GE(quantile(all.sizes, 0.0), least_index) << "a letter is smaller than an index";
+        EXPECT_GE(quantile(all.sizes, 0.01), least_size) << "letters other than indices are small";
     }
 };
 
-/// Each hall measures every eleventh picture, so that all lessons have their turn.
+/// Measures every eleventh picture in each hall, so that every lesson is covered.
 TEST_F(LegibleSlowTest, TypeOnStage) {
     const bool is_long = std::getenv("VIEWING_LONG_TESTS") != nullptr;
     const std::size_t stride = is_long ? 1 : 11 * halls.size();
@@ -220,7 +220,7 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
     }
 }
 
-/// All type of the free window is on one scale of five sizes, indices included, and no digit is below 9 pixels.
+/// All text in the free window uses one scale of five sizes, indices included, and no digit is below 9 pixels.
 /// Measures every eighth preset, or all with VIEWING_LONG_TESTS.
 TEST_F(LegibleSlowTest, TypeInTheWindow) {
     std::map<long, std::string> examples;  // by size in pixels

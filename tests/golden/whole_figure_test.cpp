@@ -24,7 +24,7 @@ struct Shown {
     std::vector<std::string> settings = {};
 };
 
-/// Every view once. Tables and the whole window are also shown in the other looks.
+/// Lists every view once, and tables and the whole window also in the other looks.
 const std::vector<Shown>& shown_views() {
     static const std::vector<Shown> all = {
         {PictureView::window},

@@ -1,5 +1,5 @@
-// The screen and its snapshot have the same bytes, however often they are drawn. These tests need no
-// reference pictures.
+// The screen and its snapshot have the same bytes, however often they are drawn. These tests need no reference
+// pictures.
 #include <chrono>
 #include <set>
 #include <thread>
@@ -122,7 +122,7 @@ TEST_F(WindowTest, DrawsALargeSlowSceneCoarselyWhileHeld) {
     EXPECT_EQ(coarse->objects.back().mesh, large.objects.back().mesh) << "the scene is small";
     EXPECT_NE(stand_ins.sentence().find(" of 358,824 triangles"), std::string::npos) << stand_ins.sentence();
     EXPECT_EQ(stand_ins.choose(false, true), nullptr) << "at rest";
-    EXPECT_EQ(stand_ins.choose(true, false), coarse) << "drawing was slow once";
+    EXPECT_EQ(stand_ins.choose(true, false), coarse) << "drawing has been slow before";
     EXPECT_EQ(held(stand_ins, large, 2, false), nullptr) << "another scene";
     stand_ins.follow(small, 3);
     EXPECT_EQ(stand_ins.choose(true, true), nullptr) << "nothing is large";

@@ -189,7 +189,7 @@ TEST_F(Fighting, IsCountedWithEachCureAsIfSetByHand) {
         return report.cured[static_cast<std::size_t>(kind)].counts->wrong_fraction();
     };
     EXPECT_EQ(share(CureKind::near) + share(CureKind::reversed_float) + share(CureKind::logarithmic), 0.0);
-    EXPECT_GT(share(CureKind::float_format), 0.1) << "near 1 a float has the codes of 24 bits";
+    EXPECT_GT(share(CureKind::float_format), 0.1) << "near depth 1, a float has as many codes as 24 bits";
     EXPECT_GT(share(CureKind::equal), 0.1) << "there is a gap";
     EXPECT_EQ(share(CureKind::stencil), 0.0);
     EXPECT_GT(report.cured.back().counts->wrong_elsewhere, 1000) << "parts that stick out beside the wall are lost";
@@ -221,7 +221,7 @@ TEST_F(Fighting, MatchesSharesPredictedFromCodesAlone) {
         ASSERT_TRUE(counts) << counts.error();
         for (const CountedPair& counted : counts->pairs) {
             const auto predicted = predict_pair(counted.pair, params, derived, large_px).wrong_share;
-            if (!predicted) continue;  // there are too few codes, or the code is the one that the buffer was cleared to
+            if (!predicted) continue;  // there are too few codes, or the code equals the clear value
             ++said;
             EXPECT_TRUE(predicted->holds(counted.wrong_fraction()))
                 << preset << " z " << counted.pair.center_world.z << ": " << counted.wrong_fraction() << " and "
@@ -286,7 +286,7 @@ TEST_F(Fighting, At24BitsIsPredictedOnlyWhenCertainAndVariesByCamera) {
     EXPECT_GT(at_24.most - at_24.least, 0.3) << "a single picture says little";
 }
 
-/// A gap just above the safe one has no wrong pixel anywhere on the pair, also at its farthest corner.
+/// With a gap just above the safe one, no pixel of the pair is wrong, even at its farthest corner.
 TEST_F(Fighting, HasNoWrongPixelAboveTheSafeGap) {
     Random random(seed);
     int checked = 0;
@@ -331,7 +331,7 @@ TEST_F(Fighting, HasNoWrongPixelAboveTheSafeGap) {
 
 TEST_F(Fighting, DistinguishesVanishingFromBleeding) {
     const FightingCounts few_bits = count("depth-few-bits");
-    EXPECT_GT(few_bits.pairs.back().vanished, 1000) << "the pair at 84 has the cleared code";
+    EXPECT_GT(few_bits.pairs.back().vanished, 1000) << "the pair at distance 84 has the clear value's code";
     EXPECT_EQ(few_bits.pairs.front().vanished, 0);
     EXPECT_EQ(few_bits.bleeding_elsewhere, 0) << "nothing is in front of it";
     EXPECT_EQ(few_bits.vanished_elsewhere, few_bits.wrong_elsewhere);

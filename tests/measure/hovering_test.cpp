@@ -139,12 +139,12 @@ TEST_P(Hovering, OneReadIsPendingAndTheNewestPlaceWins) {
         EXPECT_EQ(told->pixel, glm::ivec2(80, 45));
         EXPECT_TRUE(inspector.is_following());
     }
-    EXPECT_LE(copies, 4) << "a pixel is four reads";
+    EXPECT_LE(copies, 4) << "one pixel takes four reads";
     is_slow = false;
     const std::optional<PixelReport> told = rest_at({19, 3});
     ASSERT_TRUE(told);
     expect_same(*told, at_once({19, 3}));
-    EXPECT_EQ(copies, 8) << "the first place, and the last one";
+    EXPECT_EQ(copies, 8) << "only the first and the last place are read";
 }
 
 /// Lower views that describe the pixel keep showing this picture's earlier report until the next one arrives.

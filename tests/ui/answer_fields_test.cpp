@@ -1,4 +1,4 @@
-// Fields for answers: formulas, texts that are no numbers, Enter; and what an unsolved question does not give away.
+// Answer fields: formulas, texts that are not numbers, and Enter. Also tests what an unsolved question hides.
 #include <gtest/gtest.h>
 
 #include "exercise_desk.h"
@@ -36,7 +36,7 @@ TEST_F(AnswerFields, SayWhatCannotBeReadAndAreNotJudged) {
     desk.begin("E17-shadow-point");
     const char* const x = "lesson strip/answers/answer/x";
     type(x, "4 over 2");
-    EXPECT_EQ(ui.text_of(x), "4 over 2") << "nothing is thrown away";
+    EXPECT_EQ(ui.text_of(x), "4 over 2") << "the typed text stays";
     EXPECT_TRUE(ui.has("lesson strip/trouble"));
     EXPECT_EQ(desk.run().first_unread(), "4 over 2");
     bool is_judged = false;
@@ -101,7 +101,7 @@ TEST_F(AnswerFields, ExploringAnUnsolvedExerciseUncoversNothing) {
     EXPECT_NE(desk.session.message.text.find("stays covered"), std::string::npos);
     desk.workbench.guide.run()->reveal();
     ui.frames(3);
-    EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "a solved exercise covers nothing";
+    EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "a solved exercise hides nothing";
     desk.workbench.guide.run()->cover();
     ui.frames(3);
     EXPECT_FALSE(ui.has("matrices/S/r0c0"));

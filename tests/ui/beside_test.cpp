@@ -1,4 +1,4 @@
-// The second picture with other settings: chosen with one click or typed into the search, named, swapped and removed.
+// The second picture, which has other settings: it is chosen by one click or by search, named, swapped and removed.
 #include "state/file/beside.h"
 #include "desk.h"
 #include "exercise_desk.h"
@@ -42,7 +42,7 @@ TEST_F(BesidePanel, TheFixedPictureIsShownBesideTheBrokenOne) {
 }
 
 TEST_F(BesidePanel, TheStateBeforeTheLastEditAndThePreset) {
-    desk.click("beside/The preset");  // the opening state: this one is not the preset that is open
+    desk.click("beside/The preset");  // the opening state, not the open preset
     desk.settle();
     EXPECT_EQ(beside_params(params).reflection.stencil, Params{}.reflection.stencil);
     desk.undo();
@@ -57,7 +57,7 @@ TEST_F(BesidePanel, TheStateBeforeTheLastEditAndThePreset) {
     EXPECT_EQ(params.projection.near, edited);
     EXPECT_EQ(beside_params(params).projection.near, near);
     EXPECT_NE(beside_titles(params).camera, beside_titles(params).beside);
-    EXPECT_FALSE(ui.find("beside/Before the last edit").enabled) << "the last edit was to show it";
+    EXPECT_FALSE(ui.find("beside/Before the last edit").enabled) << "the last edit showed the second picture";
     desk.undo();
     EXPECT_EQ(params.view.beside.shows, Beside::nothing);
 }

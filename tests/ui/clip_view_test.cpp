@@ -60,7 +60,7 @@ TEST(ClipSpaceView, MarksTheFaceThatCutsTheFollowedPointOff) {
     };
     EXPECT_EQ(says("PVp÷w"), 1U);
     EXPECT_EQ(says("cutoffbythefarplane"), 0U);
-    desk.params().projection.far = 2.0;  // in front of the box; the matrices' column says so too
+    desk.params().projection.far = 2.0;  // in front of the box, which the matrices' column also reports
     EXPECT_GE(says("cutoffbythefarplane"), 1U);
     desk.params().view.division = 0.0;
     EXPECT_GE(says("Vp"), 1U);

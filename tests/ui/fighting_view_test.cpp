@@ -155,7 +155,7 @@ TEST_F(FightingView, SaysWhatIsStillBeingCounted) {
     EXPECT_TRUE(says("back / front quad at 84: 25.0%")) << "the old counts, grayed out";
 }
 
-/// A lesson's frame around a column must not be around nothing.
+/// A lesson must not frame a column that is not drawn.
 TEST_F(FightingView, KeepsTheColumnThatALessonNames) {
     make_report();
     const auto is_found = [this](const std::string& name) {

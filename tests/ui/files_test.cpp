@@ -359,7 +359,7 @@ TEST_F(FilesTest, AFileOutsideTheStatesFolderNeedsPermission) {
         ASSERT_NE(desk.session.asks_to_read(), nullptr);
         EXPECT_EQ(desk.session.asks_to_read()->file, fs::canonical(folder_ / "other/m.obj"));
         desk.press(Key::n);
-        EXPECT_EQ(params, before) << "keys do nothing";
+        EXPECT_EQ(params, before) << "keys have no effect";
         EXPECT_EQ(desk.session.scene().objects.size(), objects);
         if (std::string(answer) == "escape")
             desk.press(Key::escape);

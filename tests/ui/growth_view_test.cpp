@@ -63,7 +63,7 @@ TEST_F(GrowthView, OnStageItMeasuresByItself) {
     HiddenStatus status;
     status.shows_time = true;
     begin_hidden_frame(hidden(), desk.session, status);
-    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "not in the window";
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "the window does not start it";
     desk.press(Key::f5);
     ui.frames(3);
     ASSERT_TRUE(desk.workbench.widgets.is_on_stage);
@@ -74,7 +74,7 @@ TEST_F(GrowthView, OnStageItMeasuresByItself) {
     hidden().growth.measuring.cancel();
     wait_until_measured();
     begin_hidden_frame(hidden(), desk.session, status);
-    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "it was canceled";
+    EXPECT_FALSE(hidden().growth.measuring.is_running()) << "a canceled measurement does not restart";
 }
 
 TEST_F(GrowthView, MeasuringShowsProgressAndCanBeCanceled) {
@@ -102,7 +102,7 @@ TEST_F(GrowthView, TheNextFrameShowsTheResult) {
     ui.click("lower/Measure");
     hidden().growth.measuring.wait(-1.0);
     ui.frame();
-    EXPECT_FALSE(ui.has("lower/progress")) << "a window that sleeps from here on would never show the result";
+    EXPECT_FALSE(ui.has("lower/progress")) << "otherwise a sleeping window would never show the result";
     EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
 }
 

@@ -59,7 +59,7 @@ TEST_F(HiddenViews, SelectingAPolygonElsewhereSelectsItsNode) {
         ui.move_to({1.0F, 1.0F});
         ui.frames(3);
         EXPECT_TRUE(says("node " + std::to_string(node + 1) + ": ")) << "fragment " << fragment;
-        EXPECT_TRUE(ui.has("lower/tree/" + std::to_string(node))) << "it has to be moved into view";
+        EXPECT_TRUE(ui.has("lower/tree/" + std::to_string(node))) << "the tree must scroll to the node";
     }
 }
 

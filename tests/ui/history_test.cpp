@@ -50,7 +50,7 @@ TEST_F(HistoryTest, LookingAroundWithTheMouseIsOneStep) {
 TEST_F(HistoryTest, AClickRevertedByADoubleClickIsNoStep) {
     const Params before = params;
     ui.click("projection/z-near");
-    ASSERT_NE(params, before) << "the knob is not in the middle";
+    ASSERT_NE(params, before) << "the knob must not be in the middle";
     desk.settle();
     desk.undo();
     ASSERT_EQ(params, before);

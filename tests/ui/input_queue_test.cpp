@@ -89,7 +89,7 @@ TEST_F(Queue, TypingKeepsItsOrder) {
             EXPECT_EQ(later.characters, std::vector<unsigned>{'c'});
         }
     }
-    EXPECT_GT(frames, 2) << "the target of Enter listens by then";
+    EXPECT_GT(frames, 2) << "Enter arrives after its target is ready";
 }
 
 TEST_F(Queue, AShortcutKeepsItsModifier) {
@@ -120,11 +120,11 @@ TEST_F(Queue, TimeIsThatOfTheShownEvent) {
     queue.push(ButtonChanged{left, false}, {1.1, 1.6});
     queue.push(ButtonChanged{left, true}, {1.2, 1.7});
     double time_s = next(5.0).input.dt_s;
-    EXPECT_NEAR(time_s, 1.0, 1e-3) << "not 5: more is waiting";
+    EXPECT_NEAR(time_s, 1.0, 1e-3) << "not 5, because more events are waiting";
     time_s += next(6.0).input.dt_s;
     EXPECT_NEAR(time_s, 1.1, 1e-3);
     time_s += next(7.0).input.dt_s;
-    EXPECT_NEAR(time_s, 7.0, 1e-3) << "nothing is waiting";
+    EXPECT_NEAR(time_s, 7.0, 1e-3) << "no event is waiting";
     EXPECT_NEAR(next(7.5).input.dt_s, 0.5, 1e-9);
     EXPECT_GT(next(7.5).input.dt_s, 0.0);
 }
@@ -144,7 +144,7 @@ TEST_F(Queue, AKeyActsAsLongAsItIsHeld) {
 }
 
 TEST_F(Queue, NothingIsLostOrReordered) {
-    // The changes of the frames, taken one by one, are the pushed events; only consecutive wheel events may be joined.
+    // The frames' changes, one by one, equal the pushed events; only consecutive wheel events may be joined.
     std::vector<std::string> pushed, shown;
     unsigned seed = 5;
     std::array<bool, 3> down{};
@@ -261,7 +261,7 @@ TEST_F(Burst, ADragEndsWhereTheHandStopped) {
     push(ButtonChanged{left, false});
     push(PointerMoved{from + glm::vec2(0.0F, 300.0F)});
     show();
-    EXPECT_NEAR(params.camera.yaw, yaw, 1e-6) << "as a slow hand's drag";
+    EXPECT_NEAR(params.camera.yaw, yaw, 1e-6) << "like a drag by a slow hand";
 }
 
 }  // namespace

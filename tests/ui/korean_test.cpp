@@ -135,7 +135,7 @@ TEST_F(KoreanTest, UndoPresetsAndResetLeaveTheLanguageAlone) {
     params.ui.language = Language::ko;
     ui.frames(3);
     desk.undo();
-    EXPECT_EQ(params.projection.near, Params{}.projection.near) << "one step back is the number, not the language";
+    EXPECT_EQ(params.projection.near, Params{}.projection.near) << "undo reverts the number, not the language";
     EXPECT_EQ(params.ui.language, Language::ko);
     desk.redo();
     EXPECT_EQ(params.projection.near, 1.0);

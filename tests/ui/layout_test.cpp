@@ -59,7 +59,7 @@ void expect_inside_its_area(const Desk& desk) {
     }
 }
 
-/// The wordiest states: long tables, extra controls, trouble messages.
+/// States with the most text: long tables, extra controls, trouble messages.
 const std::pair<const char*, void (*)(Params&)> moods[] = {{"opening", [](Params&) {}},
                                                            {"followed point",
                                                             [](Params& params) {
@@ -101,7 +101,7 @@ std::ostream& operator<<(std::ostream& out, const Case& shown) {
                << std::array{"", ", longer texts", ", Korean"}[static_cast<std::size_t>(shown.texts)];
 }
 
-/// Each size in each theme, about half of them with longer texts; each size and each theme also appears in Korean.
+/// Tests each size in each theme, about half of them with longer texts, and each size and each theme also in Korean.
 const Case cases[] = {
     {{1600, 900}, 1.0, Theme::dark, Texts::english},     {{1600, 900}, 1.0, Theme::light, Texts::longer},
     {{1600, 900}, 1.0, Theme::projector, Texts::longer}, {{1280, 720}, 1.0, Theme::dark, Texts::longer},
@@ -271,10 +271,10 @@ TEST(Layout, TheTextOfAMaximizedViewGrowsWithIt) {
     EXPECT_NEAR(enlargement({1280, 720}, 1.0F, arrangement), 1.2F, 1e-6F);
     EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "the text never shrinks";
     arrangement.bare = true;
-    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of only the view is not enlarged";
     arrangement.bare = false;
     arrangement.in_lesson = true;
-    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may maximize nothing";
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "the next step may not maximize a view";
 }
 
 TEST(Layout, OneColumnGivesWayAtEightHundredBySixHundred) {

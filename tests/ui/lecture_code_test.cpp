@@ -96,9 +96,9 @@ TEST(LightRaysTest, AreUpdatedWhenLightPlaneOrSceneChanges) {
     const glm::dvec3 after = rays.of(session, derive(session.params, session.scene(), {})).front().shadow_world;
     EXPECT_GT(glm::distance(before, after), 0.05);
     session.params.planes.front().equation = {0, 1, 0, -20};
-    EXPECT_EQ(count(), 0U) << "all objects beyond the light";
+    EXPECT_EQ(count(), 0U) << "all objects are beyond the light";
     session.params.lights.front().position = {1, 20, 1, 1};
-    EXPECT_EQ(count(), 0U) << "the light in the plane";
+    EXPECT_EQ(count(), 0U) << "the light is in the plane";
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     RecordProperty("median share of the main view", std::to_string(shares[shares.size() / 2]));
 }
 
-/// On stage, no button switches between the two.
+/// On stage, no button switches between the lower views, so both must be visible.
 TEST(OnStage, BothLowerViewsAreVisibleOnSquareProjectors) {
     for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
         Desk desk(size);
@@ -231,7 +231,8 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     }
 }
 
-/// A pointer left over a control covers nothing; a tooltip appears while it moves there, and ends with the motion.
+/// A resting pointer shows no tooltip, which would cover the stage. A tooltip appears only while the pointer moves over
+/// a control.
 TEST(OnStage, TooltipsEndWhenThePointerRests) {
     const auto has_tooltip = [](const Desk& desk) {
         return std::ranges::any_of(desk.recorded(),
@@ -267,7 +268,7 @@ TEST(InALesson, UnnamedHandlesAreLockedUntilTheAnswer) {
         desk.drag_from(desk.in_camera_view(patch.center), 0.0F, -30.0F);
         return desk.params().planes.front().equation != before;
     };
-    EXPECT_FALSE(drag_plane()) << "while the question is open";
+    EXPECT_FALSE(drag_plane()) << "the plane is locked while the question is open";
     desk.workbench.guide.return_to_step(desk.session);
     desk.settle();
     desk.hold(Key::ctrl);
@@ -320,14 +321,14 @@ TEST(OnStage, AClickerNeverSkipsAnAnswer) {
     EXPECT_TRUE(guide.run()->is_revealed());
     EXPECT_TRUE(guide.run()->shows_end());
     desk.press(Key::page_down);
-    EXPECT_TRUE(guide.run()->shows_end()) << "nothing follows";
+    EXPECT_TRUE(guide.run()->shows_end()) << "nothing follows the end";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_FALSE(guide.run()->shows_end());
-    EXPECT_TRUE(guide.run()->is_revealed()) << "goes back to the last answer first";
+    EXPECT_TRUE(guide.run()->is_revealed()) << "Page Up first returns to the last answer";
     desk.press(Key::page_up);
     desk.settle();
-    EXPECT_FALSE(guide.run()->is_revealed()) << "then to its question";
+    EXPECT_FALSE(guide.run()->is_revealed()) << "then it returns to the question";
     desk.press(Key::page_up);
     desk.settle();
     EXPECT_EQ(guide.run()->index(), lesson.steps.size() - 2);
@@ -394,7 +395,7 @@ TEST(OnStage, AccidentalKeysDoNothing) {
     EXPECT_EQ(desk.params(), before);
     desk.press_with(Key::shift, Key::escape);
     EXPECT_FALSE(desk.workbench.presenter.is_on());
-    EXPECT_TRUE(desk.workbench.guide.is_shown()) << "the lesson goes on in the window";
+    EXPECT_TRUE(desk.workbench.guide.is_shown()) << "the lesson continues in the window";
 }
 
 TEST(OnStage, WakingABlackScreenDoesNothingElse) {
@@ -516,7 +517,7 @@ TEST(OnStage, TypedVotesBecomeSharesBeforeAndAfterTheDiscussion) {
         const Ballot& ballot = desk.workbench.guide.run()->ballot();
         EXPECT_EQ(ballot.votes(), (std::vector{80, 60, 0, 45}));
         for (const char* text : {"43 % · 80", "33 % · 60", "0 % · 0", "24 % · 45"}) EXPECT_TRUE(is_on_top(desk, text));
-        EXPECT_EQ(desk.params().camera.position, eye) << "letters move nothing";
+        EXPECT_EQ(desk.params().camera.position, eye) << "letters do not move the camera";
 
         desk.press_with(Key::shift, Key::v);
         type_votes(desk, "a 20 b 160");
@@ -625,7 +626,7 @@ TEST(LessonStrip, AProductGrowsBelowItsTiles) {
             EXPECT_LE(item.max.x, desk.layout().strip.max.x) << name;
             before = item.max;
         }
-        EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before it is checked";
+        EXPECT_FALSE(desk.ui.find("lesson strip/What my matrix does").enabled) << "not before the answer is checked";
     }
 }
 
@@ -747,7 +748,7 @@ TEST(FirstPageLeads, StartOpensTheFirstLessonAndGoOnTheLastOne) {
         desk.ui.frames(4);
     };
     open();
-    EXPECT_FALSE(desk.ui.has("start/Go on")) << "nobody was anywhere yet";
+    EXPECT_FALSE(desk.ui.has("start/Go on")) << "no lesson has been started yet";
     desk.ui.click("start/Start");
     ASSERT_TRUE(wait("view-is-the-inverse"));
     EXPECT_FALSE(desk.workbench.presenter.is_on());

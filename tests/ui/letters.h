@@ -70,7 +70,7 @@ private:
         const auto found = glyphs_.find({corner.uv.x, corner.uv.y});
         if (found == glyphs_.end()) return std::nullopt;
         const auto [glyph, font] = found->second;
-        // A shaved letter keeps the texture position of its upper left corner but not that of the opposite corner.
+        // A clipped letter keeps the texture position of its upper left corner but not that of the opposite corner.
         const float across = (opposite.pos.x - corner.pos.x) / (glyph->X1 - glyph->X0);
         const float along = (opposite.pos.y - corner.pos.y) / (glyph->Y1 - glyph->Y0);
         const float scale = std::max(across, along);

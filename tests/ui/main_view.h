@@ -1,4 +1,4 @@
-// The largest view on stage. Used by the tests of the layout and of the pixels.
+// Finds the largest view on stage, for the tests of the layout and of the pixels.
 #pragma once
 
 #include <algorithm>

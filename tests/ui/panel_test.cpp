@@ -422,7 +422,7 @@ TEST_F(PanelTest, PlaneButtonsAndNormalize) {
         EXPECT_GT(bounds.min[axis] + clear.w, 0.0) << "all objects are in front of the plane";
         EXPECT_GT(params.camera.position[axis] + clear.w, 0.0) << "and so is the eye";
         desk.click(std::string("plane/equation/") + button);
-        EXPECT_EQ(params.planes.front().equation, coordinate_plane) << "pressed again: through the origin";
+        EXPECT_EQ(params.planes.front().equation, coordinate_plane) << "the second press: through the origin";
     }
     desk.click("plane/equation/xz");
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
@@ -573,7 +573,7 @@ TEST_F(PanelTest, HoveringHighlightsParametersAndMatrixEntriesBothWays) {
 }
 
 }  // namespace
-/// The place of S among the buttons of V, P, S and R.
+/// The position of S's button among those of V, P, S and R.
 constexpr std::size_t shadow_place = 2;
 
 TEST(Matrices, VAndPEnteredByHandOverrideUntilReleased) {
@@ -588,13 +588,13 @@ TEST(Matrices, VAndPEnteredByHandOverrideUntilReleased) {
     desk.params().camera.position.x += 1.0;
     desk.ui.frames(3);
     EXPECT_EQ(desk.derived.view_from_world, *desk.params().camera_overrides.view_from_world)
-        << "the camera no longer changes it";
-    desk.click_one_of("matrices/Edit", 0);  // now the first one is P's
+        << "the camera no longer changes V";
+    desk.click_one_of("matrices/Edit", 0);  // the first Edit button is now P's
     desk.ui.frames(3);
     EXPECT_EQ(*desk.params().camera_overrides.clip_from_view, p);
     desk.drag("matrices/P/r1c1", 20.0F);
     EXPECT_NE(desk.derived.clip_from_view[1][1], p[1][1]);
-    EXPECT_FALSE(desk.ui.find("projection/z-near").enabled) << "it would have no effect";
+    EXPECT_FALSE(desk.ui.find("projection/z-near").enabled) << "near would have no effect";
     desk.click("matrices/Release");
     desk.ui.frames(3);
     desk.click("matrices/Release");

@@ -70,7 +70,7 @@ TEST_F(PassesView, StepsEditThePassAndNothingElse) {
     EXPECT_EQ(params.view.pass, count() - 3);
     ui.click("lower/passes/Forward");
     ui.click("lower/passes/Forward");
-    EXPECT_EQ(params.view.pass, -1) << "the end is the whole frame";
+    EXPECT_EQ(params.view.pass, -1) << "the end shows the whole frame";
     ui.click("lower/passes/First");
     EXPECT_EQ(params.view.pass, 0);
     EXPECT_EQ(differing_fields(before, params), (Paths{"view.pass"}));
@@ -136,7 +136,7 @@ TEST_F(PassesView, AClickStopsAtAPassAndASecondOneReleases) {
     click_pass(0);
     EXPECT_EQ(params.view.pass, 0) << "from one pass to another";
     click_pass(count() - 1);
-    EXPECT_EQ(params, before) << "after the last one the frame is whole";
+    EXPECT_EQ(params, before) << "after the last pass, the frame is whole";
     desk.undo();
     EXPECT_EQ(params.view.pass, 0);
 }

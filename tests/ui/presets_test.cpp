@@ -31,7 +31,7 @@ TEST_F(PresetsTest, TheCaptionIsBelowThePicture) {
     EXPECT_FALSE(ui.has("caption/restore"));
 }
 
-/// To be readable from the last row of a hall of 200, text needs at least a fiftieth of the picture's height.
+/// To be readable from the last row of a hall with 200 seats, text needs at least 1/50 of the picture's height.
 TEST_F(PresetsTest, TheCaptionIsReadableFromTheBackRow) {
     params.ui.theme = Theme::projector;
     desk.apply_looks();
@@ -47,7 +47,7 @@ TEST_F(PresetsTest, AnyEditMarksThePresetAsChangedAndResetRestoresIt) {
     desk.click("depth/Cull face");
     EXPECT_TRUE(desk.session.departs_from_preset());
     EXPECT_EQ(shown(), "Walking while looking down (changed)");
-    EXPECT_EQ(desk.layout().camera.max.y, top) << "the mark moves nothing";
+    EXPECT_EQ(desk.layout().camera.max.y, top) << "marking the preset as changed moves nothing";
     ui.click("caption/restore");
     EXPECT_EQ(params, as_opened);
     EXPECT_EQ(shown(), "Walking while looking down");
@@ -140,7 +140,7 @@ TEST_F(PresetsTest, NextAndPreviousSkipPresetsThatSetTheLooks) {
     }
     EXPECT_EQ(desk.session.preset()->name, all.front().name);
     desk.press(Key::page_up);
-    EXPECT_EQ(desk.session.preset()->name, all.front().name) << "there is none before the first";
+    EXPECT_EQ(desk.session.preset()->name, all.front().name) << "no preset precedes the first";
     for (std::size_t i = 1; i < all.size(); ++i) {
         desk.press(Key::page_down);
         desk.settle();
@@ -157,7 +157,7 @@ TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     ASSERT_EQ(params.ui.theme, Theme::projector);
     desk.press(Key::page_down);
     desk.settle();
-    EXPECT_EQ(desk.session.preset()->name, "camera-plus-ten") << "the next one of the lecture";
+    EXPECT_EQ(desk.session.preset()->name, "camera-plus-ten") << "the lecture's next preset";
     EXPECT_EQ(params.ui.theme, Theme::dark);
 }
 
@@ -211,7 +211,7 @@ TEST_F(PresetsTest, TitlesRankBeforeSentences) {
     ui.type("mirror");
     ui.frames(2);
     EXPECT_TRUE(ui.has("top/room")) << "its sentence mentions mirrors";
-    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "observer-rays") << "a title: Rays, mirrored eye, image space";
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "observer-rays") << "titled Rays, mirrored eye, image space";
 }
 
 TEST_F(PresetsTest, ASlidesNumberFindsItsPresets) {

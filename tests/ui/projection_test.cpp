@@ -1,4 +1,4 @@
-// The projection in the panel: a window of its own, as glFrustum and glOrtho take it.
+// The projection in the panel, with a custom window: its edges are those that glFrustum and glOrtho take.
 #include "desk.h"
 
 namespace viewing::test {
@@ -85,15 +85,15 @@ TEST(InfiniteFar, IsASwitchWherePerspectiveAllowsIt) {
     desk.settle();
     desk.drag("projection/z-far", -60.0F);
     desk.settle();
-    EXPECT_TRUE(std::isfinite(desk.params().projection.far)) << "a drag brings far back";
+    EXPECT_TRUE(std::isfinite(desk.params().projection.far)) << "a drag makes far finite again";
     desk.params().projection.far = INFINITY;
     desk.click("projection/type/Orthographic");
     desk.settle();
-    EXPECT_EQ(desk.params().projection.far, 40.0) << "parallel view rays need an end";
+    EXPECT_EQ(desk.params().projection.far, 40.0) << "a parallel projection needs a finite far plane";
     EXPECT_FALSE(desk.ui.find(infinite_switch).enabled);
 }
 
-// What a user reads must name the infinity, never print "inf" or "nan".
+// Displayed text must show infinity as ∞ and never contain "inf" or "nan".
 TEST(InfiniteFar, IsReadAsASign) {
     for (const char* view :
          {"observer", "depth", "histogram", "precision", "codes", "pixel", "fighting", "display_code"})
@@ -119,7 +119,7 @@ TEST(ProjectionWindow, TurningTheWheelEnlargesAnOrthographicWindow) {
     params.projection.type = ProjectionType::orthographic;
     params.projection.scale_picture(0.5);
     EXPECT_EQ(params.projection.height, 3.0);
-    EXPECT_EQ(params.projection.left, -0.5) << "without a window, only the height";
+    EXPECT_EQ(params.projection.left, -0.5) << "without a custom window, only the height changes";
 }
 
 }  // namespace

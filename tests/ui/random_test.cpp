@@ -21,7 +21,7 @@ class Person {
 public:
     Person(Desk& desk, unsigned seed) : desk_(desk), random_(seed) {}
 
-    /// Does one thing and returns its description.
+    /// Performs one random action and returns its description.
     std::string act() {
         const std::vector<RecordedItem> items = desk_.recorded();
         const RecordedItem& item = items[pick(items.size())];

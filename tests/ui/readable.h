@@ -21,7 +21,7 @@ inline bool scrolls(const std::string& window) {
 /// Returns whether two lines overlap in the parts that remain visible after a scrolling window clips them.
 inline bool overlap(const Line& a, const Line& b) {
     constexpr float touch = 1.5F;
-    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // these reach into the line above
+    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // accents reach into the line above
     const auto top = [](const Line& line) { return std::max(line.min.y, line.clip.y); };
     const auto bottom = [](const Line& line) { return std::min(line.max.y, line.clip.w); };
     return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && top(a) + accents < bottom(b) &&

@@ -1,5 +1,5 @@
-// The search over everything: the entries that match typed words and their order, and, in the window and on stage, the
-// entries offered and the effect of choosing one.
+// The search over everything: which entries match the typed words, in which order, which of them the window and the
+// stage offer, and what choosing an entry does.
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -10,7 +10,7 @@
 namespace viewing::test {
 namespace {
 
-// ---- which entries fit -------------------------------------------------------------------------------------------
+// ---- matching entries --------------------------------------------------------------------------------------------
 
 SearchEntry preset_entry(const std::string& title, const std::string& about = "") {
     std::string names = title;
@@ -72,7 +72,7 @@ TEST_F(FoundEntries, ANameWithAValueIsASetting) {
         const std::string settings[] = {expected};
         EXPECT_TRUE(apply_settings(params, settings)) << expected;
     }
-    EXPECT_EQ(setting("depth.test"), "depth.test=false") << "a switch without a value changes";
+    EXPECT_EQ(setting("depth.test"), "depth.test=false") << "a switch without a value is toggled";
     EXPECT_EQ(setting("projection.near"), "") << "a number must be typed";
     EXPECT_EQ(setting("projection.near 1 2"), "");
 }
@@ -301,7 +301,7 @@ TEST_F(SearchTest, OnStageItIsLargeAndSettingsStayWithinTheStep) {
     choose("freeze", "Freeze the picture");
     EXPECT_TRUE(desk.workbench.presenter.is_frozen());
     choose("depth bits few", "");
-    EXPECT_TRUE(desk.workbench.presenter.is_on()) << "the stage stays";
+    EXPECT_TRUE(desk.workbench.presenter.is_on()) << "the stage stays on";
 }
 
 /// In all steps, the search cannot change a field that the step's panel cannot change.

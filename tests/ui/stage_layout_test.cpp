@@ -1,4 +1,4 @@
-// The layout on stage: all that a step names has a place, the main view has the largest, and type is large enough.
+// The layout on stage: everything that a step names has a place, the main view is largest, and text is large enough.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ TEST(StageLayout, GivesTheMainViewTheMost) {
         EXPECT_GE(share, is_wide ? 0.43F : 0.36F);
         const bool has_column = parts.left || parts.right || parts.matrices;
         if (!has_column) {
-            EXPECT_GE(share, !parts.controls ? 0.85F : is_wide ? 0.55F : 0.45F) << "a few controls need little";
+            EXPECT_GE(share, !parts.controls ? 0.85F : is_wide ? 0.55F : 0.45F) << "a few controls need little space";
         }
     });
 }
@@ -213,7 +213,7 @@ TEST_F(FreeStage, HasTheKeysOfALessonsStage) {
     EXPECT_TRUE(presenter.takes_mouse());
     desk.press(Key::escape);
     EXPECT_FALSE(presenter.takes_mouse());
-    EXPECT_TRUE(presenter.is_on()) << "Escape put the ink away first";
+    EXPECT_TRUE(presenter.is_on()) << "the first Escape removes the ink";
     desk.press(Key::t);
     EXPECT_TRUE(presenter.has_running_clock());
     desk.press(Key::l);
@@ -239,7 +239,7 @@ TEST_F(FreeStage, XComparesWithTheStateBefore) {
     EXPECT_EQ(desk.params(), edited);
     desk.undo();
     EXPECT_NE(desk.params().projection.fovy, 20.0);
-    EXPECT_FALSE(desk.session.can_undo()) << "holding X was no step";
+    EXPECT_FALSE(desk.session.can_undo()) << "holding X adds no undo step";
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST_F(StageTest, AStepTellsOnlyWhatItIsAbout) {
     EXPECT_FALSE(tells_with("depth.test"));
     params.view.layout.controls.clear();
     desk.settle();
-    EXPECT_TRUE(draws("blended separately")) << "a stage without limits tells all that is wrong";
+    EXPECT_TRUE(draws("blended separately")) << "a stage without limits reports every problem";
 }
 
 TEST_F(StageTest, WithoutALessonNothingIsCoveredOrFramed) {
@@ -115,7 +115,7 @@ TEST_F(StageTest, ACoveredMatrixIsReadableNowhere) {
         EXPECT_FALSE(draws(entry)) << name_of(topic);
         EXPECT_FALSE(records(entry)) << name_of(topic);
         EXPECT_EQ(ui.text_of("matrices/R"), "?");
-        EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "the others are shown";
+        EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "the other entries are shown";
     }
 }
 

@@ -98,7 +98,7 @@ TEST_F(Steady, MatricesStayInPlaceWhenEditedOrFollowingAPoint) {
     expect_as_before(before, "a followed point");
 }
 
-/// From step to step, the scale is the same, and so is the height of the question.
+/// From step to step, the scale and the height of the question stay the same.
 TEST(SteadyStrip, StaysInPlaceFromStepToStep) {
     for (const LessonFile& file : lessons()) {
         SCOPED_TRACE(file.path.stem().string());

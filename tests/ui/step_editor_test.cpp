@@ -1,5 +1,5 @@
-// Editing the user's own lesson in the window: each edit is in the file at once, the step on the screen follows, and a
-// bad edit is a sentence that changes nothing.
+// Editing the user's own lesson in the window: each edit is written to the file at once, the step on the screen
+// follows, and a bad edit changes nothing and is reported in one sentence.
 #include <unistd.h>
 
 #include <chrono>
@@ -128,7 +128,7 @@ TEST_F(StepEditorTest, TheScreenBecomesTheStepsStates) {
 
 TEST_F(StepEditorTest, ABadEditIsASentence) {
     const std::string before = *read_text_file(file_);
-    edit("/ask/choices/1/say", "");  // a choice says something
+    edit("/ask/choices/1/say", "");  // a choice must not be empty
     EXPECT_EQ(*read_text_file(file_), before);
     ASSERT_TRUE(ui.has("step editor/trouble"));
     EXPECT_NE(ui.find("step editor/trouble").text.find("mine"), std::string::npos)

@@ -94,7 +94,7 @@ TEST_F(ViewsTest, ThePlaneMovesAlongItsNormal) {
     desk.drag_from(desk.in_camera_view({0.0, 0.0, 0.0}), 0.0F, -60.0F);
     EXPECT_EQ(differing_fields(before, params), Paths{"plane.equation"});
     EXPECT_EQ(glm::dvec3(params.planes.front().equation), glm::dvec3(0.0, 2.0, 0.0));
-    EXPECT_LT(params.planes.front().equation.w, -0.2);  // y = −d / 2 went up
+    EXPECT_LT(params.planes.front().equation.w, -0.2);  // the plane y = −d / 2 moved up
     EXPECT_NEAR(*widgets::ParseNumber(ui.text_of("plane/equation/d")), params.planes.front().equation.w, 0.006);
 }
 
@@ -353,7 +353,7 @@ TEST_F(ViewsTest, FrameAllShowsTheLightUnlessItIsFarAway) {
     desk.settle();
     desk.press(Key::g);
     desk.settle();
-    EXPECT_LT(glm::length(params.camera.position), glm::length(near_by)) << "the scene would be a speck";
+    EXPECT_LT(glm::length(params.camera.position), glm::length(near_by)) << "otherwise the scene is a speck";
 }
 
 TEST_F(ViewsTest, TheFirstDragInFlyKeepsTheHorizon) {
@@ -573,7 +573,7 @@ TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
             desk.undo();
             EXPECT_EQ(params, start);
         }
-    // Past the opposite edge, it stops before it.
+    // An edge dragged past the opposite edge stops before it.
     params = before;
     desk.settle();
     const ImVec2 left = desk.in_observer_view(places().near[3]), right = desk.in_observer_view(places().near[1]);
@@ -618,7 +618,7 @@ TEST_F(ViewsTest, AVertexBecomesAPointOfItsOwnByTypingOrDragging) {
 TEST_F(ViewsTest, AClickOnTheFollowedVertexKeepsIt) {
     const glm::dvec3 vertex = pick_small_box();
     desk.click_at(desk.in_camera_view(vertex));
-    ASSERT_TRUE(params.follow && !params.follow->point) << "a click is no drag";
+    ASSERT_TRUE(params.follow && !params.follow->point) << "a click is not a drag";
     EXPECT_EQ(params.follow->object, "small box");
 }
 
@@ -690,7 +690,7 @@ TEST_F(ViewsTest, ALightOutsideThePictureIsAnArrowAtItsEdge) {
     EXPECT_LT(above->y, 70.0F);
     EXPECT_GT(right_behind->x, 480.0F) << "a light behind the eye on the right is to the right";
     EXPECT_NEAR(right_behind->y, 200.0F, 3.0F);
-    EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "straight behind";
+    EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "a point straight behind the eye";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ WATCH = """
 })();
 """
 
-# Resolves when nothing has been drawn or worked on for `quiet_ms` and the program reports that it rests.
+# Resolves when no frame and no work item has run for `quiet_ms` and the program reports that it rests.
 SETTLE = """
 const [quiet_ms, limit_ms, done] = arguments, begun = performance.now();
 const look = () => {

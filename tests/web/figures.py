@@ -12,7 +12,7 @@ import browser
 import native
 
 # Measures stalls of the main thread: the gaps between consecutive turns of a chain of timers. Beside each gap it counts
-# the time that the page spent in frames, and of that in GL calls that wait for drawing (here a processor draws).
+# the time that the page spent in frames, and the part of it in GL calls that wait for drawing (done by the CPU here).
 MEASURE = """(() => {
   const kept = window.kept = {gaps: [], frames: [], frame_ms: 0, gl_ms: 0, draws: 0};
   const timed = (object, name, note) => {
@@ -149,7 +149,7 @@ def dropping_torus(around, along):
     return act_at
 
 
-# One rotating mesh by a well-known library: the least that a page with a picture costs here.
+# One rotating mesh, drawn by a well-known library: the minimum cost of a page with a picture on this machine.
 THREE = pathlib.Path("/usr/share/javascript/three/three.min.js")  # from Debian's libjs-three
 THREE_PAGE = """<!DOCTYPE html><title>one mesh</title><style>body { margin: 0 } canvas { display: block }</style>
 <script src="three.min.js"></script><script>

@@ -15,7 +15,7 @@ import native
 
 Threshold = collections.namedtuple("Threshold", "levels share reason", defaults=("",))
 
-# Presets that never rest: every frame is a different picture.
+# Presets that never rest, because every frame is a different picture.
 MOVING = {"fighting-jiggle"}
 
 # With the same Mesa as the desktop program, at most this share of pixels has a channel that differs by more levels.

@@ -203,7 +203,7 @@ TEST_F(ChartTest, EmptyInputDrawsNothingInvalid) {
     use({{{1, 1}, {10, 0}, {100, 10}}, {}});
     ui.frames(2);
     EXPECT_TRUE(ui.has("chart/label/curve 0"));
-    EXPECT_FALSE(ui.has("chart/label/curve 1")) << "nothing to name";
+    EXPECT_FALSE(ui.has("chart/label/curve 1")) << "an empty curve has no label";
     for (const ChartAxis& axis : {ChartAxis{"", nan, nan}, ChartAxis{"", 10, 1}, ChartAxis{"", -1, 1},
                                   ChartAxis{"", 1, inf}, ChartAxis{"", 1, 1}}) {
         style.x = axis;

@@ -292,7 +292,7 @@ TEST_F(ControlsTest, LampsExplainTheirState) {
     EXPECT_EQ(ui.text_of("freedom/yaw"), "active");
     EXPECT_EQ(ui.text_of("freedom/pitch"), "available");
     EXPECT_EQ(ui.text_of("freedom/roll"), "absent");
-    EXPECT_EQ(ui.text_of("freedom/lift"), "refused") << "its key is pressed in vain";
+    EXPECT_EQ(ui.text_of("freedom/lift"), "refused") << "its key has no effect";
 }
 
 TEST_F(ControlsTest, LabelsAreRecordedWithTheirPath) {

@@ -58,8 +58,8 @@ TEST_F(PrecisionChartTest, DraggingFollowsTheAxis) {
     ui.click("chart/near");
     ui.hover("chart/far");
     ui.frames(60);
-    EXPECT_EQ(changes, before) << "looking and clicking change nothing";
-    EXPECT_FALSE(ui.has("chart/readout")) << "on a line, a click means the line";
+    EXPECT_EQ(changes, before) << "hovering and clicking change nothing";
+    EXPECT_FALSE(ui.has("chart/readout")) << "over a line, the pointer means the line";
     EXPECT_TRUE(ui.text_of("chart/tooltip").starts_with("Far\n"));
 }
 

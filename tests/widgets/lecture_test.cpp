@@ -199,7 +199,7 @@ TEST_F(LectureTest, MatrixAdaptsToItsWidth) {
     EXPECT_EQ(ui.text_of("P/r0c1"), "1.5");
 }
 
-/// A grown matrix is higher and loses no digit: its numbers grow only as far as the widest one fits.
+/// An enlarged matrix is taller and loses no digit: its numbers grow only as far as the widest one fits.
 TEST_F(LectureTest, AMatrixGrowsWithoutLosingDigits) {
     glm::dmat4 value(-1.25);
     value[2][1] = -123.456;
@@ -353,8 +353,8 @@ TEST_F(LinksTest, RepresentationsOfAnEntryLightUpTogether) {
     EXPECT_EQ(context.hovered, plane_b | own);
 
     EXPECT_TRUE(after_hovering("line"));
-    EXPECT_EQ(context.hovered, plane_b | light_x | own) << "the controls that it depends on";
-    EXPECT_EQ(vertices_colored(cell_outline), one_entry) << "its own entry, and none that shares a parameter";
+    EXPECT_EQ(context.hovered, plane_b | light_x | own) << "the controls on which it depends light up";
+    EXPECT_EQ(vertices_colored(cell_outline), one_entry) << "only its own entry lights up";
     EXPECT_TRUE(after_hovering("x")) << "a control lights up all that depend on it";
     EXPECT_FALSE(after_hovering("S/r0c1")) << "another entry";
     EXPECT_FALSE(after_hovering("y"));

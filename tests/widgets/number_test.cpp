@@ -171,7 +171,7 @@ TEST_F(NumberTest, TabMovesToTheNextNumberAndBack) {
     ui.key(ImGuiKey_Enter);
     EXPECT_EQ(value, glm::dvec3(10, 25, 30));
     ui.frames(20);
-    EXPECT_LT(RedrawIn(context), 0.0F) << "there is nothing left to do";
+    EXPECT_LT(RedrawIn(context), 0.0F) << "no frame is due";
 }
 
 TEST_F(NumberTest, RightClickResets) {
@@ -336,7 +336,7 @@ TEST_F(NumberTest, ARowSharesDecimalsAndKeepsThemWhenASignAppears) {
             for (const std::size_t count : of_sign) EXPECT_EQ(count, decimals[0][0]) << "width " << width;
         }
     }
-    value = {0.0, 1e9, 0.5};  // a number that cannot fit does not cost the others their decimals
+    value = {0.0, 1e9, 0.5};  // a number that cannot fit does not reduce the others' decimals
     show = [&] {
         ImGui::SetNextItemWidth(250.0F);
         return Vec3("n", value, {.decimals = 3});
@@ -353,7 +353,7 @@ TEST_F(NumberTest, ANarrowRowShrinksBeforeItLosesDigits) {
         ImGui::SetNextItemWidth(width);
         return Vec3("n", value, {.decimals = 2});
     });
-    // From the narrowest row that still shows 0.15 with both decimals to one as wide as a row of the panel.
+    // From the narrowest row that still shows both decimals of 0.15 to a row as wide as the panel's.
     for (width = 150.0F; width < 260.0F; width += 5.0F) {
         ui.frames(2);
         EXPECT_EQ(ui.text_of("n/x"), "0.15") << width;

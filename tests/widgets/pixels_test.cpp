@@ -80,7 +80,7 @@ TEST_F(HistogramTest, FitSelectsTheBinsWithCounts) {
     ui.frame();
     ui.double_click("counts/from");
     ui.right_click("counts/Fit");
-    EXPECT_EQ(range, glm::dvec2(0.1, 0.9)) << "a line and the button are not the background";
+    EXPECT_EQ(range, glm::dvec2(0.1, 0.9)) << "clicks on a line or the button are not on the background";
     ui.right_click("counts/to");
     EXPECT_EQ(range, glm::dvec2(0, 1));
     EXPECT_EQ(changes, 4);
@@ -140,7 +140,7 @@ TEST_F(HistogramTest, InvalidInputDoesNoHarm) {
         changes = 0;
         ui.frames(2);
         expect_finite_picture();
-        EXPECT_EQ(changes, 0) << "drawing repairs nothing";
+        EXPECT_EQ(changes, 0) << "drawing does not correct the range";
         ui.right_click("counts/histogram");
         EXPECT_EQ(range, glm::dvec2(0, 1));
         EXPECT_EQ(changes, 1);
@@ -344,7 +344,7 @@ TEST_F(DividerTest, IsAtItsShareAndCanBeDragged) {
     ui.right_click("pictures/divider");
     EXPECT_EQ(share, 0.5F);
     ui.hover("pictures/divider");
-    EXPECT_EQ(picture_clicks, 0) << "the line comes before the picture";
+    EXPECT_EQ(picture_clicks, 0) << "the line takes clicks before the picture";
     const int before = changes;
     ui.hover("picture", 0.2F);
     ui.press();

@@ -199,7 +199,7 @@ TEST_F(StepBarTest, PlayRestartsAtTheEndAndAnyInputStopsIt) {
 TEST_F(StepBarTest, RequestsTheFrameOfTheNextStep) {
     step = 0;
     start_bar();
-    EXPECT_LT(RedrawIn(context), 0.0F) << "at rest nothing is due";
+    EXPECT_LT(RedrawIn(context), 0.0F) << "no frame is due at rest";
     player.playing = true;
     ui.frame();
     EXPECT_NEAR(RedrawIn(context), 0.1F, 1e-4F);

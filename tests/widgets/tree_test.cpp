@@ -352,7 +352,7 @@ TEST_F(TreeDiagramTest, ANewRevisionUnfoldsAndFits) {
 TEST_F(TreeDiagramTest, RevealUnfoldsAndScrollsToTheNode) {
     nodes = chain(2000, [](int) { return false; });
     start_diagram();
-    EXPECT_TRUE(ui.has("tree/0")) << "too large to read at once: its top";
+    EXPECT_TRUE(ui.has("tree/0")) << "a tree too large to read at once shows its top";
     EXPECT_FALSE(ui.has("tree/1999"));
     state.collapsed = {3, 500, 1998};
     ui.frame();
