@@ -151,7 +151,7 @@ TEST_F(EnteredCamera, AWrongMatrixThatChangesThePictureIsSaidAndItsFixGivesThePi
             if (is_changed || entered.is_right) {
                 EXPECT_EQ(fixes.empty(), entered.is_right);
             }
-            if (entered.is_right || entered.what == "P for 0 ... 1") continue;  // of a lens that is not the state's
+            if (entered.is_right || entered.what == "P for 0 ... 1") continue;  // this P belongs to another lens
             Params fixed = *apply_settings(params, fixes);
             EXPECT_LE(testing::pixels_beyond(draw(fixed, scene, entered_px), right, 8), 4);
         }

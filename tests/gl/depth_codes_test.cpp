@@ -1,6 +1,6 @@
 // Compares the codes read back from the depth buffer with the depth formulas, for a square at known distances and for
-// many values of near, far, format and mapping. The formulas are written out here, not taken from the program.
-// VIEWING_LONG_TESTS=N measures N times as many.
+// many values of near, far, format and mapping. The formulas are written out here, not taken from the program. With
+// VIEWING_LONG_TESTS=N, the test measures N times as many values.
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -55,8 +55,9 @@ Params at_origin() {
 }
 
 /// Returns how far a code may be from the exact value (facts): 1 at 16 bits and 4.5 at 24, since float32 arithmetic
-/// adds to GL's rounding. Where the arithmetic error exceeds one code, as in a short logarithmic range, the test
-/// multiplies this limit by that error. The shader makes codes of fewer bits and rounds to the nearest code.
+/// adds its error to GL's rounding. Where the arithmetic error exceeds one code, as in a short logarithmic range, the
+/// test multiplies this limit by that error. For fewer bits, the shader computes the codes and rounds to the nearest
+/// code.
 Exact allowed_codes(int bits) {
     return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
 }

@@ -50,8 +50,8 @@ Rgb expected(double ratio) {
 }
 
 TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
-    // With 16 bits, the step is one code to within a hundredth. Seen from the front, the gap in eye distance equals the
-    // gap along the normal at every pixel; the slant of a pixel's view ray does not lengthen it.
+    // With 16 bits, the step equals one code to within 1 %. When the quads face the camera, the gap in eye distance
+    // equals the gap along the normal at every pixel; the slant of a pixel's view ray does not lengthen it.
     const Params params = params_for("d16");
     for (const double distance : {5.0, 20.0, 60.0}) {
         const double step = distance * distance * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);

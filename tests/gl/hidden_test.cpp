@@ -86,9 +86,9 @@ double edge_distance_px(const HiddenResult& result, const std::vector<int>& sour
     return nearest;
 }
 
-/// Numbers of pixels whose ID the reference shows nowhere within a pixel of them. GL rounds screen positions to 1/256
-/// of a pixel, so a pixel center closer than `rounding_px` to an edge may fall on either side of it. Such pixels count
-/// as slivers; all others are unexplained.
+/// Counts the pixels whose ID occurs nowhere within one pixel of them in the reference. GL rounds screen positions to
+/// 1/256 of a pixel, so a pixel center closer than `rounding_px` to an edge may fall on either side of it. Such pixels
+/// count as slivers; all others are unexplained.
 struct Disagreement {
     static constexpr double rounding_px = 1.0 / 64.0;
     int at_slivers = 0, unexplained = 0;
@@ -146,7 +146,7 @@ bool is_outline(const Image& image, glm::ivec2 pixel) {
 
 struct Compared {
     int beyond = 0;    ///< pixels that differ by more than 3 levels
-    int in_faces = 0;  ///< those of them that are away from outlines of the first picture
+    int in_faces = 0;  ///< of these, pixels away from the first picture's outlines
     int outlines = 0;
 };
 Compared compared(const Image& reference, const Image& image) {
@@ -243,7 +243,7 @@ TEST_F(HiddenPicturesTest, DifferOnlyInSmoothEdgesWithSamples) {
                 const bool smoothed = worst_channel(wanted, rgb_at(rough, {x, y})) > 0 || is_outline(smooth, {x, y});
                 elsewhere += differs && !smoothed;
             }
-        EXPECT_LE(elsewhere, 1) << "a pixel found in software is one sample";
+        EXPECT_LE(elsewhere, 1) << "software finds one sample per pixel";
         if (method == VisibilityMethod::newell || method == VisibilityMethod::bsp) {
             EXPECT_LE(compared(smooth, image).beyond, 8) << "GL draws these, so they are also smooth";
         }
@@ -257,7 +257,7 @@ TEST_F(Hidden, ExactCurvesMatchTheirTriangles) {
     const Image triangles = picture(params, scene, size_px);
     params.visibility.exact_curves = true;
     const Compared found = compared(triangles, picture(params, scene, size_px));
-    EXPECT_GT(found.beyond, 20) << "they are rounder";
+    EXPECT_GT(found.beyond, 20) << "exact curves look rounder";
     EXPECT_LT(found.in_faces, size_px.x * size_px.y / 100);
 }
 

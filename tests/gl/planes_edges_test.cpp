@@ -18,7 +18,7 @@ constexpr glm::ivec2 edges_px(128, 72);
 struct Extreme {
     const char* name;
     std::vector<std::string> state;
-    bool is_told = true;  ///< whether a sentence reports it
+    bool is_told = true;  ///< whether a sentence reports the problem
 };
 
 const char* const four_lights = R"(lights=[{"position":[-3,5,3,1]},{"position":[1,4,5,0]},{"position":[1,2,1,0.4]}])";

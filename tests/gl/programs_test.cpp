@@ -64,7 +64,7 @@ void expect_agreement(const ShaderProgram& program, GLuint part, Found& found) {
         const std::string name(text, std::string_view(text).substr(0, std::string_view(text).find('[')).size());
         const auto entry = std::find_if(program.uniforms().begin(), program.uniforms().end(),
                                         [&](const UniformEntry& each) { return each.name == name; });
-        ASSERT_NE(entry, program.uniforms().end()) << name << " is missing in the table";
+        ASSERT_NE(entry, program.uniforms().end()) << name << " is missing from the table";
         EXPECT_EQ(entry->type, type) << name;
         EXPECT_LE(size, entry->count) << name;
         EXPECT_EQ(entry->place->location, glGetUniformLocation(part, text)) << name;

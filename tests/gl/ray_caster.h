@@ -89,7 +89,7 @@ struct Met {
 /// mirrors, the last one shows the background; if there are no hits, the pixel does.
 struct Sight {
     std::vector<Met> met;
-    std::size_t mirrors = 0;  ///< how many of `met`, from the first, are mirrors
+    std::size_t mirrors = 0;  ///< number of mirrors at the start of `met`
     bool operator==(const Sight&) const = default;
 
     bool ends_in_background() const { return met.size() == mirrors; }

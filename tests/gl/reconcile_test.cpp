@@ -110,7 +110,7 @@ TEST_F(Reconcile, ComparesWithThePreviousFramesDepth) {
             }
         });
         EXPECT_GT(compared, 400);
-        EXPECT_EQ(blamed, 0) << "nothing fights here";
+        EXPECT_EQ(blamed, 0) << "no surfaces fight here";
     }
 }
 

@@ -1,7 +1,7 @@
 // No sentence is missing, and none is a false alarm: if a switch changes the picture, a sentence names it, and the fix
 // that a sentence offers changes a picture. The tests run over presets and over seeded states with several mistakes.
-// With VIEWING_LONG_TESTS=N, they cover all presets and N times as many seeds, which differ from the usual ones; 250
-// makes 20,000 pairs.
+// With VIEWING_LONG_TESTS=N, they cover all presets and N times as many seeds, which differ from the usual ones. A
+// value of 250 makes 20,000 pairs of a state and a change.
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -179,13 +179,13 @@ TEST_F(Silence, SwitchesOfPresetsAreNamed) {
     EXPECT_GT(changed, is_sanitized ? 15 : 50) << "most switches change the picture somewhere";
 }
 
-/// A preset, and settings of which the last one is judged.
+/// A preset and its settings. The test judges the last setting.
 struct JudgedState {
     std::string preset;
     std::vector<std::string> settings;
 };
 
-/// What long runs have found: alarms and silences of earlier versions.
+/// False alarms and silences that long runs found in earlier versions.
 const std::vector<JudgedState>& found_in_long_runs() {
     static const std::vector<JudgedState> found = {
         {"shadow-black-paint", {"depth.write_while_clearing=false", "depth.func=notequal"}},

@@ -28,8 +28,8 @@ GLint bits_of_depth(const View& view) {
 }
 
 /// Returns convex solids that touch neither each other nor the plane, so 16 bits distinguish them as 24 do. The label
-/// is in its board's plane, so there the stencil decides which of the two is visible, not depth. In the mirror, neither
-/// of the two shows its front.
+/// is in its board's plane, so the stencil, not depth, decides which of the two is visible there. The mirror shows the
+/// front of neither.
 Scene floating_with_decal() {
     SceneObject label = object("label", quad_mesh(), {1.0, 0.4, -1.7}, {0.35, 1.0, 0.45});
     label.description.decal = true;

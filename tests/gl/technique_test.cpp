@@ -104,7 +104,7 @@ TEST_F(Technique, CastersAreColoredByTheirSideOfPlaneAndLight) {
     EXPECT_EQ(kind_at(lamp, 3.0), beyond_light);
     EXPECT_EQ(kind_at(sun, -1.0), behind_plane);
     EXPECT_EQ(kind_at(sun, 3.0), casts) << "nothing is beyond a directional light";
-    EXPECT_EQ(kind_at(below, -0.25), casts) << "the other side is the one with the light";
+    EXPECT_EQ(kind_at(below, -0.25), casts) << "the light is on the other side";
     EXPECT_EQ(kind_at(below, -1.5), beyond_light);
     EXPECT_EQ(kind_at(below, 1.5), behind_plane);
 }
@@ -356,7 +356,7 @@ TEST_F(Technique, UnclearedDepthHidesLaterObjects) {
             View fresh;
             const Seen first = seen(draw(frame, far_only, technique_px, renderer(), fresh));
             EXPECT_EQ(first,
-                      clears ? Seen::far_quad : Seen::background);  // drawn twice; its first depths hide it (less)
+                      clears ? Seen::far_quad : Seen::background);  // drawn twice; the second time, GL_LESS fails
         }
     }
 }

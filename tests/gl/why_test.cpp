@@ -110,7 +110,7 @@ protected:
     }
 
     /// Takes the mistakes and styles of a random state, and keeps the preset's camera and scene so that something is
-    /// seen.
+    /// visible.
     static Params random_room(const Params& base, unsigned seed) {
         const Params wild = testing::RandomParams(seed).make();
         Params room = base;

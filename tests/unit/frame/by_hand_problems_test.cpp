@@ -1,5 +1,5 @@
-// An S or R entered by hand: a sentence appears exactly if it lacks a property of the correct matrix. The matrices
-// are the slides' formulas written out, and the properties are checked on points.
+// For an S or R entered by hand, a sentence appears exactly if the matrix lacks a property of the correct one. The
+// matrices are the slides' formulas written out, and the properties are checked on points.
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -25,7 +25,7 @@ dmat4 slides_mirror(const dvec4& n) {
     return m;
 }
 
-/// Returns the sentences about one matrix that break the picture.
+/// Returns the sentences that report a wrong matrix.
 std::vector<std::string> broken_by_hand(const Params& params) {
     std::vector<Problem> problems;
     find_by_hand_problems(problems, params, derive(params, testing::box_scene(), {}));

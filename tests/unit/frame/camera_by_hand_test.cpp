@@ -32,7 +32,7 @@ const Problem* problem_with_id(const std::vector<Problem>& problems, std::string
     return found == problems.end() ? nullptr : &*found;
 }
 
-/// A random camera, as GLM makes V.
+/// Makes a random V with GLM.
 dmat4 random_v(Random& random) {
     const dvec3 eye = random.vec3(8) + dvec3(0.0, 0.0, 12.0), center = random.vec3(2);
     return glm::lookAtRH(eye, center, dvec3(0.0, 1.0, 0.0));
@@ -78,7 +78,7 @@ TEST(CameraByHand, AProjectionThatALensMakesHasItsNearFarAndEdges) {
     for (int trial = 0; trial < 200; ++trial) {
         const double n = random.number(0.1, 2), f = n + random.number(1, 100), l = random.number(-3, -0.5);
         const double r = random.number(0.5, 3), b = random.number(-3, -0.5), t = random.number(0.5, 3);
-        const double factor = random.number(0.5, 2);  // up to a factor, P is the same map
+        const double factor = random.number(0.5, 2);  // a multiple of P is the same map
         Params params;
         const bool orthographic = trial % 2 == 1, reversed = trial % 4 >= 2;
         params.depth.mapping = reversed ? DepthMapping::reversed : DepthMapping::standard;

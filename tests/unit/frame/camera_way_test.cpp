@@ -1,4 +1,4 @@
-// The followed point's way into the picture, against glm's own projection and the definition of the clip volume.
+// Checks the followed point's way into the picture against GLM's projection and the definition of the clip volume.
 #include "frame/camera_way.h"
 
 #include <gtest/gtest.h>

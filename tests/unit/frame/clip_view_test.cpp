@@ -1,5 +1,5 @@
-// The view Clip space: from eye space to NDC, by maps that keep straight lines straight and never turn space inside
-// out.
+// The view "Clip space" leads from eye space to NDC by maps that keep straight lines straight and never turn space
+// inside out.
 #include "frame/clip_space.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
@@ -66,8 +66,8 @@ TEST(ClipView, BeginsWithEyeSpaceMovedAndScaled) {
     }
 }
 
-// Between the ends: w > 0 for all that is in front of the near plane, three points on a line stay on one, and four
-// points keep their orientation.
+// Between the ends, w > 0 in front of the near plane, collinear points stay collinear, and four points keep their
+// orientation.
 TEST(ClipView, KeepsLinesAndOrientationOnTheWay) {
     Random random(seed);
     for (Params params : clip_states())

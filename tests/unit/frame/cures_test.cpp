@@ -1,4 +1,4 @@
-// Cures for depth fighting: the new near distance, and which cures a scene is offered.
+// Cures for depth fighting: the new near distance, and the cures that are offered for a scene.
 #include "frame/depth/cures.h"
 
 #include "state/presets.h"

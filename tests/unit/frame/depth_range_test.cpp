@@ -1,5 +1,5 @@
-// The depth picture's contrast range, from the nearest to the farthest corner of the scene; computed by hand for a
-// camera that looks along −z.
+// The depth picture's contrast range spans the nearest to the farthest corner of the scene. The expected ranges are
+// computed by hand for a camera that looks along −z.
 #include "frame/plan.h"
 #include "unit/frame/frame_test.h"
 

@@ -16,7 +16,7 @@ using glm::dmat4;
 using glm::dvec3;
 using glm::dvec4;
 
-/// A random state, and its matrices in the words of books.
+/// A random state and its matrices, named as in textbooks.
 struct Sample {
     Params params;
     double aspect;
@@ -106,7 +106,7 @@ const MatrixCase spoiled_matrices[] = {
      [](const Sample& x, Random&) { return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, x.near, x.far); }},
     {"P of another lens for 0 … 1", 'P', F::zero_to_one,
      [](const Sample& x, Random& random) {
-         const double near = std::round(random.number(1, 20)) / 10.0;  // as a book writes it
+         const double near = std::round(random.number(1, 20)) / 10.0;  // rounded, as in textbooks
          return glm::perspectiveRH_ZO(glm::radians(x.fovy), x.aspect, near, x.far + 10.0);
      }},
     {"P for 0 … 1, infinite far, the state's near", 'P', F::zero_to_one,

@@ -165,7 +165,7 @@ TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
 }
 
 /// Compares the share with a simulation of rounding. The farther depths fall on every phase within a code; the nearer
-/// ones are `gap` in front of them and shifted by a random bias, which stands for the arithmetic.
+/// ones are `gap` in front of them and shifted by a random bias, which represents the arithmetic error.
 TEST(FightingShare, BoundsAnyArithmetic) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {

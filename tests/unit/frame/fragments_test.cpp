@@ -117,7 +117,7 @@ TEST(Fragments, PassLikeADistanceBasedSimulation) {
                                   std::string("depth.clear=") + (clear ? "true" : "false")},
                                  scene_of(quads));
                 ASSERT_EQ(found.size(), distances.size());
-                double kept = 1e9;  // the buffer is cleared to a depth farther than all
+                double kept = 1e9;  // the cleared depth is beyond all of them
                 for (int frame = clear ? 1 : 0; frame < 2; ++frame)
                     for (std::size_t i = 0; i < distances.size(); ++i) {
                         const int nearer = kept > distances[i] ? 1 : kept < distances[i] ? -1 : 0;

@@ -127,8 +127,8 @@ TEST(NearAdvice, QuantifiesTheGain) {
 TEST(NearAdvice, IsAbsentIfNearIsFine) {
     const Scene scene = scene_of({box_at(4.0)});
     EXPECT_FALSE(advice(looking_from(3.0), scene));
-    EXPECT_FALSE(advice(looking_from(2.0), scene)) << "a factor 2";
-    EXPECT_TRUE(advice(looking_from(0.7), scene)) << "a factor 5.3";
+    EXPECT_FALSE(advice(looking_from(2.0), scene)) << "a factor of 2";
+    EXPECT_TRUE(advice(looking_from(0.7), scene)) << "a factor of 5.3";
     EXPECT_FALSE(advice(looking_from(0.001), Scene{})) << "nothing in view";
     EXPECT_FALSE(advice(looking_from(0.001), scene_of({box_at(-9.0)}))) << "behind the eye";
 
@@ -145,7 +145,7 @@ TEST(NearAdvice, IsAbsentIfNearIsFine) {
     params.depth.format = DepthFormat::d32f;
     EXPECT_FALSE(advice(params, scene)) << "a small near costs nothing";
     params.depth.reversed_zero_to_one = false;
-    EXPECT_TRUE(advice(params, scene)) << "in a clip range of −1 to 1 it does";
+    EXPECT_TRUE(advice(params, scene)) << "a small near is costly with a clip range of −1 to 1";
 }
 
 TEST(NearAdvice, ReportsCutObjects) {

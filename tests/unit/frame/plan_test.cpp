@@ -696,7 +696,8 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
     }
 }
 
-/// After clipping casters at the light, all remaining points have w of one sign, so forcing it gives the right frame.
+/// After casters are clipped at the light, w has one sign at all remaining points, so forcing the sign gives the right
+/// frame.
 TEST(Plan, ForcesTheSignOfTheWholeShadowWhereCastersAreClippedAtTheLight) {
     for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-1,0,0]"})
         for (const char* const light : {"light.position=[2,5,2,1]", "light.position=[2,5,2,0]"})

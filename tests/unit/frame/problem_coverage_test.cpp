@@ -1,5 +1,5 @@
 // Each sentence about problems in the sources is shown by at least one state: a preset, or one of the states below.
-// Each has an id, which is the same in every language, and its values.
+// Each sentence has its values and an id, which is the same in every language.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -65,7 +65,7 @@ const std::string back_wall = "planes=[{\"equation\":[0,0,1,3]}]";
 const std::string two_walls = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
 const std::string facing_mirrors =
     "planes=[{\"equation\":[0,0,1,8],\"receives_shadow\":false},{\"equation\":[0,0,-1,8],\"receives_shadow\":false}]";
-/// Nearly parallel: a line of sight goes back and forth between them, but not endlessly.
+/// The mirrors are nearly parallel: a line of sight goes back and forth between them, but not endlessly.
 const std::string leaning_mirrors =
     "planes=[{\"equation\":[0,0.002,1,8],\"extent\":50},{\"equation\":[0,0.002,-1,8],\"extent\":50}]";
 const std::string second_light = "lights=[{\"position\":[-3,5,2,1]}]";

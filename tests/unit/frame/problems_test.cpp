@@ -187,7 +187,7 @@ const std::vector<Case>& cases() {
          far_shadow_scene,
          {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,2],\"extent\":0.5}]", "light.position=[4,2,0.5,1]"},
          {"shadow.own_stencil=false", "planes=[{\"equation\":[1,0,0,2],\"extent\":0.5}]", "light.position=[4,9,2,1]"}},
-        {"shadow",  // below the floor, the wall's shadow is seen through the floor's patch, but hidden by it
+        {"shadow",  // without the depth test, the wall's shadow shows through the floor's patch
          "share one stencil value",
          box_scene,
          {"shadow.own_stencil=false", wall, "depth.test=false"},
@@ -254,7 +254,7 @@ const std::vector<Case>& cases() {
          {"reflection.stencil=false", "plane.extent=1.2"},
          {"plane.extent=1.2"}},
         {"reflection", "buried behind the mirror", just_buried_scene, {"reflection.clip=none"}, {}},
-        {"reflection",  // deeper, its image is so high above the mirror that no line of sight to it meets the mirror
+        {"reflection",  // a deeper box's image is so high that no line of sight to it meets the mirror
          "buried behind the mirror",
          just_buried_scene,
          {"reflection.clip=none"},
@@ -541,7 +541,7 @@ TEST(Problems, FarCutsAnImageWhereItsVerticesAre) {
         EXPECT_FALSE(says(told(keeps), "view", "cuts off")) << keeps << ": " << all_of(told(keeps));
 }
 
-/// Applied, the fix takes the sentence away, and every vertex is on the eye's side of the plane.
+/// Applying the fix removes the sentence and puts every vertex on the eye's side of the plane.
 TEST(Problems, PlaneMovesAwayFromWhatLiesInIt) {
     for (const char* equation : {"[0,1,0,0]", "[0,-3,0,0]"}) {
         const Settings settings = {std::string("plane.equation=") + equation};

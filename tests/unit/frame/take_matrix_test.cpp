@@ -1,4 +1,5 @@
-// A pasted V, C or P becomes the state's own: there and back through text in every syntax, and each fault is fixed.
+// A pasted V, C or P replaces the state's own: it survives a round trip through text in every syntax, and each fault is
+// fixed.
 #include "frame/explain/take_matrix.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -36,7 +37,7 @@ dmat4 view_of_glm(Random& random) {
     return glm::lookAtRH(eye, center, up);
 }
 
-/// A random P as GLM makes it: perspective, frustum, ortho and infinite perspective.
+/// Makes a random P with GLM's perspective, frustum, ortho or infinite perspective.
 dmat4 random_projection(Random& random, int kind) {
     const double n = random.number(0.05, 2), f = n + random.number(1, 500), fovy = random.number(0.1, 2.5);
     const double l = random.number(-3, 0), b = random.number(-3, 0);

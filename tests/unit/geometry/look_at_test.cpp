@@ -1,4 +1,4 @@
-// Eye, center and up: there and back, against glm::lookAt, and the two degenerate cases.
+// Eye, center and up: the round trip, the comparison with glm::lookAt, and the two degenerate cases.
 #include "geometry/look_at.h"
 
 #include <gtest/gtest.h>

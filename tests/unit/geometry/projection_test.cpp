@@ -138,7 +138,8 @@ TEST(WindowDepth, OfAnInfiniteFar) {
     EXPECT_EQ(window_depth(lens, DepthMapping::standard, infinity), 1.0);
     EXPECT_EQ(window_depth(lens, DepthMapping::reversed, infinity), 0.0);
     EXPECT_EQ(distance_of_window_depth(lens, DepthMapping::standard, 1.0), infinity);
-    // One code of 24 bits at z = 10 is z²/(n (2²⁴ − 1)) wide; with far = 100, 1 % less. Moving far away costs no more.
+    // One code of 24 bits at z = 10 is z²/(n (2²⁴ − 1)) wide. With far = 100, it is 1 % narrower, so an infinite far
+    // costs little.
     EXPECT_NEAR(depth_step(lens, DepthMapping::standard, {24, false}, 10) * 16777215.0, 100.0, 1e-9);
     EXPECT_NEAR(depth_step({.near = 1, .far = 100}, DepthMapping::standard, {24, false}, 10) * 16777215.0, 99.0, 1e-9);
     for (const DepthMapping mapping : mappings) {

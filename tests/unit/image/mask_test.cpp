@@ -142,7 +142,7 @@ TEST(Mask, IsHatchedAndDimmedInTheDiffPicture) {
             EXPECT_LT(at[0], 100) << "darker than equal pixels";
             (at[0] == 0 ? black : dimmed)++;
         }
-    EXPECT_EQ(black, 12 * 24 / 6) << "every sixth masked_pixel of a row";
+    EXPECT_EQ(black, 12 * 24 / 6) << "every sixth masked pixel of a row";
     EXPECT_EQ(dimmed, 12 * 24 * 5 / 6);
 }
 

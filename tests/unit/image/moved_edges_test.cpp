@@ -56,7 +56,7 @@ TEST(MovedEdges, DifferencesBeginAboveTheThreshold) {
 TEST(MovedEdges, WithoutReachAreDifferences) {
     const Image a = drawn({"..####", "..####"}), b = drawn({"...###", "...###"});
     EXPECT_EQ(compare_images(a, b, alike).beyond, 0);
-    EXPECT_EQ(compare_images(a, b, alike).different, 2) << "but not byte-identical";
+    EXPECT_EQ(compare_images(a, b, alike).different, 2) << "the pictures are not byte-identical";
     EXPECT_EQ(compare_images(a, b, {.worst = 2}).beyond, 2);
 }
 
@@ -64,7 +64,7 @@ TEST(MovedEdges, ByOnePixelAreNoDifference) {
     EXPECT_EQ(beyond({"..####", "..####", "..####"}, {"...###", "...###", "...###"}), 0);
     EXPECT_EQ(beyond({"......", "######", "######"}, {"......", "......", "######"}), 0);
     EXPECT_EQ(beyond({"#.....", ".#....", "..#..."}, {".#....", "..#...", "...#.."}), 0) << "a thin line";
-    EXPECT_EQ(beyond({"..####", "..####", "..####"}, {"....##", "....##", "....##"}), 6) << "by two pixels";
+    EXPECT_EQ(beyond({"..####", "..####", "..####"}, {"....##", "....##", "....##"}), 6) << "moved by two pixels";
 }
 
 TEST(MovedEdges, AMissingBlockIsADifference) {
@@ -84,7 +84,7 @@ TEST(MovedEdges, AreNotSearchedBeyondThePicture) {
     EXPECT_EQ(beyond({"#"}, {"#"}), 0);
     EXPECT_EQ(beyond({"#"}, {"."}), 1);
     EXPECT_EQ(beyond({"#..."}, {"...#"}), 2) << "the ends of a row are not neighbors";
-    EXPECT_EQ(beyond({"..#", "...", "..."}, {"...", "#..", "..."}), 2) << "nor are the ends of two";
+    EXPECT_EQ(beyond({"..#", "...", "..."}, {"...", "#..", "..."}), 2) << "the ends of two rows are not neighbors";
     EXPECT_EQ(beyond({"#", ".", ".", "."}, {".", ".", ".", "#"}), 2);
     EXPECT_TRUE(pixel_differences({}, {}, alike).empty());
 }

@@ -48,7 +48,7 @@ StepPart part_of(const LessonSource& source, std::size_t step, Kind kind, std::s
     return {};
 }
 
-/// Each part of each step of the program's own lessons can be written back in both languages: nothing changes.
+/// Writing back any part of any step of the program's own lessons, in either language, changes nothing.
 TEST(EditSteps, WritingBackEveryPartOfTheLessonsChangesNothing) {
     std::size_t parts = 0;
     for (const char* name : {"01-view-is-the-inverse.json", "08-two-buffers.json", "13-any-plane-any-light.json"}) {

@@ -135,9 +135,9 @@ TEST(Judge, AnUnknownWrongAnswerHasRightParts) {
     ask.rows = 4;
     ask.expect = "{2, 4, 3, 1}";
     ask.up_to_factor = true;
-    EXPECT_EQ(told({{5, 7, 9, 11}, {}}), is(Near::nothing, {})) << "one number alone fits some factor";
+    EXPECT_EQ(told({{5, 7, 9, 11}, {}}), is(Near::nothing, {})) << "any single number fits some factor";
     EXPECT_EQ(told({{4, 8, 9, 11}, {}}), is(Near::right_parts, {1, 2}));
-    EXPECT_EQ(told({{2, 7, 9, 11}, {}}), is(Near::right_parts, {1})) << "right as it stands";
+    EXPECT_EQ(told({{2, 7, 9, 11}, {}}), is(Near::right_parts, {1})) << "right without a factor";
 }
 
 TEST(Judge, AGoalTellsItsNumbers) {

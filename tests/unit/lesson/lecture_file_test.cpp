@@ -45,7 +45,7 @@ TEST(LectureFile, ItsStepsAreThoseOfItsPartsInOrder) {
         EXPECT_EQ(lecture.lecture->part_of(step), expected[step]) << step;
 }
 
-/// Replaces a part of the file by another and returns all mistakes.
+/// Replaces parts of the file and returns all mistakes.
 std::vector<std::string> mistakes_with(const std::vector<std::pair<std::string, std::string>>& changes) {
     std::string text = small_lecture;
     for (const auto& [part, other] : changes) {
@@ -133,7 +133,7 @@ TEST(LessonEnds, ACardFollowsTheLastStepAndEachLessonOfALecture) {
     LessonRun lesson(*load_lesson("rays"));
     EXPECT_EQ(lesson.end(), nullptr);
     lesson.show_end(true);
-    EXPECT_FALSE(lesson.shows_end()) << "none follows the first step";
+    EXPECT_FALSE(lesson.shows_end()) << "no card follows the first step";
     lesson.go_to(3);
     ASSERT_NE(lesson.end(), nullptr);
     lesson.show_end(true);
@@ -146,7 +146,7 @@ TEST(LessonEnds, ACardFollowsTheLastStepAndEachLessonOfALecture) {
         lecture.go_to(step);
         ends.push_back(lecture.end() != nullptr);
     }
-    EXPECT_EQ(std::count(ends.begin(), ends.end(), true), 1) << "a preset has none, and the last part asks for none";
+    EXPECT_EQ(std::count(ends.begin(), ends.end(), true), 1) << "a preset has no card, and the last part asks for none";
     EXPECT_TRUE(ends[2]);
 }
 
@@ -183,7 +183,7 @@ TEST(Slides, EachSlideHasAPresetAndASlideWithContentHasASearch) {
     for (const char* other : {"shadow", "s", "s12b", "12", "", "s 1234"}) EXPECT_FALSE(searched_slide(other)) << other;
 }
 
-/// The mirror cuts no object, so that slide 23's three matrices can be seen one by one.
+/// The mirror cuts no object, so slide 23's three matrices can be shown one by one.
 TEST(Slides, TheCoordinatePlanesCutNoObject) {
     const char* const names[] = {"mirror-yz", "mirror-xz", "mirror-xy"};
     for (int axis = 0; axis < 3; ++axis) {

@@ -27,7 +27,8 @@ TEST(OtherRow, OfAMirrorRowMirrorsPointsAlike) {
     for (int round = 0; round < 200; ++round) {
         const glm::dvec3 n = glm::normalize(glm::dvec3(number(random), number(random), number(random)));
         const double d = 2.0 * number(random);
-        // The reflections of the origin and the three unit points: each moves along the normal by twice its distance.
+        // The origin and the three unit points are reflected: each moves along the normal by twice its distance from
+        // the plane.
         const auto mirrored = [&](const glm::dvec3& p) { return p - 2.0 * (glm::dot(n, p) + d) * n; };
         for (int row = 0; row < 3; ++row) {
             glm::dvec4 entries(0.0);
@@ -47,7 +48,7 @@ TEST(OtherRow, OfAShadowRowIsWorkedOutByHand) {
     // The plane y = 0.5: w = 4 − p_y and s_x w = 3 (4 − p_y) + 3.5 (p_x − 3) = 3.5 p_x − 3 p_y + 1.5.
     expect_near(plane_of_shadow_row({3.5, -3, 0, 1.5}, 0, light, floor_plane), {0, 1, 0, -0.5});
     EXPECT_FALSE(plane_of_shadow_row({3.5, -2, 0, 1.5}, 0, light, floor_plane));
-    EXPECT_FALSE(plane_of_shadow_row({0, 0, 3.5, 0}, 2, light, floor_plane)) << "ℓ_z is 0: the row tells no plane";
+    EXPECT_FALSE(plane_of_shadow_row({0, 0, 3.5, 0}, 2, light, floor_plane)) << "ℓ_z is 0, so no plane follows";
     EXPECT_FALSE(plane_of_mirror_row({0, 0, 0, 2}, 3));
     EXPECT_FALSE(plane_of_mirror_row({1, 0, 0, 5}, 0));
 }
@@ -68,15 +69,15 @@ TEST(OtherRow, IsToldForAnUnknownWrongMatrix) {
     EXPECT_EQ(other.places, (std::vector<int>{2, 3, 4}));
     EXPECT_EQ(other.other_row, 1);
     EXPECT_EQ(other.other_plane, (std::vector<double>{0, 1, 0, -0.5}));
-    EXPECT_EQ(judged({9, -3, 0, 1.5, 0, 0, 0, 0, 0, 0, 4, 0, 0, -1, 0, 4}).other_row, 0) << "of no plane";
+    EXPECT_EQ(judged({9, -3, 0, 1.5, 0, 0, 0, 0, 0, 0, 4, 0, 0, -1, 0, 4}).other_row, 0) << "no plane has this row";
     ask.expect = "{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}";
     const Verdict mirror = judged({1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1});  // y′ = 1 − y: the plane y = 0.5
     EXPECT_EQ(mirror.other_row, 2);
     EXPECT_EQ(mirror.other_plane, (std::vector<double>{0, 1, 0, -0.5}));
 }
 
-/// Returns the row of S whose product with (p, 1) is s_i w, for a point s on the line from the light through p: found
-/// by sending the unit points along their rays, without S's formula. `plane` has a unit normal, and the light's w is 1.
+/// Returns the row of S whose product with (p, 1) is s_i w, where s is a point on the line from the light through p.
+/// Follows the rays through the unit points, without S's formula. `plane` has a unit normal, and the light's w is 1.
 glm::dvec4 row_of_rays(const glm::dvec4& plane, const glm::dvec3& light_world, int index) {
     const auto height = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
     const auto times_w = [&](const glm::dvec3& p) {  // s w with w = height(ℓ) − height(p), or w itself for row 3
@@ -119,7 +120,7 @@ TEST(OtherRow, AllRowsOfAnotherLightTellThatLight) {
             typed, {}, "shadow_matrix(unit(plane.equation), light.position)", with_plane_and_light(plane, asked));
         ASSERT_TRUE(found) << "round " << round;
         EXPECT_EQ(found->row, 1);
-        if (!found->is_light) continue;  // its first row may also be that of another plane
+        if (!found->is_light) continue;  // the first row may also belong to another plane
         ++told;
         expect_near(found->numbers, {other, 1.0});
     }
@@ -133,9 +134,9 @@ TEST(OtherRow, OneRowOfAnotherLightIsWorkedOutByHand) {
     expect_near(light_of_shadow_row({0, -2, 4, 0}, 2, floor_plane, light), {3, 4, 2, 1});
     expect_near(light_of_shadow_row({0, 0, 0, 4}, 3, floor_plane, light), {3, 4, 0, 0});
     EXPECT_FALSE(light_of_shadow_row({0, 0, 0, 0}, 1, floor_plane, light));
-    EXPECT_FALSE(light_of_shadow_row({0, 4, 0, 0}, 1, floor_plane, light)) << "beside row 2's diagonal Π is 0";
-    EXPECT_FALSE(light_of_shadow_row({4, -1, 2, 0}, 0, floor_plane, light)) << "of no light on the floor";
-    // Two numbers could make up for the other Π·L: undecided.
+    EXPECT_FALSE(light_of_shadow_row({0, 4, 0, 0}, 1, floor_plane, light)) << "outside row 2's diagonal, Π is 0";
+    EXPECT_FALSE(light_of_shadow_row({4, -1, 2, 0}, 0, floor_plane, light)) << "no light has this row";
+    // Two of the light's numbers could compensate for the different Π·L, so the light is undetermined.
     EXPECT_FALSE(light_of_shadow_row({9, -1, -1, 0}, 0, {0, 1, 1, 0}, light));
 }
 
@@ -155,7 +156,7 @@ TEST(OtherRow, ARowOfAnotherLightIsToldForAnUnknownWrongMatrix) {
     ask.up_to_factor = true;
     const Verdict twice = judged({8, -6, 0, 0, 0, 0, 0, 0, 0, -4, 8, 0, 0, -2, 0, 8});
     EXPECT_EQ(twice.other_row, 3);
-    EXPECT_EQ(twice.other_light, (std::vector<double>{3, 4, 2, 1})) << "not of twice the light";
+    EXPECT_EQ(twice.other_light, (std::vector<double>{3, 4, 2, 1})) << "the light is not doubled";
     EXPECT_EQ(judged(std::vector<double>(16, 0.0)).other_row, 0) << "nothing is entered";
 }
 

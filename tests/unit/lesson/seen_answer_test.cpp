@@ -33,10 +33,10 @@ TEST(SeenAnswer, ANumberIsFoundWithTheDigitsShown) {
     EXPECT_EQ(found(step, right, {text_at("−1.369", 0)}), 0U) << "another number, although it would be accepted";
     EXPECT_EQ(found(step, right, {text_at("−1.3685·10⁻⁷", 0)}), 0U);
     EXPECT_EQ(found(step, {{230400}, {}}, {text_at("230,400", 0)}), 1U);
-    EXPECT_EQ(found(step, {{240}, {}}, {text_at("d240, x_240", 0)}), 0U) << "names";
+    EXPECT_EQ(found(step, {{240}, {}}, {text_at("d240, x_240", 0)}), 0U) << "digits in names";
     EXPECT_EQ(found(step, {{5}, {}}, {text_at("5.00", 0)}), 0U) << "zeros at the end are no significant digits";
     EXPECT_EQ(found(step, {{0.25}, {}}, {text_at("0.25", 0)}), 0U);
-    EXPECT_EQ(found(step, {{0.125}, {}}, {text_at("(0.125, 0.125)", 0)}), 1U) << "said once for each place";
+    EXPECT_EQ(found(step, {{0.125}, {}}, {text_at("(0.125, 0.125)", 0)}), 1U) << "reported once for each place";
 }
 
 TEST(SeenAnswer, WhatTheStepSaysAndItsOwnControlsAreNoFindings) {
@@ -63,7 +63,7 @@ TEST(SeenAnswer, AVectorIsFoundInARowOrAColumn) {
     EXPECT_EQ(found(step, right, {text_at("−2", 1, 1), text_at("−1", 2, 2), text_at("−10", 3, 3)}), 0U);
     EXPECT_EQ(found(step, right, {text_at("−2", 0, 1), text_at("7", 0, 2), text_at("−1, −10", 0, 3)}), 0U);
     EXPECT_EQ(found(step, {{0, 1, 0}, {}}, {text_at("0, 1, 0", 0)}), 0U) << "an axis is everywhere";
-    EXPECT_EQ(found(step, {{0, 4, 0}, {}}, {text_at("0, 4, 0", 0)}), 0U) << "so is one length on an axis";
+    EXPECT_EQ(found(step, {{0, 4, 0}, {}}, {text_at("0, 4, 0", 0)}), 0U) << "so is a multiple of an axis";
 }
 
 TEST(SeenAnswer, AMatrixIsFoundByItsRows) {

@@ -1,4 +1,4 @@
-// The matrix that an answer is: products of tiles, and the state that shows them.
+// Answers that are a matrix: products of tiles, and the state that shows a product.
 #include "lesson/typed_matrix.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(TypedMatrix, AProductIsShownByTheCameraThatHasIt) {
     EXPECT_EQ(shown->params.camera.position, glm::dvec3(1, 2, 3));
     EXPECT_NEAR(shown->params.camera.yaw, 90.0, 1e-9);
     EXPECT_NEAR(shown->params.camera.pitch, 0.0, 1e-9);
-    // The same product as V: R_y(90°) and T undone, so the eye is at R_y(−90°) (−1, −2, −3) = (3, −2, −1).
+    // As V, the product undoes the camera's pose, so the eye is at R_y(−90°) (−1, −2, −3) = (3, −2, −1).
     step.ask.shows_as = "V";
     const Result<LoadedState> as_view = with_typed_matrix(step, product);
     ASSERT_TRUE(as_view) << as_view.error();

@@ -64,7 +64,7 @@ TEST(Ballot, KeepsBothVotesAndTakesBackEachChange) {
     ballot.count(2, 1);
     EXPECT_EQ(ballot.votes(VoteRound::before_discussion), (VoteCounts{80, 60, 0}));
     EXPECT_EQ(ballot.votes(VoteRound::after_discussion), (VoteCounts{10, 0, 91}));
-    ballot.count(1, -1);  // there are none
+    ballot.count(1, -1);  // there is no vote to take back
     ballot.count(7, 1);   // no such choice
     EXPECT_TRUE(ballot.undo());
     EXPECT_EQ(ballot.votes(), (VoteCounts{10, 0, 90}));

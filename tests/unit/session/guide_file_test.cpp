@@ -1,4 +1,4 @@
-// A lesson from somebody's own file is read again when the file changes.
+// A lesson in a user's file is read again when the file changes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ protected:
     GuideFile() { fs::create_directories(folder_); }
     ~GuideFile() override { fs::remove_all(folder_); }
 
-    /// Writes a lesson with these steps, at a time of its own.
+    /// Writes a lesson with these steps and a new modification time.
     void write(const std::string& steps) {
         std::ofstream(file()) << R"({"lesson": 1, "id": "mine", "title": "Mine", "steps": [)" << steps << "]}";
         fs::last_write_time(file(), fs::file_time_type::clock::now() + std::chrono::seconds(++writes_));
@@ -53,10 +53,10 @@ TEST_F(GuideFile, IsReadAgainAndStaysAtItsStep) {
     EXPECT_EQ(guide.run()->index(), 2U);
     EXPECT_TRUE(guide.run()->is_revealed());
 
-    write("{");  // an editor may be in the middle
+    write("{");  // an editor may have written half the file
     update_for_a_while();
     EXPECT_TRUE(session.message.is_error);
-    EXPECT_EQ(guide.run()->step().say.in_english(), "Better.") << "the last good one stays";
+    EXPECT_EQ(guide.run()->step().say.in_english(), "Better.") << "the last valid lesson stays";
     write(step("two", "Best."));
     update_for_a_while();
     EXPECT_EQ(guide.run()->step().say.in_english(), "Best.");

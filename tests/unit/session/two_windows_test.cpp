@@ -1,6 +1,6 @@
 // Two windows of one user write the same file and are killed while they do so. Every write that a window reported as
 // done must be in the file at the end. The windows are processes; each reports its writes through a pipe and is killed
-// after a seeded number of writes, so usually in the middle of one.
+// after a seeded number of writes, usually in the middle of a write.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>

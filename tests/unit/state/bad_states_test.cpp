@@ -10,7 +10,7 @@ namespace {
 struct Bad {
     std::string json;
     std::string path;      ///< the message begins with "state.json: " and this
-    std::string fragment;  ///< and contains this
+    std::string fragment;  ///< the message contains this
 };
 
 std::string box(const std::string& members) {

@@ -1,4 +1,4 @@
-// The second picture's settings: what they may change, how they are read, and that any other state can be shown.
+// Settings of the second picture: the fields that they may change, their errors, and the states that they can show.
 #include "state/file/beside.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(BesideSettings, ShowAnyOtherStateOfTheScene) {
         Params params = random.make(), other = random.make();
         clamp_to_ranges(params);
         clamp_to_ranges(other);
-        // Common to both pictures: the fields of the documentation, written out here.
+        // The fields that both pictures share, copied from the documentation.
         other.scene = params.scene;
         other.ui = params.ui;
         other.view.layout = params.view.layout;

@@ -122,7 +122,7 @@ TEST(Link, RefusesBrokenLinksWithASentence) {
         std::string changed = whole;
         changed[at] = changed[at] == 'A' ? 'B' : 'A';
         const Result<LoadedState> state = load_state(changed);
-        if (state)  // the padding bits of the last character carry nothing
+        if (state)  // the padding bits of the last character carry no data
             EXPECT_EQ(state->params, load_state("room")->params) << at;
         else
             EXPECT_TRUE(state.error().starts_with("link: ")) << at << ": " << state.error();
@@ -139,7 +139,7 @@ TEST(Link, RefusesBrokenLinksWithASentence) {
     EXPECT_TRUE(trouble_with(link_of("{} {}")).starts_with("link: line 1"));
 }
 
-/// A few hundred kilobytes that would unpack to 200 MiB: nothing beyond the limit may be unpacked.
+/// A link of a few hundred kilobytes would unpack to 200 MiB. Nothing beyond the limit may be unpacked.
 TEST(Link, DoesNotUnpackABomb) {
     const std::string bomb = link_of(std::string(200U << 20U, ' '));
     ASSERT_LT(bomb.size(), 400'000U);

@@ -1,4 +1,5 @@
-// camera.look_at in files and settings: read instead of position and angles, refused along with them, never written.
+// camera.look_at in files and settings: it is read instead of position and angles, refused along with them, and never
+// written.
 #include <gtest/gtest.h>
 
 #include "state/file/json.h"

@@ -125,7 +125,7 @@ TEST_F(Obj, NormalsOfTheFileAreUsed) {
     EXPECT_NEAR(mesh.normals[0].z, 0.8, 1e-6);
     const Mesh partly = load(square + normals + "f 1//1 2//1 3//1\nf 1 3 4\n");
     ASSERT_EQ(partly.positions.size(), 6U);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(partly.normals[i].z, 0.8, 1e-6) << "kept beside a face without";
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(partly.normals[i].z, 0.8, 1e-6) << "kept beside a face without normals";
     for (int i = 3; i < 6; ++i) EXPECT_NEAR(partly.normals[i].z, 1.0, 1e-6) << "generated";
     const Mesh zero = load(std::string(square) + "vn 0 0 0\nf 1//1 2//1 3//1\n");
     EXPECT_NEAR(zero.normals[0].z, 1.0, 1e-6) << "a zero normal is replaced";

@@ -117,9 +117,9 @@ TEST(MergedRemembered, FilesAreInTheOrderOfOpening) {
     using Files = std::vector<std::string>;
     EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"a", "b"}));
     EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"x", "a", "b"})) << "opened elsewhere";
-    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"n", "a", "b"}), (Files{"n", "x", "a", "b"})) << "in both";
+    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"n", "a", "b"}), (Files{"n", "x", "a", "b"})) << "opened in both";
     EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"b", "a"}), (Files{"b", "x", "a"})) << "opened again";
-    EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a"}), (Files{"a", "b"})) << "a window that keeps fewer";
+    EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a"}), (Files{"a", "b"})) << "a shorter list removes no file";
     EXPECT_EQ(recent({}, {}, {"a", "b"}), (Files{"a", "b"}));
     Files many;
     for (int i = 0; i < 25; ++i) many.push_back(std::to_string(i));

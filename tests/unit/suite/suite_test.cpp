@@ -185,7 +185,7 @@ RunResult made_run() {
 
 TEST(Report, PageEscapesForeignTexts) {
     const std::string page = report_page(made_run());
-    EXPECT_EQ(page.find("{{"), std::string::npos) << "a place is not filled";
+    EXPECT_EQ(page.find("{{"), std::string::npos) << "a placeholder is not filled in";
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     EXPECT_NE(page.find("A &lt;b&gt; &amp; &quot;c&quot;"), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos) << "no network";

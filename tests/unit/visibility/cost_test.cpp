@@ -86,7 +86,7 @@ TEST(Cost, CanceledBeforeItStartsSkipsAllPerPolygonWork) {
     const Mesh box = box_mesh();
     const std::vector<MeshInstance> instances(4000, MeshInstance{&box});
     const std::vector<Polygon> polygons = polygons_of(instances).polygons;
-    ASSERT_GT(polygons.size(), 32'768U) << "fewer are processed at once";
+    ASSERT_GT(polygons.size(), 32'768U) << "fewer polygons are processed in one go";
     WorkProgress progress;
     progress.canceled = true;
     EXPECT_TRUE(polygons_of(instances, &progress).polygons.empty());

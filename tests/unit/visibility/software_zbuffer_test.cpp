@@ -74,7 +74,7 @@ TEST(Rasterize, DepthRulesAndOverdraw) {
     const RasterResult reordered = rasterize(polygons, std::vector{2, 0}, glm::dmat4(1), eight);
     EXPECT_EQ(rows(reordered.image).substr(0, 8), "00022222");
     EXPECT_EQ(rasterize(polygons, std::vector<int>{}, glm::dmat4(1), eight).counters.pixels_tested, 0)
-        << "no fragments, not all of them";
+        << "an empty order draws nothing";
 }
 
 TEST(Rasterize, ReplayStopsAfterEachFragment) {
