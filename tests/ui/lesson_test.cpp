@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "desk.h"
@@ -162,10 +163,33 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
     return missing;
 }
 
+/// Returns the objects that may be visible below the plate with a step's controls: the box around one of their
+/// triangles overlaps it on screen.
+std::set<std::string> objects_below_plate(const Desk& desk) {
+    const Layout layout = desk.layout();
+    std::set<std::string> below;
+    if (!layout.panel_over_picture) return below;
+    const auto is_below = [&](const ImVec2& a, const ImVec2& b, const ImVec2& c) {
+        return std::max({a.x, b.x, c.x}) > layout.panel.min.x && std::max({a.y, b.y, c.y}) > layout.panel.min.y &&
+               std::min({a.x, b.x, c.x}) < layout.panel.max.x && std::min({a.y, b.y, c.y}) < layout.panel.max.y;
+    };
+    for (const SceneObject& object : desk.session.scene().objects) {
+        if (object.description.name == "planet") continue;  // it is the ground
+        std::vector<ImVec2> places;
+        for (const glm::vec3& position : object.mesh->positions)
+            places.push_back(desk.in_camera_view(object.world_from_model * glm::dvec4(position, 1.0)));
+        const std::vector<std::uint32_t>& indices = object.mesh->indices;
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+            if (is_below(places[indices[i]], places[indices[i + 1]], places[indices[i + 2]]))
+                below.insert(object.description.name);
+    }
+    return below;
+}
+
 /// The whole lecture, before and after each answer: everything that a step names is drawn whole and without switches,
-/// the main view is large, and nothing moves when the answer appears. The text begins at one height in all steps of a
-/// lesson; it is lower in the few steps that name more than fits above it. Records the shares of the main view and
-/// these steps for a report.
+/// the main view is large, its objects are not below the controls, and nothing moves when the answer appears. The text
+/// begins at one height in all steps of a lesson; it is lower in the few steps that name more than fits above it.
+/// Records the shares of the main view and these steps for a report.
 TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
@@ -188,6 +212,8 @@ TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
                 for (const std::string& text : switches(desk)) ADD_FAILURE() << name << ": " << text;
                 for (const std::string& part : missing_parts(desk, lesson.steps[step]))
                     ADD_FAILURE() << name << ": " << part << " is missing";
+                for (const std::string& object : objects_below_plate(desk))
+                    ADD_FAILURE() << name << ": " << object << " is below the controls";
                 EXPECT_TRUE(is_all_seen(desk)) << name << ": " << desk.workbench.widgets.seen_share;
                 EXPECT_EQ(asked.panel.min.y, desk.layout().panel.min.y) << name << ": the controls move";
                 EXPECT_EQ(asked.strip.min.y, desk.layout().strip.min.y) << name << ": the text moves";

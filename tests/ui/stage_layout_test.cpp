@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "desk.h"
+#include "main_view.h"
 #include "readable.h"
 #include "ui/parts/layout.h"
 
@@ -35,15 +36,16 @@ Named named(int bits) {
     return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
 }
 
-/// Every combination of parts, in each room, with short and long texts below.
+/// Every combination of parts, with few and more controls, in each room, with short and long texts below.
 template <typename Test>
 void for_every_stage(const Test& test) {
     for (const ImVec2 room : halls)
         for (const float band : {0.25F, 0.4F, 0.5F})
-            for (int bits = 0; bits < 32; ++bits) {
+            for (int bits = 0; bits < 64; ++bits) {
                 const Named parts = named(bits);
                 Arrangement arrangement = on_stage();
                 arrangement.strip_px = band * room.y;
+                if (bits >= 32) arrangement.telling.control_rows = 4;
                 arrangement.stage = {parts.left, parts.right, {440.0F, 150.0F}, {360.0F, 150.0F}};
                 arrangement.matrices_folded = !parts.matrices;
                 arrangement.panel_folded = !parts.controls;
@@ -65,9 +67,16 @@ TEST(StageLayout, HasAPlaceForEverythingThatAStepNames) {
         for (std::size_t a = 0; a < std::size(all); ++a) {
             EXPECT_LE(all[a].max.x, room.x);
             EXPECT_LE(all[a].max.y, layout.strip.min.y);
-            for (std::size_t b = 0; b < a; ++b)
-                EXPECT_TRUE(all[a].empty() || all[b].empty() || are_apart(all[a], all[b])) << a << " and " << b;
+            for (std::size_t b = 0; b < a; ++b) {
+                const bool is_plate = layout.panel_over_picture && &all[a] == &all[4] && b == 0;
+                EXPECT_TRUE(is_plate || all[a].empty() || all[b].empty() || are_apart(all[a], all[b]))
+                    << a << " and " << b;
+            }
         }
+        if (!layout.panel_over_picture) return;
+        EXPECT_TRUE(!parts.left && !parts.right && !parts.matrices) << "a column has space for the controls";
+        EXPECT_TRUE(layout.camera.contains(layout.panel.min) && layout.camera.contains(layout.panel.max));
+        EXPECT_LE(area_of(layout.panel), area_of(layout.camera) / 8.0F);
     });
 }
 
@@ -78,7 +87,7 @@ TEST(StageLayout, GivesTheMainViewTheMost) {
         EXPECT_GE(share, is_wide ? 0.43F : 0.36F);
         const bool has_column = parts.left || parts.right || parts.matrices;
         if (!has_column) {
-            EXPECT_GE(share, !parts.controls ? 0.85F : is_wide ? 0.55F : 0.45F) << "a few controls need little space";
+            EXPECT_GE(share, !parts.controls || layout.panel_over_picture ? 0.85F : is_wide ? 0.55F : 0.45F);
         }
     });
 }
@@ -87,8 +96,9 @@ TEST(StageLayout, GivesTheMainViewTheMost) {
 TEST(StageLayout, ControlsAreAtTheLowerRight) {
     for_every_stage([](ImVec2 room, const Named& parts, const Layout& layout) {
         if (!parts.controls) return;
-        EXPECT_GE(layout.panel.min.x, layout.camera.max.x);
-        EXPECT_GE(layout.panel.max.x, 0.98F * room.x);
+        EXPECT_TRUE(layout.panel_over_picture || layout.panel.min.x >= layout.camera.max.x);
+        EXPECT_GE(layout.panel.max.x, 0.96F * room.x);
+        EXPECT_NEAR(layout.panel.max.y, layout.camera.max.y, 0.03F * room.y);
         for (const Rect& other : {layout.lower_left, layout.lower_right, layout.matrices})
             EXPECT_TRUE(other.empty() || layout.panel.min.y >= other.max.y);
     });

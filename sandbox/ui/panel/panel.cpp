@@ -198,12 +198,14 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
 }
 
 void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab) {
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab, bool has_title) {
     std::vector<std::string>& listed = widgets::CurrentContext().targets.listed;
     for (const std::string& path : session.params.view.layout.controls) listed.push_back(target_of(path));
-    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::TextUnformatted(tr("Controls"));
-    ImGui::PopFont();
+    if (has_title) {
+        ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+        ImGui::TextUnformatted(tr("Controls"));
+        ImGui::PopFont();
+    }
     draw_panel(session, derived, problems, hidden_state, hidden, tab);
     listed.clear();
 }

@@ -12,8 +12,8 @@ namespace viewing {
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab);
 
-/// Draws only the controls that the state lists (view.layout.controls), under one heading.
+/// Draws only the controls that the state lists (view.layout.controls), under one heading at most.
 void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab);
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden, CameraTab& tab, bool has_title);
 
 }  // namespace viewing

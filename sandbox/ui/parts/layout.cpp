@@ -32,11 +32,13 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
-constexpr float width_of_vectors = 360.0F;  ///< design pixels; wide enough for several numbers in a row
+// Design pixels.
+constexpr float width_of_vectors = 360.0F;  ///< wide enough for several numbers in a row
+constexpr float height_of_row = 27.0F;      ///< of a control
 
 /// The height of the listed controls with their headings.
 float height_of_controls(const Telling& telling, float scale) {
-    return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
+    return (static_cast<float>(telling.control_rows) * height_of_row + 34.0F) * scale;
 }
 
 /// A part of the column on stage. Heights and widths in design pixels, without the header.
@@ -84,13 +86,25 @@ bool place_column(const std::vector<StagePart>& parts, const Rect& column, float
     }
     float top = column.min.y;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0 && i + 1 == parts.size())
+        if (i + 1 == parts.size())
             top = std::max(top, column.max.y - heights[i] - (parts[i].has_header ? header : 0.0F));
         if (parts[i].has_header) top += header;
         *parts[i].rect = rounded(column.min.x, top, column.max.x, top + heights[i]);
         top += heights[i] + gap;
     }
     return least <= available;
+}
+
+/// A few controls are on a plate over the lower right corner of the picture: a column would be nearly empty. The plate
+/// of more controls would cover objects.
+constexpr int most_rows_on_plate = 2;
+
+Rect plate_over(const Rect& picture, const Telling& telling, float scale) {
+    constexpr float width = 250.0F, padding = 14.0F, margin = 10.0F;
+    const ImVec2 corner(picture.max.x - margin * scale, picture.max.y - margin * scale);
+    return rounded(corner.x - (telling.has_vectors ? width_of_vectors : width) * scale,
+                   corner.y - (static_cast<float>(telling.control_rows) * height_of_row + padding) * scale, corner.x,
+                   corner.y);
 }
 
 /// Lays out a lesson's step or a state for an audience: the main view as large as possible, at its right a column with
@@ -126,7 +140,12 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     }
 
     float hero_right = area.max.x;
-    if (!parts.empty()) {
+    const bool has_picture = arrangement.maximized == ViewName::none || arrangement.maximized == ViewName::camera;
+    layout.panel_over_picture = has_picture && parts.size() == 1 && parts.front().rect == &layout.panel &&
+                                telling.control_rows <= most_rows_on_plate;
+    if (layout.panel_over_picture)
+        layout.panel = plate_over(area, telling, scale);
+    else if (!parts.empty()) {
         float width = 0.25F * area.width();
         for (const StagePart& part : parts) width = std::max(width, part.least.x * scale);
         // The hero keeps half of a wide area, and 45 % of one that is nearly square.

@@ -81,6 +81,7 @@ struct Layout {
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
     bool is_short = false;                 ///< a phone held sideways: views side by side, columns on request
     bool lower_in_column = false;          ///< on stage: the lower views are at the right of the camera view
+    bool panel_over_picture = false;       ///< on stage: the controls are on a plate over the camera's picture
     bool column_fits = true;               ///< on stage: nothing in the column is lower than it should be
 };
 

@@ -1,7 +1,9 @@
 #include "ui/parts/view_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
@@ -82,30 +84,34 @@ Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::PushFont(context.fonts.note);
     const float swatch = px(11.0F), gap = px(6.0F), between = px(14.0F), margin = px(8.0F);
-    const auto width_of = [&](const LegendEntry& entry) {
-        return swatch + gap + ImGui::CalcTextSize(tr(entry.meaning)).x;
-    };
+    const float height = ImGui::GetTextLineHeight(), pitch = height + px(4.0F);
 
-    // Draw as many entries as fit, on a plate that keeps them legible over any picture.
-    float width = -between;
-    std::size_t count = 0;
-    while (count < entries.size() && width + between + width_of(entries[count]) < rect.width() - 4.0F * margin)
-        width += between + width_of(entries[count++]);
-    if (count == 0) {
+    // Place the entries in lines from the top, on a plate that keeps them legible over any picture.
+    std::vector<ImVec2> places;
+    ImVec2 next(0.0F, 0.0F), size(0.0F, height);
+    for (const LegendEntry& entry : entries) {
+        const float width = swatch + gap + ImGui::CalcTextSize(tr(entry.meaning)).x;
+        if (next.x > 0.0F && next.x + width > rect.width() - 4.0F * margin) next = {0.0F, next.y + pitch};
+        places.push_back(next);
+        size = {std::max(size.x, next.x + width), next.y + height};
+        next.x += width + between;
+    }
+    const ImVec2 corner(rect.min.x + 2.0F * margin, rect.max.y - 2.0F * margin - size.y);
+    const Rect covered{{corner.x - margin, corner.y - margin * 0.5F},
+                       {corner.x + size.x + margin, corner.y + size.y + margin * 0.5F}};
+    if (entries.empty() || covered.max.x > rect.max.x || covered.min.y < rect.min.y) {
         ImGui::PopFont();
         return {};
     }
-    const float height = ImGui::GetTextLineHeight();
-    ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - 2.0F * margin - height);
-    const Rect covered{{at.x - margin, at.y - margin * 0.5F}, {at.x + width + margin, at.y + height + margin * 0.5F}};
     draw_plate(draw, covered, {});
-    for (const LegendEntry& entry : entries.first(count)) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const LegendEntry& entry = entries[i];
+        const ImVec2 at(corner.x + places[i].x, corner.y + places[i].y);
         const float top = std::round(at.y + (height - swatch) * 0.5F);
         const ImVec2 end(at.x + swatch, top + swatch);
         draw->AddRectFilled({at.x, top}, end, IM_COL32(entry.color.r, entry.color.g, entry.color.b, 255), px(2.0F));
         draw->AddRect({at.x, top}, end, context.palette.quiet, px(2.0F));
         draw->AddText({end.x + gap, at.y}, context.palette.text, tr(entry.meaning));
-        at.x += width_of(entry) + between;
     }
     ImGui::PopFont();
     return covered;

@@ -36,7 +36,8 @@ struct LegendEntry {
     Color color;
     const char* meaning;
 };
-/// Draws a legend in the lower left corner of a view; returns the area it covers.
+/// Draws a legend in the lower left corner of a view, in as many lines as it needs; returns the area it covers. A view
+/// that is too small for it gets none.
 Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
 
 /// Draws a sentence at the lower edge of a picture: the whole one in one line if it fits, otherwise the brief one in as

@@ -99,7 +99,8 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
     }
     camera_mouse(state, session, derived, overlay, Handle::none, pictures.hidden, input, motion);
     if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
-    draw_beside_legend(session, derived, rect);
+    const float free = state.plate.empty() ? rect.max.x : std::min(state.plate.min.x, rect.max.x);
+    draw_beside_legend(session, derived, {rect.min, {free, rect.max.y}});
 }
 
 }  // namespace viewing

@@ -294,7 +294,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
-    if (!told.empty()) overlay.keep_labels_off(told);
+    for (const Rect& taken : {told, state.plate})
+        if (!taken.empty()) overlay.keep_labels_off(taken);
     if (has_divider) {  // the names of the two sides are at the top
         const float middle = rect.min.x + static_cast<float>(beside.share) * rect.width(), half = px(220.0F);
         overlay.keep_labels_off({{middle - half, rect.min.y}, {middle + half, rect.min.y + px(36.0F)}});

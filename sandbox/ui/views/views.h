@@ -60,6 +60,7 @@ struct ViewState {
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
     glm::ivec2 camera_px{1280, 720};          ///< last known size of the camera's picture
+    Rect plate;                               ///< over the camera's picture, on stage; may be empty
     MouseHabits mouse;                        ///< of the person
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
     glm::dvec3 orbit_center{0.0};             ///< that point, in world space

@@ -15,7 +15,8 @@ int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
     const bool is_step = field.path == "view.call" || field.path == "view.triangle";  // the stepping view has it
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
-    return field.path == "visibility.step" ? 3 : has_buttons ? 2 : has_control ? 1 : 0;
+    const bool has_long_name = field.path == "shadow.lift";  // above its number in Korean
+    return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : has_control ? 1 : 0;
 }
 
 int rows_of(const std::vector<std::string>& controls) {

@@ -277,7 +277,10 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
 
 void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
                              const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
+    const bool on_plate = layout.panel_over_picture;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        on_plate ? ImVec2(px(12.0F), px(8.0F)) : ImVec2(px(8.0F), px(2.0F)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, on_plate ? widgets.palette.raised : widgets.palette.ground);
     if (!layout.panel.empty()) {
         widgets.targets.offered = offered(session.params, {"control", "button"});
         begin_area("panel", layout.panel, 0);
@@ -285,7 +288,7 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
         if (session.params.view.layout.controls.empty())
             draw_panel(session, derived, problems, views.hidden.panel, hidden, camera_tab_);
         else
-            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden, camera_tab_);
+            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden, camera_tab_, !on_plate);
         section_links_.note();
         widgets::CountScrolled();
         ImGui::End();
@@ -295,6 +298,7 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
             ImGui::End();
         }
     }
+    ImGui::PopStyleColor();
     widgets.targets.offered = offered(session.params, {});
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
@@ -319,6 +323,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
     views.hovered_pixel.reset();
+    views.plate = layout.panel_over_picture ? layout.panel : Rect{};
     draw_camera_view(views, session, derived, problems, layout.camera, pictures, input, motion);
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (arranged_now.presents && !layout.caption.empty()) {
@@ -422,6 +427,10 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     if (presenter.is_on()) motion.roll = 0.0;  // Q shows the QR code
     views.moves = guide.moves;
     begin_hidden_frame(views.hidden, session, pictures.hidden);
+    if (!std::exchange(has_panel_window_, true)) {
+        begin_area("panel", now.panel);
+        ImGui::End();
+    }
     if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);
     draw_views(session, derived, plan, problems, pictures, now, input, motion);
