@@ -57,7 +57,7 @@ struct Arrangement {
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
-    float least_camera = 0.55F;  ///< the camera view's share of the height, which the lower views leave to it
+    float least_camera = 0.55F;  ///< the least share of the height that the lower views leave to the camera view
     float lower_split = 0.5F;    ///< the left view's share of the width
     float caption_px = 0.0F;     ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;       ///< height of the lesson's strip below everything, in pixels
@@ -80,7 +80,7 @@ struct Layout {
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
     bool is_short = false;                 ///< a phone held sideways: views side by side, columns on request
-    bool lower_in_column = false;          ///< on stage: the lower views are at the right of the camera view
+    bool lower_in_column = false;          ///< on stage: the lower views are to the right of the camera view
     bool column_fits = true;               ///< on stage: no part of the column is too short
 };
 

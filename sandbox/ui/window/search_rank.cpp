@@ -34,7 +34,7 @@ bool is_letter(char c) {
 
 enum class Fit { start, inside, none };
 
-/// Whether a text contains a word, at the start of one of its own words if possible.
+/// Returns where a text contains a word: at the start of one of the text's words if possible.
 Fit fit_of(std::string_view text, std::string_view word) {
     Fit best = Fit::none;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
