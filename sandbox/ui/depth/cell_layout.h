@@ -10,7 +10,7 @@ namespace viewing {
 struct CellLayout {
     bool has_step_bar = false;  ///< the full step bar fits
     bool has_calls = true;      ///< the draw calls can be chosen
-    bool calls_above = false;   ///< the calls have a row of their own above the steps
+    bool calls_above = false;   ///< the calls have their own row above the steps
     Rect calls, steps;          ///< rows of controls; identical if has_calls is false
     float caption_height = 0.0F;
     Rect colors, depths;  ///< the grids, without their captions

@@ -131,8 +131,8 @@ bool is_named(FightingColumn column) {
     return widgets::IsHighlighted(columns[column].target) || is_covered(column);
 }
 
-/// Returns the column widths. If space is short, drops the names first, because the distance still identifies the row,
-/// and columns that a lesson names last.
+/// Returns the column widths. If space is short, drops columns: the names first, because the distance still identifies
+/// the row, and those that a lesson names last.
 FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     FightingWidths widths{};
@@ -162,7 +162,7 @@ void draw_bar(float share, ImU32 color) {
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-/// What is counted is gray while it belongs to an earlier state; what has a formula always belongs to this one.
+/// Counted values are gray while they belong to an earlier state; values with a formula always belong to this one.
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
     if (column == counted || column == pixels || column == jittered_mean)
         return is_behind ? palette().quiet : row.fights ? palette().trouble : palette().text;

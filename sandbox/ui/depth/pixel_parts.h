@@ -1,5 +1,5 @@
-// The header of the views that examine one pixel: its color, its place, what is there, and the button that releases the
-// pin.
+// The header of the views that examine one pixel: its color, its position, the surface there, and the button that
+// releases the pin.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace viewing {
 
-/// Draws the header line. `surface` is left out of it if it is empty, and stands on a line of its own if it does not
-/// fit.
+/// Draws the header line. Omits `surface` if it is empty, and moves it to its own line if it does not fit.
 void draw_pixel_headline(ViewParams& view, glm::ivec2 pixel, const Color& color, const std::string& surface);
 
 /// Releases the pinned pixel: the views follow the pointer again.

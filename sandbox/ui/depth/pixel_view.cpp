@@ -48,8 +48,8 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
     ImGui::PopFont();
 }
 
-/// Draws the numbers, filling the first column and then the second. The last number, the world position, has a row of
-/// its own, which small views omit when presenting. Leaves the cursor below the numbers.
+/// Draws the numbers, filling the first column and then the second. The last number, the world position, has its own
+/// row, which small views omit when presenting. Leaves the cursor below the numbers.
 void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
     const ViewFonts fonts = fonts_of(is_large);
     ImGui::PushFont(fonts.text);

@@ -45,8 +45,8 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
 /// How many curves there are besides the one of the current format.
 enum class OtherCurves { none, few, all };
 
-/// From the back row, nobody reads twelve names: on stage there are other curves only for a step that changes the
-/// format, and then few.
+/// Twelve names are illegible from the back row. On stage, shows other curves only for a step that changes the format,
+/// and then only a few.
 OtherCurves other_curves(const LayoutParams& layout, bool is_small) {
     if (!widgets::CurrentContext().is_on_stage) return is_small ? OtherCurves::few : OtherCurves::all;
     const bool changes_format =

@@ -177,7 +177,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
-    // On stage, only what is the same on every machine.
+    // On stage, show only results that are the same on every machine.
     std::string times = widgets::CurrentContext().is_on_stage ? "" : growth_times(shown_rows(state));
     if (!times.empty()) told.push_back(std::move(times));
     for (const GrowthRow& row : shown_rows(state))

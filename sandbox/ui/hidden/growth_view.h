@@ -34,8 +34,8 @@ struct GrowthViewState {
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect);
 
-/// Measures before an audience asks for it: on stage the view has no buttons, and its counts take a while. Shows the
-/// operations, which are the same on every machine. Does nothing if a measurement was started before.
+/// Starts the measurement before an audience needs it: on stage, the view has no buttons, and the counts take a while.
+/// Shows the operations, which are the same on every machine. Does nothing if a measurement was started before.
 void measure_for_stage(GrowthViewState& state, const Session& session);
 
 /// Call once a frame, whichever view is shown. Copies the rows measured so far into `rows`, and reports an error as the

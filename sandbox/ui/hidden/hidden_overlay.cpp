@@ -79,8 +79,8 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     return fits ? std::optional(box) : std::nullopt;
 }
 
-/// Labels each polygon with its number in the drawing order. If numbers overlap, only that of the polygon drawn last
-/// remains.
+/// Labels each polygon with its number in the drawing order. If numbers overlap, only the number of the polygon drawn
+/// last remains.
 void numbers(Overlay& overlay, const HiddenResult& result) {
     constexpr int most = 3000;
     ImFont* font = widgets::CurrentContext().fonts.small_number;

@@ -49,7 +49,7 @@ void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
     if (widgets::SmallButton(label)) (hidden.fraction ? state.cancel_method : state.restart_method) = true;
 }
 
-/// The method's counters in two columns, without those that do not apply. A counter too wide for one column takes both.
+/// The method's counters in two columns; omits those that do not apply. A counter too wide for one column takes both.
 class CounterTable {
 public:
     void number(const char* name, std::int64_t value) {

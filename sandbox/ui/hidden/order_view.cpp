@@ -129,7 +129,7 @@ void named_polygon(const char* letter, const std::string& name, ImU32 color) {
     shortened_text(name, ImGui::GetContentRegionAvail().x);
 }
 
-/// Draws the ladder. Its outcome is above the tests, so that even a low view shows it.
+/// Draws the ladder. Its outcome is above the tests, so that even a short view shows it.
 void draw_ladder(const Ladder& ladder) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     named_polygon("A", ladder.p, palette().light);
@@ -197,8 +197,8 @@ void draw_pixels_of(const HiddenResult& result) {
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
 
-/// Draws the order, and the followed pixel's fragments beside it or, in a narrow view, above it. A view that is also
-/// low shows only the fragments.
+/// Draws the order, and the followed pixel's fragments beside it or, in a narrow view, above it. A view that is both
+/// narrow and short shows only the fragments.
 void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float least = px(40.0F), gap = px(10.0F);

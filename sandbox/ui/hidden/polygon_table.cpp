@@ -38,15 +38,15 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     ImGui::TableSetupColumn(widgets::LabelText(marked("polygon")).c_str(), ImGuiTableColumnFlags_WidthStretch);
     if (has_detail_) ImGui::TableSetupColumn(widgets::LabelText(detail).c_str(), ImGuiTableColumnFlags_WidthFixed);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    // Not TableHeadersRow(): it cuts a title that is a fraction of a pixel wider than its column. Nor a row with that
-    // flag, whose texts do not widen columns.
+    // Do not use TableHeadersRow(): it clips a title that is a fraction of a pixel wider than its column. Do not use a
+    // row with that flag either: its texts do not widen columns.
     ImGui::TableNextRow(0, row_height());
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, palette().view_ground);
     ImGui::TableSetColumnIndex(1);
     ImGui::TextUnformatted(tr("polygon"));
     if (has_detail_) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(tr(detail));  // at the left: this gives the column its width
+        ImGui::TextUnformatted(tr(detail));  // left-aligned: this sets the column's width
     }
     ImGui::PopStyleColor();
 }

@@ -34,7 +34,7 @@ void draw_raster_lines(const Overlay& overlay, const HiddenResult& result);
 /// Draws the depth in each pixel of a raster, with as many digits as fit. Skips areas that labels must avoid.
 void draw_raster_depths(const Overlay& overlay, const HiddenResult& result);
 
-/// Outlines the step's pixel and draws a sentence beside it, which labels then avoid.
+/// Outlines the step's pixel and draws a sentence beside it. Labels then avoid the sentence.
 void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
 
 /// Outlines the followed pixel.

@@ -78,7 +78,7 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
     if (!result || !result->tree) return tell_waiting(hidden);
     links.tree.follow(result);
 
-    // Omit what does not fit, the node's sentence first.
+    // Omit the sentences that do not fit, starting with the node's.
     const std::string sentence = tree_sentence(*result);
     const float gap = ImGui::GetStyle().ItemSpacing.y, least = px(100.0F);
     float room = ImGui::GetContentRegionAvail().y;
@@ -87,7 +87,8 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
         recorded_note(sentence);
         room -= above;
     }
-    // On stage the tree needs the room: a sentence about a node is for who points at it.
+    // On stage, omit the node's sentence: it is only for the person who points at the node, and the tree needs the
+    // space.
     const bool tells_node = room - below >= least && !widgets::CurrentContext().is_on_stage;
     draw_diagram(state, links, *result, tells_node ? room - below : room);
     if (!tells_node) return;

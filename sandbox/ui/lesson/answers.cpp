@@ -111,8 +111,8 @@ std::vector<int> as_written(const Ask& ask) {
     return order;
 }
 
-/// Returns the height of the tiles' rows as the question has them or as its answer orders them, whichever is greater,
-/// so that the answer moves nothing.
+/// Returns the height of the rows of tiles, in the question's order or in the order of its answer, whichever is
+/// greater, so that the answer moves nothing.
 float tiles_height(const Ask& ask, float width, const AnswerSizes& sizes) {
     const auto height = [&](const std::vector<int>& order) {
         return lay_out_tiles(ask, order, width, sizes, [](int, float, float, ImVec2) {});
@@ -181,7 +181,8 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     return given;
 }
 
-/// Draws the fields of a question that nobody answers on stage: a zero in them could be taken for the answer.
+/// Draws plates in place of a question's fields, which nobody fills in on stage: a zero in a field could be mistaken
+/// for the answer.
 void draw_unanswered(const Ask& ask, const AnswerSizes& sizes, float room) {
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         const float width = std::min(room, widest_matrix * sizes.enlarged);
@@ -195,7 +196,7 @@ void draw_unanswered(const Ask& ask, const AnswerSizes& sizes, float room) {
     }
 }
 
-/// Frames the last item as the right answer, as choices are framed.
+/// Frames the last item as the right answer, in the same way as choices.
 void frame_right_answer() {
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette().plane, px(4.0F), 0,
                                         px(2.0F));
@@ -218,7 +219,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix = matrix_of_rows(answer.numbers);
-        // Fields are higher than numbers: they stay after the answer, as those of a vector do.
+        // Fields are taller than numbers: keep the fields after the answer, as for a vector.
         widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();
@@ -254,8 +255,8 @@ bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, con
     return pressed && is_open;
 }
 
-/// Draws tiles that the student puts in order: the arrows at their ends move them, and a tile that is dragged onto
-/// another takes its place; the others move up.
+/// Draws tiles that the student puts in order. The arrows at a tile's ends move it. A tile that is dragged onto another
+/// takes its place, and the others move up.
 void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
     const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -21,7 +21,7 @@ float text_height(const Card& card, float width, const widgets::Context& context
            context.fonts.note->FontSize;
 }
 
-/// Draws a card's ground and its picture, whose edges at the card's own edges are round.
+/// Draws a card's background and its picture, which has round corners where it reaches the card's corners.
 void draw_ground(ImVec2 min, ImVec2 max, ImVec2 picture_max, ImTextureID texture, ImDrawFlags corners,
                  bool is_hovered) {
     ImDrawList* draw = ImGui::GetWindowDrawList();

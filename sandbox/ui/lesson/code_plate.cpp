@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Breaks an address, which has no blanks, into lines of at most `width` pixels.
+/// Breaks an address, which has no spaces, into lines of at most `width` pixels.
 std::vector<std::string> address_lines(const std::string& address, const ImFont& font, float width) {
     std::vector<std::string> lines;
     const char* const end = address.c_str() + address.size();
@@ -25,7 +25,7 @@ std::vector<std::string> address_lines(const std::string& address, const ImFont&
     return lines;
 }
 
-/// Draws the dark modules of a row as few rectangles: neighbors would not meet exactly if they were blended.
+/// Draws each run of dark modules in a row as one rectangle: blended neighbors would not meet exactly.
 void draw_modules(ImDrawList& draw, const QrCode& code, ImVec2 corner, float module_px) {
     for (int row = 0; row < code.modules; ++row)
         for (int column = 0; column < code.modules;) {

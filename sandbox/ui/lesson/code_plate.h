@@ -1,4 +1,4 @@
-// A QR code over the stage, with its link below: the room's phones open what the screen shows.
+// A QR code over the stage, with its link below, so that phones in the audience can open what the screen shows.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace viewing {
 
-/// Draws the code of `link` into the middle of `room`: a third of the window's height, black on white, whole pixels for
-/// each module. `address` is the part of the link that is told if the whole link is too long to read. An error in place
-/// of the link, or a link without a code, is told in one sentence.
+/// Draws the code of `link` in the middle of `room`: a third of the window's height, black on white, with whole pixels
+/// for each module. If the whole link is too long to read, shows only `address`, which is part of it. If `link` is an
+/// error or has no code, shows one sentence that says so.
 void draw_code_plate(const Result<std::string>& link, const std::string& address, const Rect& room);
 
 }  // namespace viewing

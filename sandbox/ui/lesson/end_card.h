@@ -1,4 +1,4 @@
-// The card at the end of a lesson: three sentences of what was seen, what the lesson needed, and what comes next.
+// The card at the end of a lesson: three sentences about what was seen, the lessons it builds on, and what comes next.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ public:
         std::string lesson;    ///< the lesson to begin; "" for none
         std::string exercise;  ///< the exercise to open; "" for none
     };
-    /// Draws the card over the whole window. `presents`: for the room, without buttons.
+    /// Draws the card over the whole window. `presents`: for an audience, without buttons.
     Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
     /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
     static CardPicture wanted_picture(const LessonRun& run);
@@ -31,7 +31,7 @@ private:
     void draw_what_follows(bool presents, float width, Wishes& wishes) const;
 
     const LessonEnd* of_ = nullptr;
-    std::shared_ptr<const Lesson> lesson_;  ///< keeps what of_ points to
+    std::shared_ptr<const Lesson> lesson_;  ///< keeps the target of of_ alive
     std::optional<LessonFile> next_;        ///< the lesson that follows in the course
     std::vector<LessonText> needs_;         ///< the titles of the lessons that this one needs
     LessonText next_part_, exercise_;

@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// The page that ink is drawn on: the lesson's step, or one more for all states without a lesson.
+/// The page that ink is drawn on: the lesson's step, or one extra page for all states without a lesson.
 std::size_t page_of(const Guide& guide) {
     return guide.is_shown() ? guide.run()->index() : std::numeric_limits<std::size_t>::max();
 }

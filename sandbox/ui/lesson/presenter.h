@@ -1,4 +1,4 @@
-// Presenter mode: a lesson's step or, without a lesson, the present state, in front of an audience. It handles a
+// Presenter mode: a lesson's step or, without a lesson, the current state, in front of an audience. It handles a
 // clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath
 // stays live. Read session/guide.h for the navigation through a lesson.
 #pragma once
@@ -51,7 +51,7 @@ public:
     /// Whether the QR code of the step or state is shown.
     bool shows_code() const { return is_on_ && shows_code_; }
     void show_code() { shows_code_ = true; }
-    /// Whether letters that are held down belong to the presentation, and move nothing.
+    /// Whether held letter keys belong to the presentation and move nothing.
     bool takes_letters() const { return is_on_ && votes_.is_typing(); }
 
     /// Draws on top of everything else. `room`: the part of the window above the lesson's text.

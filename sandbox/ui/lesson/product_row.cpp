@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Sizes in pixels. They depend on no number, so that nothing moves while the tiles do.
+/// Sizes in pixels. They do not depend on the numbers, so that nothing else moves when the tiles do.
 struct ProductSizes {
     static constexpr float column_gap = 6.0F, bracket = 5.0F, matrix_gap = 14.0F, line_gap = 4.0F;  ///< design pixels
     static constexpr int characters = 5, decimals = 2;                                              ///< of −0.56

@@ -10,7 +10,7 @@ namespace viewing {
 /// no factors. Also works outside a frame.
 float product_row_height(const Ask& ask, float width, const widgets::Context& context);
 
-/// Draws the products below the tiles. Of more products than a right answer has, the last ones are shown.
+/// Draws the products below the tiles. If there are more products than in a right answer, shows only the last ones.
 void draw_product_row(const LessonRun& run, float width);
 
 }  // namespace viewing

@@ -107,7 +107,7 @@ bool large_button(const char* label, const char* about, bool is_on = false) {
     return clicked;
 }
 
-/// The place where the cards of all groups fit into the window.
+/// A layout in which the cards of all groups fit into the window.
 struct Grid {
     bool has_column = true;  ///< the names of the topics are at the left, not above
     std::size_t columns = 1;

@@ -35,7 +35,7 @@ public:
     /// Returns the lessons; reads the list on first use.
     const std::vector<LessonFile>& lessons();
 
-    /// What the page knows of earlier uses of the program.
+    /// What the page knows about earlier uses of the program.
     struct Past {
         const LessonsProgress& progress;
         const std::string& last_lesson;          ///< the id of the lesson that was open last; "" for none
@@ -54,14 +54,14 @@ public:
     std::vector<CardPicture> wanted_pictures();
 
 private:
-    /// Draws what leads to a lesson at once. Returns the chosen place in lessons(), or none.
+    /// Draws the buttons that lead directly to a lesson. Returns the chosen place in lessons(), or none.
     std::optional<std::size_t> draw_beginnings(const Past& past);
     std::optional<std::size_t> draw_groups(const Past& past, const Pictures& pictures);
 
     bool is_open_ = false;
     bool gives_lecture_ = false;  ///< the next lesson is opened on stage
     bool continues_ = false;      ///< the chosen lesson is opened where the user left it, not at its beginning
-    std::string finished_;        ///< the id of the chosen lesson, if all of its steps are done; "": it is not
+    std::string finished_;        ///< the id of the chosen lesson if all of its steps are done, otherwise ""
     std::optional<std::vector<LessonFile>> lessons_;
 };
 

@@ -89,7 +89,7 @@ void StepEditor::follow(const LessonRun& run) {
 
 void StepEditor::write(const Result<std::string>& text, Guide& guide) {
     error_.clear();
-    parts_.clear();  // shows what is in the file again
+    parts_.clear();  // shows the file's content again
     if (!text) {
         error_ = text.error();
         return;
@@ -125,7 +125,7 @@ void StepEditor::draw_steps(Guide& guide, Session& session) {
         const std::string before = std::move(earlier_.back());
         earlier_.pop_back();
         write(before, guide);
-        if (error_.empty()) earlier_.pop_back();  // undoing is no edit of its own
+        if (error_.empty()) earlier_.pop_back();  // undoing does not count as an edit
     }
 }
 

@@ -1,5 +1,6 @@
-// Editing a step of a person's own lesson beside the step itself: its texts and answers, its place among the steps, and
-// the states of its question and its answer. Each edit is written to the file, which the guide then reads again.
+// An editor for a step of the user's own lesson, beside the step itself: its texts and answers, its place among the
+// steps, and the states of its question and its answer. Each edit is written to the file, which the guide then reads
+// again.
 #pragma once
 
 #include <memory>
@@ -23,9 +24,9 @@ public:
     std::vector<std::string> texts() const;
 
 private:
-    /// Reads the file again if the guide has done so, and the parts of the step that is shown.
+    /// Reads the file again if the guide has done so, and reads the parts of the shown step.
     void follow(const LessonRun& run);
-    /// Writes an edited file; an edit that is no lesson stays undone, and its sentence is shown.
+    /// Writes an edited file. If the edited text is not a lesson, does not write it, and shows the error.
     void write(const Result<std::string>& text, Guide& guide);
     void draw_steps(Guide& guide, Session& session);
     void draw_states(Guide& guide, Session& session);

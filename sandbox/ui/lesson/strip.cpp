@@ -113,7 +113,7 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     float right = corner.x + width;
     const auto at_right = [&](const std::string& text, const char* recorded, ImFont* font, ImU32 color) {
         right -= text_width(font, text);
-        // On the middle of the title's first line.
+        // Center the text vertically on the title's first line.
         ImGui::SetCursorScreenPos({right, corner.y + (context.fonts.note->FontSize - font->FontSize) * 0.5F});
         ImGui::PushFont(font);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -212,7 +212,7 @@ void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& 
         draw_paragraph(step.ask.hints[static_cast<std::size_t>(i)], context.fonts.text, width, "hint", palette().quiet);
 }
 
-/// Draws how far a goal is, a line for each of its numbers.
+/// Draws the progress toward a goal, one line for each of its numbers.
 void draw_progress(const LessonRun& run, float width) {
     const std::vector<GoalNumber>& numbers = run.step().ask.progress;
     if (run.is_revealed()) return;
@@ -305,7 +305,7 @@ StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) 
     draw->AddRectFilled(rect.min, {rect.max.x, rect.min.y + px(2.0F)}, palette().accent);
     const Columns columns = columns_of(rect.width(), context.scale);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(line_gap)});
-    // A strip that is too low for its content scrolls.
+    // A strip that is too short for its content scrolls.
     const ImVec2 corner(rect.min.x + px(strip_margin), rect.min.y + px(strip_margin) - ImGui::GetScrollY());
     ImGui::SetCursorScreenPos(corner);
     ImGui::BeginGroup();

@@ -28,7 +28,7 @@ struct StripWishes {
 /// jumps. Also works outside a frame.
 float strip_height(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look);
 
-/// Returns the height of the tallest step of the lesson, or of the lecture's part, so that the strip stays where it is
+/// Returns the height of the tallest step of the lesson, or of the lecture's part, so that the strip stays in place
 /// from step to step.
 float tallest_strip(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look);
 

@@ -76,7 +76,7 @@ void VotePanel::enter(Ballot& ballot) {
 
 bool VotePanel::type(const KeyPress& press, Ballot& ballot) {
     constexpr std::size_t longest = 60;
-    if (press.key == Key::page_down || press.key == Key::page_up) {  // the lesson goes on
+    if (press.key == Key::page_down || press.key == Key::page_up) {  // the lesson moves on
         enter(ballot);
         end_typing();
         return false;
@@ -92,7 +92,7 @@ bool VotePanel::type(const KeyPress& press, Ballot& ballot) {
     trouble_.clear();
     if (press.key == Key::backspace && !typed_.empty()) typed_.pop_back();
     if (const char sign = typed_sign(press.key); sign != '\0' && typed_.size() < longest) typed_ += sign;
-    return press.key < Key::f1;  // no other letter acts
+    return press.key < Key::f1;  // other letters have no effect
 }
 
 bool VotePanel::take(const KeyPress& press, LessonRun& run) {
@@ -109,7 +109,7 @@ bool VotePanel::take(const KeyPress& press, LessonRun& run) {
     }
     if (press.key == Key::v) {
         end_typing();
-        if (run.is_revealed()) {  // nobody votes any more
+        if (run.is_revealed()) {  // voting is over
             is_shown_ = !is_shown_;
             return true;
         }

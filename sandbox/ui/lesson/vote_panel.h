@@ -1,5 +1,5 @@
-// The votes of a room over the stage: the lecturer types the counts, and bars show the shares. Read lesson/votes.h
-// first.
+// The audience's votes, drawn over the stage: the lecturer types the counts, and bars show the shares. Read
+// lesson/votes.h first.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ int digit_of(Key key);
 class VotePanel {
 public:
     bool is_shown() const { return is_shown_; }
-    /// Whether letters and digits are counts, and not keys of anything else.
+    /// Whether letters and digits are counts rather than other keys.
     bool is_typing() const { return is_typing_; }
     void close();
 

@@ -53,7 +53,7 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
         longest = std::max(longest, font->CalcTextSizeA(1.0F, FLT_MAX, 0.0F, line.code.c_str()).x);
     constexpr float spacing = 1.15F, largest = 3.0F;
     const float margin = px(8.0F), rows = static_cast<float>(lines.size()) * spacing;
-    // Whole pixels: type of another size would be blurred.
+    // Use a whole number of pixels: type of any other size would be blurred.
     const float size = std::floor(std::min(
         {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize}));
     ImDrawList* const draw = ImGui::GetWindowDrawList();

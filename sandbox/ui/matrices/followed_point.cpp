@@ -59,7 +59,7 @@ float number_width(const char* text) {
 
 namespace {
 
-/// Where the value of a line begins, and with how many characters a component of a vector is padded.
+/// Where a line's value begins, and the number of characters to which each component of a vector is padded.
 struct LineStyle {
     float column;
     std::size_t digits;
@@ -82,7 +82,8 @@ void point_line(Params& params, float column, const std::string& text) {
     widgets::MarkLine("follow:p");
 }
 
-/// Draws a button in the heading's row, from `left`, that follows a point of one's own, first at `start`.
+/// Draws a button in the heading's row, starting at `left`. The button starts following a user-defined point at
+/// `start`.
 void offer_to_type(Params& params, float left, const glm::dvec3& start) {
     if (!widgets::OffersButton(type_button)) return;
     ImGui::SameLine(left);
@@ -92,7 +93,8 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
         "Follows a point of your own, which you can type here and drag in the views, instead of a vertex.");
 }
 
-/// Draws p's way through V and P to its pixel. A lesson that covers one of these matrices covers what it gives away.
+/// Draws p's path through V and P to its pixel. If a lesson covers one of these matrices, also covers the numbers that
+/// would give it away.
 void draw_camera_numbers(const Params& params, const Derived& derived, const LineStyle& style) {
     const CameraWay way = camera_way(params, derived, derived.followed->point_world);
     const bool is_covered = widgets::IsPartCovered("matrix:V") || widgets::IsPartCovered("matrix:P");

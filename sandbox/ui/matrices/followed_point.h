@@ -1,5 +1,5 @@
-// The numbers of the followed point p, which are part of the matrix column: its shadow and its mirror image, or its way
-// through V and P into the depth buffer.
+// The numbers of the followed point p, which are part of the matrix column: its shadow and its mirror image, or its
+// path through V and P into the depth buffer.
 #pragma once
 
 #include "frame/derive.h"
@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// What happens to the point: the chosen plane's S and R, the camera's V and P, or all of it.
+/// The transformations of the point to show: the chosen plane's S and R, the camera's V and P, or all of them.
 enum class PointNumbers { plane, camera, both };
 
 /// Returns the height of what draw_followed_point() draws.

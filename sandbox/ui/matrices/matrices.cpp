@@ -259,7 +259,7 @@ constexpr std::array<MatrixTitle, 4> matrix_titles = {{{marked("View"), Role::ca
                                                        {marked("Shadow"), Role::light},
                                                        {marked("Reflection"), Role::mirror}}};
 
-/// Draws the heading of a matrix that has no room; returns whether it was clicked.
+/// Draws the heading of a matrix that does not fit; returns whether it was clicked.
 bool folded_heading(std::size_t number) {
     const ImVec2 start = ImGui::GetCursorPos();
     const bool is_clicked =
@@ -294,7 +294,7 @@ float growth_of(std::span<const std::string> listed, bool has_symbols, float pad
     return std::clamp((ImGui::GetContentRegionAvail().y - fixed) / matrices, 1.0F, largest);
 }
 
-/// Returns what a point is followed through: the camera, unless S or R is shown or no matrix at all.
+/// Returns which transformations of a point to show: the camera's, unless S, R, or no matrix at all is shown.
 PointNumbers point_numbers(std::span<const std::string> matrices) {
     const auto has = [matrices](const char* name) { return is_named(matrices, name); };
     return (has("V") || has("P")) && !has("S") && !has("R") ? PointNumbers::camera : PointNumbers::plane;
@@ -354,7 +354,7 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
         choose_pair(session.params);
         show(2);
         show(3);
-        // All numbers of the point, if the column has room for them.
+        // Show all numbers of the point if they fit in the column.
         const float used = ImGui::GetCursorPosY() + (side_by_side ? top : 0.0F);
         const bool has_room = used + followed_point_height(session, PointNumbers::both) <= height;
         draw_followed_point(session, derived, has_room ? PointNumbers::both : point_numbers(about));
@@ -369,7 +369,7 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     if (has("S") || has("R")) choose_pair(session.params);
     const bool has_both = has("V") && has("C");
     bool shows_camera = has("V") ? choice.shows_camera : !choice.shows_camera;
-    // Put two matrices side by side if they fit, but make none too wide to read at a glance.
+    // Put two matrices side by side if they fit, but make none too wide to read quickly.
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));

@@ -14,22 +14,22 @@ namespace viewing {
 /// The choice of matrices in the column; kept between frames.
 struct MatrixChoice {
     bool shows_camera = false;  ///< C instead of V
-    char pastes = 0;            ///< the letter of the matrix in whose place one is pasted from the clipboard; 0: none
+    char pastes = 0;            ///< the letter of the matrix that one from the clipboard replaces; 0: none
     std::string opened = "";    ///< the matrix whose folded heading was clicked last: it is shown before all others
 };
 
-/// How much of a matrix a low column shows.
+/// How much of a matrix a short column shows.
 enum class MatrixPart { heading, numbers, symbols };
 
 inline constexpr std::array<const char*, 4> matrices_in_order = {"V", "P", "S", "R"};
 
-/// Decides how much of each matrix of matrices_in_order a column shows, so that nothing is cut: first those named in
-/// `first` with their symbols, then the others. `heights`: of one matrix, by MatrixPart.
+/// Decides how much of each matrix in matrices_in_order a column shows, so that nothing is cut off. The matrices in
+/// `first`, with their symbols, come before the others. `heights`: the heights of one matrix, by MatrixPart.
 std::array<MatrixPart, 4> fit_matrices(float room, const std::array<float, 3>& heights,
                                        std::span<const std::string> first);
 
-/// Draws the column; those in `about` are shown first if it is low. `before` holds the numbers before the latest edit;
-/// entries that differ are tinted.
+/// Draws the column; if it is short, shows the matrices in `about` first. `before` holds the numbers before the latest
+/// edit; entries that differ are tinted.
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice,
                    std::span<const std::string> about);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* pose_targets[] = {"control:camera.position", "control:camera.yaw", "control:camera.pitch",
                                         "control:camera.roll"};
 
-/// Draws the three angles in one row or, if the state lists its controls, each angle in a row of its own.
+/// Draws the three angles in one row or, if the state lists its controls, each angle in its own row.
 void camera_angles(Params& params) {
     if (widgets::IsListing()) {
         static constexpr widgets::Links yaw[] = {link::yaw}, pitch[] = {link::pitch}, roll[] = {link::roll};
@@ -51,7 +51,7 @@ void camera_angles(Params& params) {
                      "C = T R_y R_x R_z");
 }
 
-/// Returns the numbers to show: those typed, as long as the camera is still theirs, or those derived from it.
+/// Returns the numbers to show: the typed ones while they still describe the camera, otherwise those derived from it.
 LookAt shown_look_at(const CameraTab& tab, const CameraParams& camera) {
     if (!tab.typed) return camera.look_at();
     CameraParams typed_camera = camera;

@@ -10,8 +10,8 @@ namespace viewing {
 
 struct CameraTab {
     bool shows_look_at = false;
-    /// As typed, while it still describes the state's camera: the angles do not tell the length of up or the distance
-    /// of the center.
+    /// The typed numbers, while they still describe the state's camera: the angles do not determine the length of up or
+    /// the distance of the center.
     std::optional<LookAt> typed;
 };
 

@@ -37,7 +37,7 @@ void type_control(Params& params) {
     if (changed) clamp_to_ranges(params);  // an infinite far needs perspective
 }
 
-/// Draws the switch for a window of its own, which begins with the picture as it is.
+/// Draws the switch for an explicit window, which starts as the current picture's.
 void window_control(Params& params, const Derived& derived) {
     if (widgets::IsListing()) return;
     ProjectionParams& projection = params.projection;
@@ -55,7 +55,7 @@ void window_control(Params& params, const Derived& derived) {
                      "", "glFrustum | glOrtho");
 }
 
-/// Draws the switch for an infinite far, which ends at the default far or twice near.
+/// Draws the switch for an infinite far. Turning it off sets far to its default or to twice near.
 void infinite_control(Params& params) {
     if (widgets::IsListing()) return;
     double& far = params.projection.far;

@@ -9,7 +9,8 @@ namespace viewing {
 
 float SectionLinks::height_px(const Rect& panel) const {
     if (content_px_ <= panel.height()) return 0.0F;
-    // Depends on the sections below at the top alone, so that the panel keeps its height while it scrolls.
+    // Count only the sections that are out of view when the panel is scrolled to the top, so that the panel keeps its
+    // height while it scrolls.
     const float bottom = panel.height() - 2.0F * line_px_, width = panel.width() - px(16.0F);
     float x = 0.0F;
     int lines = 1;

@@ -1,5 +1,5 @@
-// Links below the panel to its sections that are out of sight: they say that the controls go on, and one click leads
-// there. Without them, a low window hides whole topics.
+// Links below the panel to its sections that are out of view: they show that there are more controls, and one click
+// leads there. Without them, a short window hides whole topics.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ public:
     /// Returns the height that the links take from the panel's rectangle; 0 if all its content fits.
     float height_px(const Rect& panel) const;
 
-    /// Call at the end of the panel's window: remembers where its sections are and what is seen.
+    /// Call at the end of the panel's window. Records where its sections are and which part is visible.
     void note();
 
     /// Draws the links into the current window, which fills their rectangle.

@@ -35,8 +35,8 @@ std::string target_of(std::string_view path);
 /// If the field's control is covered, draws a plate `width` pixels wide in its place. Returns whether it is covered.
 bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
-/// Returns a control's label: in a lesson, where no section's header is above it, the one that names the section too.
-/// A stage has no room for it.
+/// Returns a control's label. In a lesson, no section header is above the control, so the label also names the section,
+/// except on stage, where it would not fit.
 inline const char* label_of(const char* in_section, const char* alone) {
     return widgets::IsListing() && !widgets::CurrentContext().is_on_stage ? alone : in_section;
 }

@@ -100,7 +100,7 @@ void Figure::dimension(const glm::dvec3& from, const glm::dvec3& to, const char*
         widgets::PlateText(draw_, at, color, text.c_str());
         taken_.push_back({at, {a.x + tick, at.y + size.y}});
     } else {
-        labels_.push_back({{middle.x + px(12.0F), middle.y}, text, color, false});  // to the right of the line itself
+        labels_.push_back({{middle.x + px(12.0F), middle.y}, text, color, false});  // to the right of the line
     }
     ImGui::PopFont();
 }

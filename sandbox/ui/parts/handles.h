@@ -1,6 +1,6 @@
 // The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, the
 // tip of that normal, and the followed point. Views from outside also have handles for the camera, its direction, its
-// near and far planes, and the edges of a window of its own at the near plane.
+// near and far planes, and, if the projection has an explicit window, the window's edges at the near plane.
 #pragma once
 
 #include <array>
@@ -36,15 +36,15 @@ struct HandlePlaces {
     glm::dvec3 light;  ///< the light, or a point along its direction if it is parallel or far away
     glm::dvec3 plane;  ///< the patch's center
     glm::dvec3 normal_tip;
-    std::optional<glm::dvec3> point;  ///< the followed one
+    std::optional<glm::dvec3> point;  ///< the followed point
 
     /// The camera's handles, if the view shows the camera from outside.
     struct Camera {
         glm::dvec3 eye, direction_tip;
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
         bool drags_near = true;               ///< false: P is entered by hand
-        bool drags_far = true;                ///< false: by hand, or infinite: `far` is only where the frustum ends
-        bool has_window = false;              ///< then near's first four are the edges' handles, from Handle::bottom on
+        bool drags_far = true;                ///< false: by hand, or infinite; `far` is then where the frustum ends
+        bool has_window = false;              ///< then near's first four are the edge handles, from Handle::bottom on
     };
     std::optional<Camera> camera;
 };
@@ -73,17 +73,17 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
 /// Grabs a handle.
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place);
 
-/// Moves the handle with the pointer: the light, the camera and the followed point, which stops being a vertex,
-/// parallel to the picture (with `along_y`, only along the world's y axis), the plane along its normal, the normal's
-/// tip around the patch's center, the camera's direction around its eye, and the near and far planes along that
-/// direction. Preserves the length and sign of the plane's normal, near < far, and the camera's roll.
+/// Moves the handle with the pointer. The light, the camera, and the followed point move parallel to the picture or,
+/// with `along_y`, only along the world's y axis; the followed point then stops being a vertex. The plane moves along
+/// its normal, the normal's tip around the patch's center, the camera's direction around its eye, and the near and far
+/// planes along that direction. Preserves the length and sign of the plane's normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
 /// Draws the handles of the plane and of the camera, if it has some, with their labels.
 void draw_plane_handles(Overlay& overlay, const HandlePlaces& places, Handle hovered);
 
-/// Draws the light's handle and the lamps of the other lights, which have none, with their labels. A lamp outside the
-/// picture becomes an arrow at its edge.
+/// Draws the chosen light's handle, and lamps without handles for the other lights, all with labels. A lamp outside the
+/// picture becomes an arrow at the picture's edge.
 void draw_light_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

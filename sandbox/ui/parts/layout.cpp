@@ -41,16 +41,17 @@ float height_of_controls(const Telling& telling, float scale) {
     return (static_cast<float>(telling.control_rows) * height_of_row + 34.0F) * scale;
 }
 
-/// A part of the column on stage. Heights and widths in design pixels, without the header.
+/// A part of the column on stage. Sizes are in design pixels and exclude the header.
 struct StagePart {
     Rect* rect;
-    ImVec2 least;       ///< below this size it is hard to read
-    float most_height;  ///< it has no use for more
+    ImVec2 least;       ///< a smaller part is hard to read
+    float most_height;  ///< more height would not help
     bool has_header;
 };
 
-/// Places the parts from top to bottom, the last one at the lower edge. Each gets its least height, and the rest is
-/// shared by those that can use it. If there is too little, all shrink alike. Returns whether there is enough.
+/// Places the parts from top to bottom, the last one at the lower edge. Each part gets its least height; parts that can
+/// use more share the rest. If the column is too short, first the views and then all parts shrink by the same factor.
+/// Returns whether the column is tall enough.
 bool place_column(const std::vector<StagePart>& parts, const Rect& column, float header, float scale) {
     const float gap = 10.0F * scale;
     float fixed = gap * static_cast<float>(parts.size() - 1), least = 0.0F;
@@ -59,7 +60,7 @@ bool place_column(const std::vector<StagePart>& parts, const Rect& column, float
         least += part.least.y * scale;
     }
     const float available = std::max(column.height() - fixed, 0.0F);
-    // A view can be lower and still be read; a matrix or a control would be cut.
+    // A shorter view is still legible; a matrix or a control would be cut off.
     const auto spare_of = [scale](const StagePart& part) {
         constexpr float lowest_view = 96.0F;
         return part.has_header ? std::max(part.least.y - lowest_view, 0.0F) * scale : 0.0F;
@@ -107,9 +108,9 @@ Rect plate_over(const Rect& picture, const Telling& telling, float scale) {
                    corner.y);
 }
 
-/// Lays out a lesson's step or a state for an audience: the main view as large as possible, at its right a column with
-/// everything else that is named, from the top: views, matrices, controls. The column is as narrow as its parts allow.
-/// A preset's caption is below them, like a lesson's texts.
+/// Lays out a lesson's step or a state for an audience. The main view is as large as possible. To its right, a column
+/// contains everything else that is named: views, matrices, and controls, from top to bottom. The column is as narrow
+/// as its parts allow. A preset's caption is below the main view and the column, like a lesson's texts.
 void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& arrangement) {
     const Telling& telling = arrangement.telling;
     const float gap = 10.0F * scale;
@@ -148,7 +149,7 @@ void lay_out_stage(Layout& layout, Rect area, float scale, const Arrangement& ar
     else if (!parts.empty()) {
         float width = 0.25F * area.width();
         for (const StagePart& part : parts) width = std::max(width, part.least.x * scale);
-        // The hero keeps half of a wide area, and 45 % of one that is nearly square.
+        // The main view keeps half of a wide area, and 45 % of a nearly square one.
         width = std::min(width, (area.width() > 2.0F * area.height() ? 0.5F : 0.55F) * area.width());
         hero_right = area.max.x - width - gap;
         layout.column_fits =

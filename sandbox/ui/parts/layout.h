@@ -32,8 +32,8 @@ struct Telling {
     bool is_on() const { return matrices > 0 || control_rows > 0; }
 };
 
-/// The lower views on stage: those that a step of a lesson names or, without a lesson, those that fit. Least sizes in
-/// design pixels.
+/// The lower views on stage: those that a step of a lesson names or, without a lesson, those that fit. Least sizes are
+/// in design pixels.
 struct StageViews {
     bool left = false, right = false;
     ImVec2 least_left{0, 0}, least_right{0, 0};
@@ -48,8 +48,8 @@ struct Arrangement {
     ViewName maximized = ViewName::none;
     bool beside_matrices = false;      ///< the maximized view needs the matrices beside it
     bool prefers_lower_right = false;  ///< if only one of the lower views fits
-    float least_lower = 240.0F;        ///< width of a lower view that has to fit twice, in design pixels
-    float least_area = 0.0F;           ///< of a lower view that has to fit twice, in square design pixels
+    float least_lower = 240.0F;        ///< least width of a lower view, two of which must fit; design pixels
+    float least_area = 0.0F;           ///< least area of such a view, in square design pixels
     bool halves = false;               ///< two pictures side by side instead of the camera's
     bool bare = false;                 ///< only the maximized view: no bars, no header
     Telling telling;                   ///< the small parts beside the maximized view
@@ -57,7 +57,7 @@ struct Arrangement {
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
-    float least_camera = 0.55F;  ///< the camera view's share of the height, which the lower views leave to it
+    float least_camera = 0.55F;  ///< the least share of the height that the lower views leave to the camera view
     float lower_split = 0.5F;    ///< the left view's share of the width
     float caption_px = 0.0F;     ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;       ///< height of the lesson's strip below everything, in pixels
@@ -80,9 +80,9 @@ struct Layout {
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
     bool lower_fit = true;                 ///< false: the window is too narrow for both lower views
     bool is_short = false;                 ///< a phone held sideways: views side by side, columns on request
-    bool lower_in_column = false;          ///< on stage: the lower views are at the right of the camera view
+    bool lower_in_column = false;          ///< on stage: the lower views are to the right of the camera view
     bool panel_over_picture = false;       ///< on stage: the controls are on a plate over the camera's picture
-    bool column_fits = true;               ///< on stage: nothing in the column is lower than it should be
+    bool column_fits = true;               ///< on stage: no part of the column is too short
 };
 
 /// Returns the factor by which to enlarge everything when presenting or while one view fills the window. `scale`: see
@@ -97,7 +97,7 @@ struct TypeSizes {
 
     bool operator==(const TypeSizes&) const = default;
 };
-/// On stage a lesson's sentences are 1/30 of the window's height, and no number is below 1/40.
+/// On stage, a lesson's sentences are 1/30 of the window's height, and no number is smaller than 1/40.
 constexpr TypeSizes stage_type{15.5F, 20.0F, 20.4F};
 TypeSizes type_sizes(const Arrangement& arrangement);
 

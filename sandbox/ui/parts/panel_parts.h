@@ -17,8 +17,8 @@ inline widgets::Tone tone_of(ProblemKind kind) {
     return static_cast<widgets::Tone>(kind);
 }
 
-/// Draws a section's header with the sign of the problems in the given groups of fields, of the worst one's kind, and
-/// `more` as a further wrong thing. Returns whether the section is open.
+/// Draws a section's header with the sign of the worst problem in the given groups of fields. `more` describes one more
+/// problem, which counts as an error. Returns whether the section is open.
 inline bool section(const char* label, const std::vector<Problem>& problems,
                     std::initializer_list<std::string_view> groups, const std::string& more = "") {
     std::string sentences;
@@ -61,8 +61,8 @@ inline bool details(const char* label, std::span<const char* const> targets = {}
     return open;
 }
 
-/// Draws a line of muted text that lessons know as `target`, or a plate if that target is covered. Returns whether the
-/// line is visible.
+/// Draws a line of muted text that lessons refer to as `target`, or a plate if that target is covered. Returns whether
+/// the line is visible.
 inline bool named_note(const char* target, const std::string& text) {
     const bool is_covered = widgets::IsCovered(target);
     if (is_covered)
@@ -73,7 +73,7 @@ inline bool named_note(const char* target, const std::string& text) {
     return !is_covered;
 }
 
-/// Calls `draw`, which draws a section of the panel with its header. Lessons know the section by `name`. Opens the
+/// Calls `draw`, which draws a section of the panel with its header. Lessons refer to the section by `name`. Opens the
 /// section if it or one of `targets` is sought; if it is covered, draws a plate instead.
 template <typename Draw>
 void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Returns a JSON value for reading: on or off for a switch, numbers rounded, a list in parentheses.
+/// Returns a JSON value in readable form: on or off for a switch, rounded numbers, a list in parentheses.
 std::string value_in_words(std::string_view value, int digits) {
     if (value == "true") return tr("on");
     if (value == "false") return tr("off");

@@ -1,4 +1,4 @@
-// A setting (PATH=VALUE) as people read it.
+// A setting (PATH=VALUE) in readable form.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ Topic topic_of(const Params& params, Slot slot);
 void choose_topic(Params& params, Slot slot, Topic topic);
 
 /// Returns the slot to show if only one fits: the right one if only the right topic was chosen, or if neither was
-/// chosen and the hidden-surface method has a topic of its own; otherwise the left one.
+/// chosen and the hidden-surface method has its own topic; otherwise the left one.
 Slot telling_slot(const Params& params);
 
 /// Whether one of the two slots shows the topic.

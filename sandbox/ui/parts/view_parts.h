@@ -47,8 +47,8 @@ Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, cons
 /// Whether the mirror image of the followed point is covered.
 bool is_image_covered();
 
-/// Draws the followed point p: with its ray from the light and its shadow s if the state has shadows, with its foot on
-/// the plane and its mirror image if it has mirrors.
+/// Draws the followed point p. If the state has shadows, also draws p's ray from the light and its shadow s; if the
+/// state has mirrors, also p's foot on the plane and its mirror image.
 void draw_followed(Overlay& overlay, const Params& params, const Derived& derived);
 
 }  // namespace viewing

@@ -20,7 +20,7 @@ private:
 };
 
 /// Returns the height in pixels of a widgets::Note with this text, wrapped to a width in pixels; 0 means the available
-/// one.
+/// width.
 float note_height(const char* text, float width_px = 0.0F);
 
 /// Draws a sentence in muted text and records it for tests; does nothing if it is empty.

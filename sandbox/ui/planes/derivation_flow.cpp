@@ -56,8 +56,8 @@ public:
     }
 };
 
-/// Fills columns from the last line up; the first one has the rest of the lines, below the figure and its controls.
-/// Returns whether the figure has its least height, which is 0 if there is no figure.
+/// Fills columns from the last line up. The first column gets the remaining lines, below the figure and its controls.
+/// Returns whether the figure has at least `least_height`, which is 0 if there is no figure.
 bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float controls, float least_height) {
     flow.columns.assign(static_cast<std::size_t>(count), 0);
     std::size_t end = lines.size();
@@ -68,7 +68,7 @@ bool fill_columns(DerivationFlow& flow, const Lines& lines, int count, float con
             if (height > flow.column.y) break;
             --end;
         }
-        // A heading stands above a line.
+        // Keep a heading together with the line below it.
         while (end < lines.size() && end > 0 && lines[end - 1].kind == DerivationLine::Kind::heading) ++end;
         flow.columns[static_cast<std::size_t>(column)] = end;
     }
@@ -85,7 +85,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
     const widgets::Context& context = widgets::CurrentContext();
     const bool is_stage = widgets::HasPlainTitles();
     DerivationFlow flow;
-    // A stage's lines are longer: there, a text beside the figure is cut unless the view is very low.
+    // Lines are longer on stage: there, text beside the figure is cut off unless the view is very short.
     const float least_aspect = is_stage && room.x < px(520.0F) ? 2.0F : 1.3F;
     flow.is_wide = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
     const float width = flow.is_wide ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
@@ -109,7 +109,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
     }
     if (Measure(1.0F, 3.0F).of(lines, text, false) <= height) return flow;
 
-    // In the small number font, an em of 9 pixels is a line of 12, of which the theme's type scale is no part.
+    // In the small number font, an em of 9 pixels means a line of 12 pixels, without the theme's type scale.
     const float least_scale =
         std::min(1.0F, 12.0F * context.scale / (context.palette.type_scale * context.fonts.small_number->FontSize));
     constexpr float step = 0.04F;

@@ -67,7 +67,7 @@ std::string derivation_vector(const glm::dvec3& value) {
 namespace {
 
 /// Lays out the parts of an equation, and draws them unless `draw` is null. Returns the size in pixels, without the
-/// space below it; a part that is wider than the room makes it wider.
+/// space below it; a part wider than `room` increases the width.
 ImVec2 rows(ImDrawList* draw, const std::vector<std::string>& parts, float room) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float below = ImGui::GetStyle().ItemSpacing.y;

@@ -23,7 +23,7 @@ using Lines = std::vector<DerivationLine>;
 /// A child window over a part of a derivation's view. Closes at the end of its scope.
 class Part {
 public:
-    /// `fade`: height of the mark that there is more below, in design pixels; 0: the part never scrolls.
+    /// `fade`: height of the mark that indicates more content below, in design pixels; 0: the part never scrolls.
     Part(const char* name, ImVec2 from, ImVec2 size, float line_gap, float fade)
         : behind_(ImGui::GetCursorScreenPos()), fade_(fade) {
         const bool scrolls = fade > 0.0F;
@@ -84,7 +84,7 @@ DerivationLine note_line(std::string text) {
     return {DerivationLine::Kind::note, {std::move(text)}};
 }
 
-/// Adds a sentence about the point that is derived if no vertex is followed.
+/// If no vertex is followed, adds a sentence about the point used for the derivation.
 void tell_point(Lines& lines, const Derived& derived, const char* letter) {
     if (derived.followed) return;
     lines.push_back(note_line(
@@ -96,7 +96,7 @@ void tell_point(Lines& lines, const Derived& derived, const char* letter) {
 void tell_ray(Lines& lines, ShadowRay ray) {
     if (ray == ShadowRay::regular) return;
     lines.push_back(note_line(sentence_of(ray)));
-    if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;  // not an error there
+    if (ray != ShadowRay::point_in_plane) lines.back().kind = DerivationLine::Kind::trouble;  // no error in that case
 }
 
 DerivationLine plane_line(const glm::dvec4& unit_plane) {
@@ -156,14 +156,14 @@ struct Derivation {
     int control_rows;
     Lines before = {}, lines = {}, after = {};  ///< the step bar counts only `lines`
     std::function<void(const Rect&)> draw_figure = {};
-    std::function<bool(int)> controls = {};  ///< draws so many rows, and returns whether a step was chosen
+    std::function<bool(int)> controls = {};  ///< draws this many rows and returns whether a step was chosen
     std::function<void()> form = {};         ///< draws what is below the last line
 };
 
-/// The lines from one index to another of those that are written after the state's step.
+/// The lines that are written by the state's step. write() draws those in a range of indices.
 struct WrittenLines {
     const Lines& all;
-    std::size_t counted, written, behind;  ///< ends of the lines before, the written ones, and all that are counted
+    std::size_t counted, written, behind;  ///< end indices: lines before, written lines, all counted lines
 
     void write(std::size_t begin, std::size_t end, const DerivationFlow& flow) const {
         ImGui::SetWindowFontScale(flow.font_scale);
@@ -269,7 +269,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
                              "= " + derivation_vector(found.light_world)}});
     shown.before.push_back({DerivationLine::Kind::equation, {"p", "= " + derivation_vector(found.point_world)}});
     shown.before.push_back(plane_line(found.unit_plane));
-    shown.before.back().is_step = true;  // the results have its numbers
+    shown.before.back().is_step = true;  // the results contain its numbers
     shown.lines = shadow_lines(found, forms.blinn.has_value());
     tell_point(shown.after, derived, "p");
     shown.draw_figure = [&](const Rect& figure) { draw_shadow_diagram(figure, found, 3.0 * plane.patch.extent); };

@@ -1,4 +1,4 @@
-// The second picture of the camera's view (view.beside): in a half of its own, or to the right of a line to drag.
+// The second picture of the camera's view (view.beside): in its own half, or to the right of a draggable line.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace viewing {
 struct BesideTitles {
     std::string camera, beside;
 };
-/// `most`: how many differences are named before the rest is counted.
+/// `most`: how many differences to name; the rest are only counted.
 BesideTitles beside_titles(const Params& params, std::size_t most = 2);
 /// Draws one of the titles above its picture, in at most `width` pixels.
 void draw_beside_title(const Rect& rect, float width, const Params& params, std::string BesideTitles::*side);
@@ -25,7 +25,7 @@ void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture
 void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect);
 
 /// Draws the second picture to the right of a draggable line, over the first picture, which is already drawn. The names
-/// of the two sides are at the top, or at the bottom if sentences come to the top.
+/// of the two sides are at the top or, if there are sentences at the top, at the bottom.
 void draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture,
                          bool has_sentences);
 

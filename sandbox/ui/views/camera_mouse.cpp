@@ -63,7 +63,7 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
     return distance > 0.0 ? std::min(distance, farthest) : derived.facts.target_distance;
 }
 
-/// Returns the point in world space that is seen at a screen position, at an eye distance.
+/// Returns the world-space point at a screen position and an eye distance.
 glm::dvec3 point_at(const Overlay& overlay, const Derived& derived, ImVec2 place, double distance) {
     const Ray ray = overlay.ray_at(place);
     const double origin_z = (derived.view_from_world * glm::dvec4(ray.origin, 1.0)).z;
@@ -80,8 +80,8 @@ enum class DragAction { look, pan, orbit };
 
 constexpr ImGuiMouseButton two_fingers = 3;  ///< held with the right button while two fingers drag on the page
 
-/// Returns what a drag with the right or the middle button does; none if neither is held. In orbit, where looking is
-/// orbiting, the right button pans.
+/// Returns what a drag with the right or the middle button does; none if neither is held. In orbit mode, where looking
+/// around means orbiting, the right button pans.
 std::optional<DragAction> action_of_drag(const MouseHabits& mouse, Navigation mode, bool holds_shift) {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
         return mouse.middle_pans != holds_shift ? DragAction::pan : DragAction::orbit;
@@ -90,7 +90,7 @@ std::optional<DragAction> action_of_drag(const MouseHabits& mouse, Navigation mo
     return std::nullopt;
 }
 
-/// Adds the pointer's way since the last frame to the motion.
+/// Adds the pointer's movement since the last frame to the motion.
 void move_by_drag(DragAction action, const ViewState& state, const Lens& lens, float height_px, MotionInput& motion) {
     const glm::dvec2 way_px(ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y);
     const glm::dvec2 turn_deg = turn_of_drag(state.mouse, 0.22);

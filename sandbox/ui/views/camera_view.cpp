@@ -96,7 +96,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const bool tells = !widgets::IsCovered("sentences");  // what becomes of them
+        const bool tells = !widgets::IsCovered("sentences");  // whether to say what happens to them
         const LegendEntry entries[] = {{caster_colors[0], tells ? marked("w > 0: projected") : "w > 0"},
                                        {caster_colors[1], marked("w > 0 behind the plane")},
                                        {caster_colors[2], tells ? marked("w ≤ 0: clipped away") : "w ≤ 0"}};
@@ -185,9 +185,9 @@ bool is_about(const Problem& problem, const std::vector<std::string>& controls) 
            });
 }
 
-/// Returns the problems to tell over the picture: the worst kind first and, within a kind, first those that a button
-/// fixes. On stage, sentences would compete with the lesson's own: only a wrong picture is explained, and only where it
-/// is about what the step lets the room change.
+/// Returns the problems to describe over the picture: the worst kind first and, within a kind, those that a button
+/// fixes first. On stage, sentences would compete with the lesson's own. Therefore, describes only errors in the
+/// picture, and only those about settings that the step lets the audience change.
 std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, const Params& params) {
     std::vector<const Problem*> told;
     for (const Problem& problem : problems)
@@ -200,7 +200,7 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
     return told;
 }
 
-/// Draws at most three problems' sentences at once, until they reach the picture's middle; a small button opens the
+/// Draws at most three problems' sentences at once, until they reach the picture's middle; a small button shows the
 /// others. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     constexpr std::size_t most = 3;
@@ -209,7 +209,7 @@ Rect tell_problems(Session& session, const std::vector<Problem>& problems, const
     const std::vector<const Problem*> told_ones = told_problems(problems, session.params);
     bool& is_open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("all sentences"), false);
     const std::size_t shown = is_open ? told_ones.size() : std::min(most, told_ones.size());
-    // Opened, the sentences leave room for the button that closes them.
+    // If all sentences are open, leave space for the button that closes them.
     const float last = is_open ? rect.max.y - px(90.0F) : (rect.min.y + rect.max.y) * 0.5F;
     float top = first;
     std::size_t fitting = 0;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_objects = 8, most_rays = 12;  ///< few enough that individual rays stay visible
 
-/// Draws the edges of the near and far planes, and the side edges. These run to the far plane from the eye or, in an
-/// orthographic projection, from the near plane.
+/// Draws the edges of the near and far planes, and the side edges. The side edges run to the far plane from the eye or,
+/// in an orthographic projection, from the near plane.
 void draw_pyramid(Overlay& overlay, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye, bool perspective,
                   ImU32 color) {
     for (std::size_t corner = 0; corner < 4; ++corner) {

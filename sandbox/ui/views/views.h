@@ -55,13 +55,13 @@ struct ViewState {
     /// Ctrl lifts the restriction.
     std::optional<std::vector<std::string>> movable;
     bool marks_lights = true, marks_plane = true;  ///< in the camera view
-    bool marks_derivation = true;                  ///< also of the point that is used if none is followed
+    bool marks_derivation = true;                  ///< also for the point that is used if none is followed
     Grip grip;
     bool looking = false;                     ///< dragging to rotate the camera
     float dragged_px = 0.0F;                  ///< pixels since the press; distinguishes a click from a drag
     glm::ivec2 camera_px{1280, 720};          ///< last known size of the camera's picture
     Rect plate;                               ///< over the camera's picture, on stage; may be empty
-    MouseHabits mouse;                        ///< of the person
+    MouseHabits mouse;                        ///< the user's
     double pan_distance = 1.0;                ///< eye distance of the point grabbed with the middle or right button
     glm::dvec3 orbit_center{0.0};             ///< that point, in world space
     std::optional<glm::ivec2> hovered_pixel;  ///< in the camera's picture, from its top left
@@ -73,8 +73,8 @@ struct ViewState {
     widgets::StepPlayer call_player;        ///< steps through draw calls
     widgets::StepPlayer pass_player;        ///< steps through passes
     widgets::StepPlayer derivation_player;  ///< steps through a derivation's lines
-    widgets::StepPlayer way_player;         ///< carries a point from space to space
-    bool moves = true;                      ///< whether what plays may move, not only jump; see Guide::moves
+    widgets::StepPlayer way_player;         ///< moves a point from space to space
+    bool moves = true;                      ///< whether playback may animate rather than only jump; see Guide::moves
     glm::ivec2 cells{0};                    ///< the number of columns and rows that fit into the cell view
     LightRays light_rays;                   ///< of the observer's view
     std::optional<Stage::Target> target;    ///< the place that a lesson marks
@@ -92,9 +92,9 @@ inline bool is_playing(const ViewState& state) {
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-/// Returns by how many degrees the pointer's way since the last frame turns a view, as (yaw, pitch): a drag to the
-/// right turns right, and one upward looks up unless the person inverts it. `usual_deg`: for a design pixel, before the
-/// person's factor.
+/// Returns the angles (yaw, pitch) in degrees by which the pointer's movement since the last frame turns a view. A drag
+/// to the right turns right, and a drag upward looks up unless the user inverts it. `usual_deg`: degrees per design
+/// pixel, before the user's factor.
 glm::dvec2 turn_of_drag(const MouseHabits& mouse, double usual_deg);
 
 /// Handles the mouse in the camera's view. Pressing grabs a handle or starts looking around, and dragging continues
@@ -117,8 +117,8 @@ void draw_clip_view(Session& session, ViewState& state, const Derived& derived, 
 void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
 /// Returns the pixel of the camera's picture that corresponds to the pointer's position in another picture from the
-/// same camera, which fills `rect`; nullopt if the pointer is outside the camera's picture.
-/// With a fixed aspect ratio or a window of its own, the camera's picture is stretched to fill any view.
+/// same camera, which fills `rect`; nullopt if the pointer is outside the camera's picture. If the projection has a
+/// fixed aspect ratio or an explicit window, the camera's picture is stretched to fill any view.
 std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px,
                                           const ProjectionParams& projection);
 

@@ -56,7 +56,7 @@ void add_text(std::array<Row, 4>& rows, std::size_t row, const std::string& text
         rows[other].push_back({other == row ? text : std::string(character_count(text), ' '), widgets::Role::none});
 }
 
-/// A step of the way: the matrix that carries the point, and its coordinates before and after.
+/// A step of the way: the matrix that maps the point, and the point's coordinates before and after.
 struct Carried {
     glm::dmat4 matrix{1.0};
     glm::dvec4 before{0.0}, after{0.0};
@@ -107,7 +107,7 @@ std::array<Row, 4> rows_of(int step, const Derived& derived, const CameraWay& wa
     return rows;
 }
 
-constexpr float row_height = 1.15F;  ///< of the size of type
+constexpr float row_height = 1.15F;  ///< relative to the type size
 
 float width_of_row(const Row& row, float size) {
     const ImFont* const font = widgets::CurrentContext().fonts.matrix;
@@ -116,7 +116,7 @@ float width_of_row(const Row& row, float size) {
     return width;
 }
 
-/// Returns the size of type in which the rows fit the rectangle: at most 1.4 times that of matrices.
+/// Returns the type size at which the rows fit the rectangle: at most 1.4 times that of matrices.
 float fitting_size(const Rect& rect, const std::array<Row, 4>& rows) {
     constexpr float most = 1.4F;
     const float usual = widgets::CurrentContext().fonts.matrix->FontSize;
@@ -142,7 +142,7 @@ void draw_rows(ImDrawList* draw, const Rect& rect, const std::array<Row, 4>& row
     }
 }
 
-/// Returns the condition that a plane's outside meets in clip space: "z < −w".
+/// Returns the clip-space condition for points outside a plane: "z < −w".
 const char* condition_of(FrustumPlane plane, bool zero_to_one) {
     static constexpr const char* conditions[] = {"−w ≤ x, y, z ≤ w", "z < −w", "z > w", "x < −w", "x > w",
                                                  "y < −w",           "y > w"};

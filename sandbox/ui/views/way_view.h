@@ -1,5 +1,5 @@
-// The lower view The way of a point: the followed point goes from the world through eye space, clip space and NDC to
-// the window, beside the matrix that carries it.
+// The lower view "The way of a point": the followed point goes from the world through eye space, clip space, and NDC to
+// the window. Beside it is the matrix that maps it.
 #pragma once
 
 #include "frame/derive.h"
@@ -8,17 +8,17 @@
 
 namespace viewing {
 
-/// The parts of the view; they do not depend on the size of type, since pictures are drawn before it is known.
+/// The parts of the view. They do not depend on the type size, which is not yet known when pictures are drawn.
 struct WayPlaces {
     Rect picture, numbers;
 };
 WayPlaces way_places(const Rect& rect);
 
-/// Returns the part of a picture that fills `rect` where the view's text leaves it free, in the picture's NDC.
+/// Returns, in the NDC of a picture that fills `rect`, the part that the view's text leaves free.
 Edges free_of_numbers(const Rect& rect);
 
-/// Advances view.way by `dt_s`: it rests at each space for a moment, and then moves to the next; `moves` false: it
-/// only jumps. At the window, playing ends.
+/// Advances view.way by `dt_s`. The point rests in each space for a moment, and then moves to the next one or, if
+/// `moves` is false, jumps to it. Playback ends at the window.
 void play_way(double& way, widgets::StepPlayer& player, double dt_s, bool moves);
 
 void draw_way_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);

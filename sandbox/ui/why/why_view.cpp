@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-/// What is wrong and its fix: an exercise may ask for it.
+/// The fault and its fix, which an exercise may ask for.
 constexpr const char* fault_target = "text:why.fault";
 
 ImU32 color_of_kind(WhyRow::Kind kind) {

@@ -26,8 +26,8 @@ public:
     /// Receives the chosen file when the purpose is open_answers or save_answers.
     using Use = std::function<void(const std::filesystem::path& file)>;
     void show(Purpose purpose, const std::string& name, Use use);
-    /// Asks where to save the state as a step: first the file of before, or `own`, the lesson that is open. The parts
-    /// that are framed on the screen are framed in the step, too.
+    /// Asks where to save the state as a step. Suggests `own`, the file of the open lesson, or if that is empty, the
+    /// file of the previous save. The step also frames the parts that are framed on the screen.
     void show_save_step(const std::filesystem::path& own, std::vector<std::string> highlight);
     /// Draws the dialog while it is open. Opens or saves through the session, whose message reports the outcome.
     void draw(Session& session);
@@ -60,7 +60,7 @@ private:
     BackgroundTask<Listing> listing_;
     std::string name_;
     Use use_;
-    std::filesystem::path step_file_;  ///< that the last step was saved to
+    std::filesystem::path step_file_;  ///< the file to which the last step was saved
     std::vector<std::string> highlight_;
     bool opens() const { return purpose_ == Purpose::open || purpose_ == Purpose::open_answers; }
     std::string error_;

@@ -52,7 +52,7 @@ void draw_keys() {
         {"F11", marked("full screen")},
         {"F12", marked("snapshot of the camera view")},
     };
-    // Tight lines: all of them are seen at once in a window of 1280 × 720.
+    // Use tight line spacing, so that all lines are visible at once in a window of 1280 × 720.
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1.0F)});
     for (const Line& line : lines) {
         if (*line.keys == '\0') {

@@ -25,7 +25,7 @@ std::vector<CardPicture> Workbench::wanted_cards() {
 
 namespace {
 
-/// Everything that a step names: in its layout, its frames and covers, and what may be changed.
+/// Everything that a step names: the parts in its layout, its framed and covered parts, and what may be changed.
 std::vector<std::string> named_in(const LessonStep& step) {
     const LayoutParams& layout = step.start.params.view.layout;
     std::vector<std::string> names;
@@ -48,7 +48,7 @@ bool is_any(const std::vector<std::string>& names, std::initializer_list<std::st
 /// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
 void Workbench::show_only_named(const LessonStep& step) {
     views.marks_lights = views.marks_plane = !presenter.is_on();
-    views.marks_derivation = !presenter.is_on() && !step.target;  // a step's own mark is its only p or q
+    views.marks_derivation = !presenter.is_on() && !step.target;  // if a step has its own mark, that is its only p or q
     if (!presenter.is_on()) return;
     const std::vector<std::string> names = named_in(step);
     const bool follows = step.start.params.follow.has_value();
@@ -65,7 +65,8 @@ void Workbench::cover_question(const LessonRun& run) {
     stage.cover.clear();
     if (!stage.asks) return;
     const std::vector<std::string>& cover = stage.cover = run.step().cover;
-    // Tooltips hide their formulas while a question is open; entries of matrices, only if the step says so.
+    // While a question is open, tooltips hide their formulas; matrix entries hide their symbols only if the step says
+    // so.
     if (std::count(cover.begin(), cover.end(), "formulas") > 0) stage.cover.emplace_back("symbols");
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* no_state = marked("the pasted matrix was not taken: no state may have its values");
 
-/// Gives the state a matrix, and tells it.
+/// Sets a matrix of the state and reports this in a message.
 void take_into(Session& session, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance) {
     if (!take_matrix(session.params, letter, matrix, view_aspect, tolerance))
         return session.report(Error{tr(no_state)});
@@ -26,7 +26,7 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
                        false};
 }
 
-/// Shows a matrix as it is, in place of the state's own.
+/// Enters a matrix by hand, unchanged, in place of the state's own.
 void enter_into(Session& session, char letter, const glm::dmat4& matrix) {
     if (!enter_by_hand(session.params, letter, matrix)) return session.report(Error{tr(no_state)});
     session.message = {

@@ -1,5 +1,5 @@
-// Takes a matrix from the clipboard: a right V, C or P becomes the state's own, and a dialog says what is wrong with
-// any other.
+// Pastes a matrix from the clipboard. A correct V, C, or P replaces the state's own; for any other matrix, a dialog
+// says what is wrong.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ class MatrixDialog {
 public:
     /// Returns whether a text is a matrix rather than a state or a link.
     static bool is_matrix(const std::string& text);
-    /// Takes the matrix, if the text is one, when the dialog is drawn next. `letter`: the matrix in whose place it is
-    /// pasted unless the text names another; 0: open.
+    /// If the text is a matrix, takes it the next time the dialog is drawn. `letter`: the matrix to replace, unless the
+    /// text names another; 0: not specified.
     void paste(const std::string& text, char letter);
     /// Draws the dialog while it is open, and edits the session's parameters.
     void draw(Session& session, const Derived& derived);
@@ -31,7 +31,7 @@ private:
         PastedMatrix pasted;
         ExplainedMatrix found;
         std::optional<glm::dmat4> fixed;
-        char letter;  ///< of the matrix that it can be entered as; 0: none
+        char letter;  ///< the matrix as which it can be entered; 0: none
     };
     void take(const Paste& paste, Session& session, const Derived& derived);
 

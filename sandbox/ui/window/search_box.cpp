@@ -21,7 +21,7 @@ bool is_key_pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
 }
 
-/// The width of the column at the left: that of the longest kind.
+/// The width of the left column: that of the longest kind's name.
 float width_of_kinds() {
     float width = 0.0F;
     for (int kind = 0; kind <= static_cast<int>(EntryKind::exercise); ++kind)
@@ -29,7 +29,7 @@ float width_of_kinds() {
     return width + px(14.0F);
 }
 
-/// Draws a row: its kind, its title, its note at the right. Returns whether it was clicked.
+/// Draws a row: its kind, its title, and, at the right, its note. Returns whether it was clicked.
 bool draw_row(const SearchEntry& entry, std::size_t place, bool is_marked, float kinds) {
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() + px(8.0F);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -99,7 +99,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     ImGui::PopFont();
     if (entered && !found_.empty()) chosen = found_[static_cast<std::size_t>(marked_)];
 
-    // A setting without a value stays in the field, and its value is typed next.
+    // A setting without a value stays in the field, so that the user can type its value next.
     const auto* const setting = chosen ? std::get_if<FieldChoice>(&chosen->choice) : nullptr;
     if (setting && setting->setting.empty()) {
         typed_ = std::string(setting->path) + " ";

@@ -1,4 +1,5 @@
-// What the window offers to the search, and what a choice does: the same as the control or the key that it names.
+// The entries that the window offers to the search, and the effect of choosing one: that of the control or the key that
+// it names.
 #include <utility>
 
 #include "lesson/exercise.h"
@@ -23,7 +24,7 @@ std::vector<SearchEntry> Workbench::offered_to_search(const Session& session) {
     }
     SearchLimits limits;
     limits.place = place();
-    // On a lesson's stage, only the lower views of the step have a place.
+    // When a lesson is on stage, there is space only for the step's own lower views.
     limits.may_choose_view = limits.place != Place::lesson_on_stage;
     limits.movable = views.movable;
     limits.covered = widgets.targets.covered;
@@ -107,7 +108,7 @@ void Workbench::draw_search(Session& session, const std::vector<Problem>& proble
         show_topic(*topic, session, layout);
     } else if (const auto* command = std::get_if<const WindowCommand*>(&*choice)) {
         if (const auto* key = std::get_if<KeyPress>(&(*command)->does))
-            waiting_.pressed.push_back(*key);  // pressed in the next frame, when nobody types
+            waiting_.pressed.push_back(*key);  // press it in the next frame, when no text is being typed
         else
             carry_out(std::get<MenuCommand>((*command)->does), session, problems);
     }

@@ -1,5 +1,5 @@
-// What the search (Ctrl+P) offers in the present state, and which of it fits the typed words. Pure functions;
-// search_box.h draws the result, and search_choices.cpp carries it out.
+// The entries that the search (Ctrl+P) offers in the current state, and those that match the typed words. Pure
+// functions. search_box.h draws the result, and search_choices.cpp carries out the choice.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@
 
 namespace viewing {
 
-/// The order decides between entries that fit equally well.
+/// Entries that match equally well are sorted in this order.
 enum class EntryKind { command, field, trouble, preset, view, lesson, step, exercise };
 const char* name_of_kind(EntryKind kind);
 
-/// A command without a key of its own.
+/// A command without a shortcut key.
 enum class MenuCommand {
     save_as_step,
     edit_step,
@@ -63,7 +63,7 @@ struct ExerciseChoice {
 struct FieldChoice {
     std::string_view path;
     std::string setting;
-    bool is_beside = false;  ///< for the second picture alone
+    bool is_beside = false;  ///< applies only to the second picture
 };
 using SearchChoice = std::variant<PresetChoice, LessonPlace, ExerciseChoice, FieldChoice, Topic, const WindowCommand*>;
 
@@ -74,7 +74,7 @@ struct SearchEntry {
     SearchChoice choice;
     std::string names;             ///< found first: the title and other names, in both languages, in lower case
     std::string about;             ///< found next: descriptions
-    std::vector<int> slides = {};  ///< of the lecture that it is for
+    std::vector<int> slides = {};  ///< the lecture slides that it is for
 };
 
 struct ExerciseTitle {
@@ -82,14 +82,14 @@ struct ExerciseTitle {
     LessonText title;
 };
 
-/// What the window can be searched for. The lists are those of the assets.
+/// The lists that the search covers, as read from the assets.
 struct SearchLists {
     std::span<const NamedFile> presets;
     std::span<const LessonFile> lessons;
     std::span<const ExerciseTitle> exercises;
 };
 
-/// What may be found: never more than the window's own controls would allow.
+/// Limits on what the search may find: never more than the window's own controls would allow.
 struct SearchLimits {
     Place place = Place::window;
     bool may_choose_view = true;                      ///< otherwise the lower views are those of the step
@@ -99,11 +99,11 @@ struct SearchLimits {
 
 std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params);
 
-/// Returns the entries that contain every word of `query`, best first: words in names before words in descriptions,
-/// starts of words before other places, short titles before long ones. A field also fits if its name is followed by a
-/// value ("near 0.0001"); its choice is then that setting, for the second picture after "beside" ("beside near
-/// 0.0001"). If no entry has every word, returns those with the most. A slide's number ("s12", "slide 12") finds what
-/// is for that slide: presets, then lessons and their steps.
+/// Returns the entries that contain every word of `query`, best match first: words in names before words in
+/// descriptions, starts of words before other places, short titles before long ones. A field also matches if a value
+/// follows its name ("near 0.0001"); its choice is then that setting or, after "beside", that setting for the second
+/// picture ("beside near 0.0001"). If no entry contains every word, returns the entries that contain the most words. A
+/// slide number ("s12", "slide 12") finds the entries for that slide: presets, then lessons and their steps.
 std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most = 12);
 
 /// Whether a text in lower case contains every word of `query`.

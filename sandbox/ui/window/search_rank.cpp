@@ -1,4 +1,4 @@
-// Which entries of the search fit the typed words, and in which order.
+// Finds the search entries that match the typed words, and sorts them.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::span<const std::string>;
 
-/// Splits at blanks and at the signs that separate a name from its value and numbers from each other.
+/// Splits a query at whitespace and at the signs that separate a name from its value and numbers from each other.
 std::vector<std::string> words_of(std::string_view query) {
     std::vector<std::string> words;
     constexpr std::string_view between = " \t\n,=";
@@ -34,7 +34,7 @@ bool is_letter(char c) {
 
 enum class Fit { start, inside, none };
 
-/// Whether a text contains a word, at the start of one of its own words if possible.
+/// Returns where a text contains a word: at the start of one of the text's words if possible.
 Fit fit_of(std::string_view text, std::string_view word) {
     Fit best = Fit::none;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
@@ -44,7 +44,7 @@ Fit fit_of(std::string_view text, std::string_view word) {
     return best;
 }
 
-/// Words that people use for one thing, each a row of synonyms. Starts of words are enough.
+/// Words that people use for the same thing: each row lists synonyms. Starts of words are enough for a match.
 constexpr std::string_view synonyms[][4] = {{"below", "under", "beneath", "behind"},
                                             {"twice", "double", "two times", "darkens"},
                                             {"missing", "lost", "gone", "disappear"},
@@ -53,7 +53,7 @@ constexpr std::string_view synonyms[][4] = {{"below", "under", "beneath", "behin
 
 constexpr int no_fit = 1000;
 
-/// How well one word fits: 0 is best.
+/// Returns how badly one word matches; 0 is best.
 int cost_of(const SearchEntry& entry, const std::string& word) {
     const auto cost = [&](std::string_view sought) {
         if (const Fit fit = fit_of(entry.names, sought); fit != Fit::none) return static_cast<int>(fit);
@@ -73,14 +73,14 @@ bool has_little_meaning(const std::string& word) {
     return std::find(std::begin(all), std::end(all), word) != std::end(all);
 }
 
-/// Whether the query is one of the entry's names as a whole.
+/// Whether the whole query is one of the entry's names.
 bool is_name(const SearchEntry& entry, Words words) {
     std::string whole;
     for (const std::string& word : words) whole += (whole.empty() ? "" : " ") + word;
     return ("\n" + entry.names + "\n").find("\n" + whole + "\n") != std::string::npos;
 }
 
-/// How badly an entry fits: how many words it lacks, then how well it has the others.
+/// How badly an entry matches: the number of words that it lacks, then how badly the other words match.
 struct Misfit {
     int lacks = 0, cost = 0;
 };
@@ -122,7 +122,8 @@ std::optional<std::string> as_switch(const std::string& word) {
     return std::nullopt;
 }
 
-/// The first name that the words begin, or whose later part they begin: "offset" is polygon_offset.
+/// Returns the first name that starts with the words or, if there is none, the first with a later part that starts with
+/// them: "offset" gives polygon_offset.
 std::optional<std::string> as_name(Words words, std::span<const char* const> names) {
     std::string typed;
     for (const std::string& word : words) typed += (typed.empty() ? "" : "_") + word;
@@ -147,8 +148,8 @@ std::optional<std::string> value_of(const Field& field, Words words) {
     return as_number(words.front());
 }
 
-/// The entry of a field with the value that the last words give; none if they give none. After "beside", the value is
-/// for the second picture.
+/// Returns the entry of a field with the value that the last words give; nullopt if they give none. After "beside", the
+/// value is for the second picture.
 std::optional<std::pair<SearchEntry, int>> with_value(const SearchEntry& entry, Words words) {
     const auto* const choice = std::get_if<FieldChoice>(&entry.choice);
     const bool is_beside = !words.empty() && (words.front() == "beside" || words.front() == "비교");
@@ -181,7 +182,7 @@ std::vector<SearchEntry> on_slide(std::span<const SearchEntry> entries, int slid
     std::vector<SearchEntry> there;
     for (const SearchEntry& entry : entries)
         if (std::find(entry.slides.begin(), entry.slides.end(), slide) != entry.slides.end()) there.push_back(entry);
-    // Troubles show what the slide warns of; what the slide itself shows comes before them.
+    // Troubles show what the slide warns about. Put them after the entries that show the slide's own content.
     std::stable_partition(there.begin(), there.end(),
                           [](const SearchEntry& entry) { return entry.kind != EntryKind::trouble; });
     if (there.size() > most) there.resize(most);
@@ -210,7 +211,7 @@ std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string
         std::count_if(words.begin(), words.end(), [](const std::string& word) { return !has_little_meaning(word); }));
     int least = meant;
     for (const Hit& hit : hits) least = std::min(least, hit.lacks);
-    // One word of several is not enough, nor is a part of a single one.
+    // Return nothing if even the best entries lack more than half of the words.
     if (least > 0 && 2 * least > meant) return {};
     std::erase_if(hits, [&](const Hit& hit) { return hit.lacks > least; });
     if (!words.empty())

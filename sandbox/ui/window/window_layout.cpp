@@ -96,10 +96,11 @@ std::vector<std::string> matrices_about(const Params& params, std::string_view g
 }
 
 void open_lower_views(Arrangement& arrangement, Slot first) {
-    // The stage is always as high as this, because everything on it grows with the window.
+    // The stage always has this height in design pixels, because everything on it grows with the window.
     constexpr float height = 30.0F * stage_type.caption, least_view = 170.0F;
     const float room = height - (arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
-    // No view makes the column wider than a matrix does, so that the main view keeps its share in a narrow hall.
+    // Do not let a view make the column wider than a matrix does, so that the main view keeps its share on a narrow
+    // stage.
     for (ImVec2* least : {&arrangement.stage.least_left, &arrangement.stage.least_right})
         least->x = std::min(least->x, 430.0F);
     const int fitting = std::clamp(static_cast<int>(room / least_view), 0, 2);
@@ -109,7 +110,7 @@ void open_lower_views(Arrangement& arrangement, Slot first) {
 
 namespace {
 
-/// The rectangle around pictures with their headers; empty if all are.
+/// The rectangle around pictures with their headers; empty if all pictures are empty.
 Rect around(std::initializer_list<Rect> pictures, float header_height) {
     Rect area;
     for (const Rect& picture : pictures) {

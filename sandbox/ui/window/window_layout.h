@@ -25,17 +25,17 @@ BigView big_view(ViewName hovered);
 /// Copies the state's layout into the arrangement. `matrices`: those to show beside a large view.
 void arrange(Arrangement& arrangement, const Params& params, const std::vector<std::string>& matrices);
 
-/// Returns the matrices that a state is about if it lists none, in the order of the lecture: what moves the
-/// camera, or what makes the shadow and the mirror image. `group`: the open preset's topic, or "".
+/// For a state that lists no matrices, returns those that it is about, in lecture order: the matrices that move the
+/// camera, or those that make the shadow and the mirror image. `group`: the open preset's topic, or "".
 std::vector<std::string> matrices_about(const Params& params, std::string_view group);
 
-/// Opens the lower views on stage that fit beside the matrices; if only one fits, `first`.
+/// On stage, opens the lower views that fit beside the matrices; if only one fits, opens `first`.
 void open_lower_views(Arrangement& arrangement, Slot first);
 
 /// Returns the area of the views' window.
 Rect views_area(const Layout& layout, const Arrangement& arrangement);
 
-/// Returns the area of lower views that have a window of their own (lower_in_column).
+/// Returns the area of lower views that have their own window (lower_in_column).
 Rect lower_views_area(const Layout& layout);
 
 }  // namespace viewing

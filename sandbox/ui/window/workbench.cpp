@@ -45,7 +45,7 @@ Arrangement Workbench::arranged(const Session& session) const {
             topic == Topic::shadow_derivation || topic == Topic::mirror_derivation) {
             now.least_lower = least_derivation;
             now.least_area = 100'000.0F;
-            // Its lines need more height, unless the person has chosen one.
+            // A derivation's lines need more height, unless the user has chosen a height.
             constexpr float lines = 330.0F;
             now.least_camera = 0.5F;
             if (now.lower_height == Arrangement{}.lower_height) now.lower_height = lines;
@@ -74,7 +74,7 @@ float Workbench::width_of_editor(float window_px) const {
 Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     const float editor = width_of_editor(window_px.x);
     Layout made = layout_of_areas({window_px.x - editor, window_px.y}, window_px.x, session);
-    if (editor > 0.0F) {  // beside the editor, between bars as wide as the window
+    if (editor > 0.0F) {  // views beside the editor; bars as wide as the window
         for (Rect* rect : {&made.top_bar, &made.status_bar, &made.strip}) rect->max.x += editor;
         for (Rect* rect : {&made.panel, &made.matrices, &made.camera, &made.lower_left, &made.lower_right, &made.beside,
                            &made.caption})
@@ -92,13 +92,14 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     const bool has_strip = guide.is_shown() && arrangement.has_strip;
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && !arrangement.presents && !guide.is_sheet()) {
-        // From step to step, the question stays at one height, unless that takes much from the views.
+        // Keep the question at the same height in every step, unless that takes much space from the views.
         constexpr float most_share = 0.34F;
         const float tallest = tallest_strip(*guide.run(), strip_width, widgets, look);
         now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
     }
     if (has_strip && arrangement.presents) {
-        // The strip keeps its place throughout a lesson, unless that takes space or symbols from what the step names.
+        // Keep the strip in place throughout a lesson, unless that takes space or symbols from parts that the step
+        // names.
         const float own = now.strip_px;
         const auto has_symbols = [&] {
             return lay_out(window_px, widgets.scale, now).matrices.height() >=
@@ -239,8 +240,8 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (key == Key::f9) toggle_recording(session);
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
-        // Other keys belong to the text field or dialog, except undo in an empty search field, which has nothing of its
-        // own to undo.
+        // Other keys belong to the text field or dialog, except undo in an empty search field, which has nothing to
+        // undo itself.
         const bool can_undo = preset_picker_.has_empty_search() && (key == Key::z || key == Key::y);
         if ((typing && !can_undo) || in_dialog) continue;
         if (press.ctrl) handle_shortcut(press, session, requests);

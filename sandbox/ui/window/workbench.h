@@ -101,8 +101,8 @@ public:
 
 private:
     void set_stage();
-    /// Commits typed text before a key or a dropped file moves the focus away: returns the input without them, and
-    /// holds them back for one frame. Also commits the text when the window loses focus.
+    /// Commits typed text before a key or a dropped file moves the focus away: returns the input without the key or
+    /// file, and holds them back for one frame. Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
     /// When presenting, returns the switches to offer: `kinds`, the controls that the state's layout lists, and the
     /// step's highlighted parts. Otherwise returns nullopt, for all switches.
@@ -132,13 +132,13 @@ private:
     const NamedFile* preset_at(const Session& session, int places) const;
     void choose_scale(Session& session, double scale, Requests& requests);
     Place place() const;
-    /// Returns the matrices to show; empty for all. The free stage has room for two.
     /// The layout without the links below the panel.
     Layout layout_of_areas(ImVec2 window_px, float strip_width, const Session& session) const;
     /// The width in pixels that the step editor takes from the views; 0 while it is closed.
     float width_of_editor(float window_px) const;
+    /// Returns the matrices to show; empty for all. A stage without a lesson has space for two.
     std::vector<std::string> listed_matrices(const Session& session) const;
-    /// Returns the matrices that the state is about, which a low column shows first.
+    /// Returns the matrices that the state is about, which a short column shows first.
     std::vector<std::string> matrices_about(const Session& session) const;
     std::vector<SearchEntry> offered_to_search(const Session& session);
     /// Draws the search and carries out what the user chooses in it.
