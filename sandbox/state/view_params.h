@@ -94,7 +94,7 @@ struct ViewParams {
     int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all
     int derivation_step = -1;         ///< the last line of a derivation to show, counted from 0; −1: shows all
     double division = 1.0;            ///< in the clip space view: 0 eye space, 1 after the division by w
-    double way = 0.0;                 ///< of a point: 0 world, 1 eye, 2 clip space, 3 NDC, 4 window
+    double way = 0.0;                 ///< progress of a point: 0 world, 1 eye, 2 clip space, 3 NDC, 4 window
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;
