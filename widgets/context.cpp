@@ -47,7 +47,7 @@ Context& CurrentContext() {
 
 namespace {
 
-/// Marks the lower edge of the current window if its content goes on below.
+/// Marks the lower edge of the current window if its content continues below.
 void DrawMoreBelow(float fade) {
     if (CurrentContext().printed || ImGui::GetScrollMaxY() - ImGui::GetScrollY() < inner::Px(4)) return;
     const Palette& palette = CurrentContext().palette;
@@ -205,7 +205,7 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     const bool typing = io.WantTextInput && ImGui::IsAnyItemActive();
     editing.tooltip_muted |= ImGui::IsAnyMouseDown() || typing;
     if (editing.tooltip_muted) return false;
-    // A pointer that lies still on stage must not cover anything.
+    // On stage, the tooltip of a resting pointer must not keep covering anything.
     constexpr float longest_rest_s = 1.0F;
     if (context.is_on_stage) {
         if (editing.tooltip_rest_s >= longest_rest_s) return false;

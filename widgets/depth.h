@@ -98,9 +98,9 @@ constexpr int most_cells = 4096, most_cells_with_text = 1024;
 
 /// Draws a block of pixels as large squares in the middle of the area. Each square has its text in black or white,
 /// whichever has more contrast; pointing at a cell shows text that does not fit. `cells`: row by row, top row first;
-/// missing ones stay empty. A click selects a cell. A click on the selected cell or beside the cells, or a right-click,
-/// clears the selection. With too many cells or none, shows a sentence instead. Returns true when `selected` (−1: none)
-/// changed.
+/// missing ones stay empty. A click selects a cell. A click on the selected cell or outside the cells, or a
+/// right-click, clears the selection. With too many cells or none, shows a sentence instead. Returns true when
+/// `selected` (−1: none) changed.
 bool CellGrid(const char* id, std::span<const Cell> cells, int columns, int rows, int& selected,
               const CellGridStyle& style = {});
 
@@ -114,9 +114,9 @@ struct DividerStyle {
 };
 
 /// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the part of the
-/// width to the left of the line, 0…1. Call after drawing the picture and before the item that handles its mouse, since
-/// the first item has priority. Leaves the cursor in place. A NaN share counts as the default. Returns true when
-/// `share` was edited.
+/// width to the left of the line, 0…1. Call after drawing the picture and before the item that handles the picture's
+/// mouse input, since the first item has priority. Leaves the cursor in place. A NaN share counts as the default.
+/// Returns true when `share` was edited.
 bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const DividerStyle& style = {});
 
 }  // namespace widgets

@@ -22,8 +22,8 @@ double Entry(const glm::dmat4& m, int cell) {
     return m[cell % 4][cell / 4];
 }
 
-/// Returns the matrix without rounding residues: an entry below 1e-14 of the largest one is what is left of a zero, as
-/// in V[0][3] = 2e-16 of a camera that looks at the origin. Every other entry is shown.
+/// Returns the matrix without rounding residues: an entry below 1e-14 of the largest one is the residue of a zero, such
+/// as V[0][3] = 2e-16 for a camera that looks at the origin. Every other entry is shown.
 glm::dmat4 WithoutResidues(glm::dmat4 value) {
     constexpr double residue_share = 1e-14;
     double largest = 0.0;
@@ -119,8 +119,8 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     decimals = FitDecimals(value, style.decimals, columns);
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
-    // The height stays the same when editing starts. Without the symbols that it has elsewhere, a matrix also gives up
-    // the space around its numbers.
+    // The height stays the same when editing starts. If all its symbols are hidden, a matrix also gives up the space
+    // around its numbers.
     const bool hides_symbols =
         !style.cells.empty() && std::all_of(style.cells.begin(), style.cells.end(),
                                             [](const MatrixCell& cell) { return *cell.symbol == '\0'; });
@@ -235,7 +235,7 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     inner::EndTooltipWindow();
 }
 
-/// "matrix:V[2][3]".
+/// Returns the name of a cell as a target: "matrix:V[2][3]".
 std::string TargetOfCell(const MatrixStyle& style, int cell) {
     return std::string(style.target) + "[" + std::to_string(cell / 4) + "][" + std::to_string(cell % 4) + "]";
 }

@@ -1,5 +1,5 @@
-// The box of a number, to drag, slide and type in; the basis of Number, Slider and Numbers (number.cpp). A press starts
-// a drag, a double-click or Ctrl-click turns the box into a text field, and a right-click resets the number.
+// A number's box, for dragging, sliding and typing; the basis of Number, Slider and Numbers (number.cpp). A press
+// starts a drag, a double-click or Ctrl-click turns the box into a text field, and a right-click resets the number.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -110,7 +110,7 @@ double Dragged(double value, float pixels, double factor, const NumberStyle& sty
     return std::clamp(std::max(value, style.min) * std::pow(1.0 + log_step * factor, pixels), style.min, style.max);
 }
 
-/// Rounds to the decimals of the step, so that a drag leaves round numbers.
+/// Rounds to the decimals of the step, so that a drag yields round numbers.
 double RoundedForDrag(double value, double factor, const NumberStyle& style) {
     const int fine = factor < 1.0 ? 2 : 0;
     if (style.logarithmic) return Clamped(RoundedTo(value, SignificantDecimals(value, 4 + fine)), style);
@@ -244,7 +244,7 @@ void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, Box
     face.Draw(draw, at, Shown(palette.text), text.view());
 }
 
-/// Draws the box with typed text that is no number.
+/// Draws the box with typed text that is not a number.
 void DrawUnread(const std::string& text, ImVec2 min, ImVec2 max) {
     const Palette& palette = CurrentContext().palette;
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -256,7 +256,7 @@ void DrawUnread(const std::string& text, ImVec2 min, ImVec2 max) {
     draw->AddText({min.x + Px(4), y}, Shown(palette.trouble), shown.c_str());
 }
 
-/// Implements Tab while the user types in a number: it leads to the next number drawn, Shift+Tab to the previous one.
+/// Implements Tab while the user types in a number: it moves to the next number drawn, Shift+Tab to the previous one.
 void FollowTab(Editing& editing, ImGuiID id) {
     if (IsDisabled()) return;
     if (editing.tab > 0 && editing.typing == 0) {

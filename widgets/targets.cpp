@@ -105,7 +105,7 @@ void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max) {
         const ImVec2 seen_max(std::min(max.x, clip_max.x), std::min(max.y, clip_max.y));
         if (seen_min.x >= seen_max.x || seen_min.y >= seen_max.y) continue;
         const auto before = std::find_if(targets.found.begin(), targets.found.end(), [&](const Targets::Found& found) {
-            // The labels of two views, each with an edge of its own, are two things; the parts of a table are one.
+            // Labels in two views, which have different clip edges, are two targets; the parts of a table are one.
             const bool is_apart =
                 highlighted.starts_with("label:") && (found.clip_min.x != clip_min.x || found.clip_min.y != clip_min.y);
             return found.name == highlighted && found.window == window && !is_apart;

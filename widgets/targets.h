@@ -49,8 +49,7 @@ bool IsCovered(std::string_view name);
 bool IsPartCovered(std::string_view name);
 /// Whether the name, a name that contains it, or a part of it is highlighted.
 bool IsHighlighted(std::string_view name);
-/// Whether a highlighted target that one of these names contains still has to scroll into view; folded parts must then
-/// open.
+/// Whether a highlighted target within one of these names still has to scroll into view. If so, folded parts must open.
 bool IsSought(std::span<const char* const> names);
 /// Opens the next Section, whatever its state.
 void OpenNextSection();
@@ -69,8 +68,7 @@ bool HasPlainTitles();
 void MarkTarget(std::string_view name);
 void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// Gives this name to the last item, or to a rectangle: a line of text among others, whose frame does not reach into
-/// its neighbors.
+/// Does the same for a line of text among others, whose frame does not reach into its neighbors.
 void MarkLine(std::string_view name);
 void MarkLine(std::string_view name, ImVec2 min, ImVec2 max);
 

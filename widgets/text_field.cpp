@@ -15,7 +15,7 @@ using inner::Px;
 
 namespace {
 
-/// Draws a field with a new id after each time it was left. Returns what `draw` returns.
+/// Draws a field that gets a new id whenever it is used again. Returns what `draw` returns.
 template <typename Draw>
 bool KeptField(const char* label, const Draw& draw) {
     TextFieldUse& use = CurrentContext().text_fields[ImGui::GetID(label)];
@@ -35,7 +35,7 @@ bool KeptField(const char* label, const Draw& draw) {
     return result;
 }
 
-/// Keeps what is typed until the field is left. `draw` draws the field with a text, which it may change. Returns
+/// Keeps typed text until the user leaves the field. `draw` draws the field with a text, which it may change. Returns
 /// whether `value` has changed.
 template <typename Draw>
 bool Entry(const char* label, std::string& value, const Draw& draw) {

@@ -105,7 +105,7 @@ struct TextFieldUse {
     std::optional<std::string> entry;  ///< typed text of an EntryField, not yet committed
 };
 
-/// A heading of a panel: where it begins in the content of its window.
+/// A heading of a panel, and its position in the window's content.
 struct SectionPlace {
     std::string label, shown;  ///< its name, and its text in the current language
     float top_px = 0.0F;
@@ -178,7 +178,7 @@ struct Group {
 void Record(const char* label, std::string_view text = {});
 
 /// Counts the current window, a scrolling child or table, in Context::seen_share and used_share, and marks its lower
-/// edge if its content goes on below. Call before it ends.
+/// edge if its content continues below. Call before it ends.
 /// `is_filled`: another counted window fills it, so its own height is ignored. `fade`: height of the mark in design
 /// pixels.
 void CountScrolled(bool is_filled = false, float fade = 34.0F);
@@ -202,7 +202,7 @@ std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& fon
 /// Returns the start of the text that fits into `width` pixels in the current font, with "…" if anything was cut.
 std::string Shortened(std::string text, float width);
 void Note(const char* text);  ///< small, quiet, wraps
-/// What a sentence is about. Each has a sign and a color of its own: a red triangle with an exclamation mark if the
+/// The topic of a sentence. Each tone has its own sign and color: a red triangle with an exclamation mark if the
 /// picture is wrong, a letter i in a circle for something worth knowing, and a frame for something about the window.
 enum class Tone { wrong, note, window };
 ImU32 ColorOf(Tone tone);
@@ -235,7 +235,7 @@ void Tooltip(const char* title, const char* body, const char* formula = "", cons
 
 // ---- values ----------------------------------------------------------------------------------------
 
-/// Reads a number in a way of its own; none if the text is no number.
+/// Reads a number from text in a special format; none if the text is not a number.
 using NumberReader = std::optional<double> (*)(std::string_view text);
 
 /// Settings for editing a number.
@@ -252,7 +252,7 @@ struct NumberStyle {
     Links links = 0;             ///< highlighted together with matrix entries that depend on them
     Role role = Role::none;
     NumberReader read = nullptr;    ///< reads typed text that ParseNumber does not
-    std::string* unread = nullptr;  ///< keeps typed text that is no number, which the box shows; in a row, one of many
+    std::string* unread = nullptr;  ///< typed text that is not a number, for the box to show; in a row, an array
 };
 
 /// Draws a number that can be dragged; a double-click or Ctrl-click starts typing, and a right-click resets it. `width`
@@ -319,7 +319,7 @@ bool OffersButton(const char* label);       ///< whether a Button or SmallButton
 bool Section(const char* label, bool open_by_default = true, const char* note = "", const char* trouble = "",
              Tone tone = Tone::wrong);
 
-// ---- the lecture's things --------------------------------------------------------------------------
+// ---- the lecture's objects -------------------------------------------------------------------------
 
 /// Edits a plane a x + b y + c z + d = 0 with four numbers, the buttons yz, xz and xy, and Normalize.
 /// Rejects edits that would make the normal zero. `links`: one per component. `d_of_buttons`: the d that yz, xz and xy

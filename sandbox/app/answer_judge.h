@@ -42,7 +42,7 @@ private:
     /// Computes the right answer of a typed question that has been revealed, in the background if it is measured.
     /// Returns whether it has just become known.
     bool show_model(LessonRun& run, Session& session, bool may_wait);
-    /// Computes the products of a question's tiles for the present state.
+    /// Computes the products of a question's tiles for the current state.
     static void show_products(LessonRun& run, const Session& session);
     /// Drops the judgment in progress, so that the next check starts a new one.
     void give_up();
@@ -51,9 +51,9 @@ private:
     Renderer& renderer_;
     SideRenderer side_;
     std::optional<Question> asked_;
-    /// Its result is empty if no side renderer could take the measurements.
     Question model_of_;  ///< the question of model_task_
     BackgroundTask<Answer> model_task_;
+    /// Its result is empty if no side renderer could take the measurements.
     BackgroundTask<std::optional<Verdict>> task_;  ///< declared last, so that it ends before the members it uses
 };
 

@@ -27,7 +27,7 @@ public:
     /// during an animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
-    /// Returns the explanation of that pixel; null if no view explains it.
+    /// Returns the explanation of the inspected pixel; null if no view explains it.
     const std::shared_ptr<const Why>& why() const { return why_; }
 
     /// Returns the report on one more pixel of the camera's picture, for the status bar. If `at_once`, waits for it.

@@ -105,8 +105,8 @@ LoadedState show_step(LessonPicture step, PictureRequest& request);
 /// stores the result.
 Params drawn_params(Params params, const PictureRequest& request);
 
-/// Checks whether the view can be drawn at this size: is_image_size() must hold, and the window and its views must have
-/// enough space. The error completes a sentence that begins with the option or field that sets the size.
+/// Checks whether the view can be drawn at this size: is_image_size() must be true, and the window and its views must
+/// have enough space. The error completes a sentence that begins with the option or field that sets the size.
 Status check_picture_size(PictureView view, glm::ivec2 size_px);
 
 /// Whether the picture contains no user interface.

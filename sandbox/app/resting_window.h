@@ -24,7 +24,7 @@ public:
 
     /// Draws the requested view until two frames in a row are equal. If a view by itself would have to scroll or be cut
     /// off, draws its contents smaller until all of them are visible; if they leave space, draws them larger. The error
-    /// is the window's own message, or says that the size is too small and which size would do.
+    /// is the window's own message, or says that the size is too small and names one that is large enough.
     Status rest(const PictureRequest& request);
 
     /// Whether everything is visible without cuts or scrolling.

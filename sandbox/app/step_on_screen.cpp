@@ -25,7 +25,7 @@ LessonFindings check_screen(const std::string& lesson_id, const LessonStep& step
     const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
                                            {.origin = state.scene_origin, .reach = state.reach});
     if (!scene) return {};
-    const Language spoken = spoken_language();  // the window speaks its state's
+    const Language spoken = spoken_language();  // the window sets its state's language
     LessonFindings findings;
     RestingWindow window(renderer, state, *scene);
     if (const Status rests = window.rest(request); !rests) findings.push_back(found(rests.error()));

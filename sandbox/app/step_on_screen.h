@@ -1,4 +1,4 @@
-// The window of a lesson's step before the answer: whether the answer can be read off it.
+// Checks whether the answer to a lesson's step is already visible in the window before it is revealed.
 #pragma once
 
 #include "report/lesson_check.h"

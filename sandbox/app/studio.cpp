@@ -90,7 +90,7 @@ bool Studio::is_held() const {
 void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     if (!layout.camera.empty()) shown_.camera_px = layout.camera.size_px();  // otherwise another view fills the window
     const bool is_interactive = surroundings.shows_time;
-    // For a person's first picture, measure the driver's depth format only if the picture depends on it.
+    // For the user's first picture, measure the driver's depth format only if the picture depends on it.
     const bool knows_driver = is_interactive && drawn_.scene_version >= 0;
     const Viewport viewport = knows_driver ? renderer_.viewport(shown_.camera_px, shown_.params.depth.format)
                                            : renderer_.viewport(shown_.camera_px, shown_.params, session.scene());

@@ -1,4 +1,4 @@
-// The pictures in the window's views, each with a View of its own.
+// The pictures in the window's views, each with its own View.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Remembers theme, scale, language, the habits of the mouse and the window's place for the next run. Read
+// Remembers theme, scale, language, mouse habits and the window's place for the next run. Read
 // state/person/remembered.h for the file.
 #pragma once
 
@@ -31,8 +31,8 @@ public:
     /// Writes changes in the background. Call once a frame. Returns the outcome of a write that has ended; an error is
     /// one sentence. While a write is in progress, the next one waits, and only the latest values are kept.
     Status remember(const Remembered& now);
-    /// Remembers the choices made in this frame and the person's progress, and passes additions by other windows to the
-    /// workbench. `keeps_answers` says that the exercises are the person's own, not those of an opened hand-in.
+    /// Remembers the choices made in this frame and the user's progress, and passes additions by other windows to the
+    /// workbench. `keeps_answers` says that the exercises are the user's own, not those of an opened hand-in.
     Status follow(const Requests& requests, Workbench& workbench, bool keeps_answers);
     /// Call when another window may have written the file, that is, when this window gets the focus or the page is
     /// notified. follow() and the workbench's frame then adopt the file's content.

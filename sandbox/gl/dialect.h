@@ -9,7 +9,7 @@
 
 namespace viewing::gl {
 
-/// Returns "#version 330 core" or "#version 300 es", without a newline, for libraries with shaders of their own.
+/// Returns "#version 330 core" or "#version 300 es", without a newline, for libraries with their own shaders.
 const char* shader_version();
 
 /// Returns the first lines of every shader: its version, and default precisions for types that have none.

@@ -56,7 +56,7 @@ StoredPixel stored_pixel(std::uint32_t depth, int stencil, const DepthPrecision&
     return pixel;
 }
 
-/// Returns the precision in which a target's buffer stores depths. Formats with fewer bits are stored in 24 bits
+/// Returns the precision with which a target's buffer stores depths. Formats with fewer bits are stored in 24 bits
 /// without loss.
 DepthPrecision precision_in(const gl::Target& target) {
     switch (target.spec().depth) {

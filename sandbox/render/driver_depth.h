@@ -1,4 +1,4 @@
-// Measures the precision in which the driver stores depth, and the unit of its polygon offset, by drawing rows of
+// Measures the precision with which the driver stores depth, and the unit of its polygon offset, by drawing rows of
 // pixels that pass or fail the depth test. Works even if depth cannot be read back.
 #pragma once
 

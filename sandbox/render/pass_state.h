@@ -1,6 +1,6 @@
-// Translates the state of a pass into GL calls. Every pass sets all state that it depends on, and after a frame, all of
-// that state has GL's default values again, so that nothing leaks into the next pass or the user interface. Read
-// renderer.cpp next.
+// Translates the state of a pass into GL calls. Every pass sets all state that it depends on, so that nothing leaks
+// into the next pass. After a frame, all of that state has GL's default values again, so that nothing leaks into the
+// user interface. Read renderer.cpp next.
 #pragma once
 
 #include "frame/plan.h"

@@ -57,7 +57,7 @@ glm::dvec3 PixelProbe::unprojected(const glm::dvec2& ndc, double window_depth) c
     return glm::dvec3(point) / point.w;
 }
 
-/// Without near and far, only P's inverse tells where a depth lies.
+/// Without near and far, only the inverse of P can locate a depth.
 void PixelProbe::locate_without_lens(PixelReport& report, const glm::dvec2& ndc) const {
     const glm::dvec3 point = unprojected(ndc, report.window_depth);
     const double code = code_width(report.precision, report.window_depth);

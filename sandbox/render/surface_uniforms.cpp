@@ -62,8 +62,8 @@ glm::dvec3 patch_normal(const Pass& pass, const glm::dmat4& placed_from_model) {
     return normal / (glm::dot(normal, to_eye) < 0.0 ? -length : length);
 }
 
-/// Returns how the window depth of a shadow's plane depends on x and y, in pixels from the lower left, and 1; 0 if the
-/// plane is seen edge-on.
+/// Returns the coefficients of x, y and 1 in the window depth of a shadow's plane, where x and y are in pixels from the
+/// lower left; 0 if the plane is seen edge-on.
 glm::dvec3 depth_in_plane(const FrameState& frame, const Pass& pass) {
     const PlanePatch& patch = frame.plan.patches[pass.plane];
     glm::dmat3 columns(1.0);

@@ -34,14 +34,13 @@ public:
     /// Returns the student's data as typed, complete or not.
     const Student& student() const { return student_; }
     /// Opens a student's sheet and restores its earlier answers. If the number or the course is missing, or if the
-    /// student `practices`, opens the practice sheet instead, whose numbers belong to nobody and which is never handed
-    /// in.
+    /// student `practices`, opens the practice sheet instead. Its numbers belong to nobody, and it is never handed in.
     void sit_down(const Student& student, bool practices = false);
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
     /// Whether the student's number and course are known; if so, a practicing student can return to their own sheet.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
-    /// How many exercises the student has tried in practice, and how many of these have the student's own numbers and
-    /// include attempts that this sheet lacks.
+    /// The number of exercises that the student has tried in practice, and the number of those that have the student's
+    /// own numbers and include attempts that this sheet lacks.
     struct Practiced {
         int all = 0, with_own_numbers = 0;
     };
@@ -55,8 +54,8 @@ public:
     /// Opens the sheet of a hand-in's student, with the attempts of the hand-in.
     void take_hand_in(HandIn hand_in);
 
-    /// Called once a frame: takes over what has been read, and writes changes in the background. Returns the error of a
-    /// read or write.
+    /// Called once a frame: applies finished reads, and writes changes in the background. Returns the error of a read
+    /// or write.
     Status update(double now_s);
     /// Returns the time until a pending change needs an update(), even if nothing else happens; negative if no change
     /// is pending.

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Returns when a file was last written; none if it is not there.
+/// Returns the time when a file was last written; none if the file does not exist.
 std::optional<std::filesystem::file_time_type> time_of(const std::filesystem::path& file) {
     std::error_code error;
     const auto time = std::filesystem::last_write_time(file, error);

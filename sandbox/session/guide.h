@@ -26,8 +26,8 @@ public:
     void begin(Lesson lesson, std::size_t step, Session& session);
     /// Begins a run with earlier answers.
     void begin(LessonRun run, Session& session);
-    /// Called once a frame: starts a lesson that has been read, reads a lesson again whose file has changed, and
-    /// advances a reveal by `dt_s`.
+    /// Called once a frame: starts a lesson that has been read, rereads a lesson whose file has changed, and advances a
+    /// reveal by `dt_s`.
     void update(Session& session, double dt_s);
 
     /// Returns the run of the open lesson; null if no lesson is open.
@@ -35,9 +35,10 @@ public:
     const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
     /// Whether the lesson is visible; otherwise it waits for resume().
     bool is_shown() const { return run_ && is_shown_; }
-    /// Whether a lesson from somebody's own file is shown, which may change: update() needs a call each second.
+    /// Whether the shown lesson comes from a user's own file, which may change. If so, update() needs a call each
+    /// second.
     bool watches_file() const;
-    /// Lets the next update() see whether that file has changed.
+    /// Makes the next update() check whether that file has changed.
     void look_at_file() { unwatched_s_ = 1e9; }
     bool is_reading() const { return reading_.is_running(); }
 
@@ -52,8 +53,8 @@ public:
     /// reveals the covered parts.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// Goes to the question's answer, then to the next step's question; in a sheet, goes directly to the next step. If
-    /// a reveal is in progress, only finishes it. A card that ends a lesson comes before the next step; after the last
-    /// one, nothing follows.
+    /// a reveal is in progress, only finishes it. The card that ends a lesson comes before the next step. After the
+    /// last step and its card, does nothing.
     void next(Session& session);
     /// Goes back to the question, then to the previous step, with its answer if that was shown; in a sheet, goes
     /// directly to the previous step.

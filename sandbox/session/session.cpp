@@ -96,7 +96,7 @@ void Session::frame_all(double aspect) {
     Bounds all = scene_.bounds_world;
     for (const PlaneParams& plane : params.planes)
         for (const glm::dvec3& corner : plane_patch(plane.equation, plane.extent).corners()) all.add(corner);
-    // A point light belongs to the picture unless the scene would be a speck beside it.
+    // Include a point light unless the scene would then be a speck in the picture.
     constexpr double most_scene_sizes = 3.0;
     const glm::dvec3 center = all.center();
     const double farthest = most_scene_sizes * glm::length(all.size());

@@ -23,11 +23,11 @@ struct OutsideFile {
     std::string named_by;        ///< the state's name, or "clipboard"
 };
 
-/// A line of good or bad news for the status bar.
+/// A message for the status bar: about a success, or about an error.
 struct Message {
     std::string text;
     bool is_error = false;
-    double shown_s = 0.0;   ///< good news disappears after a while
+    double shown_s = 0.0;   ///< success messages disappear after a while
     bool is_drawn = false;  ///< shown_s counts from then on
 };
 
@@ -69,8 +69,8 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Answers that question. If `may_read` is true, this session may read any file in that file's folder, whatever
-    /// names it.
+    /// Answers that question. If `may_read` is true, this session may read any file in that file's folder, no matter
+    /// what names the file.
     void answer(bool may_read);
 
     /// Moves the camera, which keeps moving until it comes to rest.

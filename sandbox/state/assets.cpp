@@ -1,4 +1,4 @@
-// Finds the assets directory and says what is wrong with it.
+// Finds the assets directory and reports any problem with it.
 #include <cstdlib>
 #include <vector>
 

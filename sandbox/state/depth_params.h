@@ -26,7 +26,7 @@ struct DepthParams {
     DecalMethod decals = DecalMethod::offset;  ///< keeps objects marked "decal" from fighting with the surface below
 
     double clear_value =
-        1.0;  ///< of glClearDepth for standard depth: 0 near, 1 far; reversed depth clears to 1 minus it
+        1.0;  ///< for glClearDepth with standard depth: 0 near, 1 far; reversed depth clears to 1 minus this
 
     // These are correct by default; changing one shows the error that its default prevents.
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared

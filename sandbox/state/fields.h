@@ -25,8 +25,8 @@ struct EnumRef {
     void set(int index) const { assign(value, index); }
 };
 
-/// The elements of a list after the first. The state file keeps the first in a group of its own ("light") and the rest
-/// in an array ("lights"), each with the fields of that group. Only this template encodes that rule.
+/// The elements of a list after the first. The state file keeps the first in its own group ("light") and the rest in an
+/// array ("lights"), each with the fields of that group. Only this template encodes that rule.
 template <typename Element>
 struct Further {
     static constexpr bool has_lights = std::is_same_v<Element, LightParams>;
@@ -37,7 +37,7 @@ struct Further {
     std::span<Element> elements() const { return std::span(*all).subspan(1); }
 };
 
-/// Matrices entered by hand, except those of the first plane and its first light, which have fields of their own.
+/// Matrices entered by hand, except those of the first plane and its first light, which have their own fields.
 struct FurtherOverrides {
     std::array<PlaneOverrides, most_planes>* all;
 };
@@ -58,7 +58,7 @@ struct Field {
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
     bool may_be_infinite = false;   ///< "infinite" is allowed above the range
-    double least_above_zero = 0.0;  ///< unless 0: the range has a gap from 0, which is a value of its own, to this
+    double least_above_zero = 0.0;  ///< unless 0: values between 0, which is valid, and this are not allowed
     std::string_view help;          ///< its effect, in a few sentences
     std::string_view formula = "";  ///< the formula that uses the field; "" if none
     std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none
@@ -70,7 +70,7 @@ struct Field {
     std::string_view name() const { return path.substr(path.rfind('.') + 1); }
 };
 
-/// What a file contains instead of a number where Field::may_be_infinite allows it.
+/// The text for an infinite value in a file, where Field::may_be_infinite allows it.
 inline constexpr const char* infinite = "infinite";
 
 /// Returns all fields in the order of the state file.
@@ -91,7 +91,7 @@ std::vector<const Field*> fields_of(std::string_view group);
 /// Returns the JSON form of an element of the group's list: `{"equation": [a, b, c, d], "extent", …}`.
 std::string element_form(std::string_view group);
 
-/// Returns how many lights or planes there are if each of them has the field; 1 for any other field.
+/// Returns the number of lights or planes if each of them has the field; 1 for any other field.
 std::size_t element_count(const Field& field, const Params& params);
 
 /// The inclusive range of a field's component. The w of a light has the range 0 … 1; all other components have the
@@ -126,10 +126,10 @@ double least_near(const Params& params);
 inline constexpr double least_positive_near = 1e-6;
 
 /// Returns whether the state's projection and depth mapping allow an infinite far: parallel view rays and a logarithm
-/// need an end.
+/// need a finite one.
 bool may_have_infinite_far(const Params& params);
 
-/// Returns how far apart two opposite edges of the picture's window must be at least.
+/// Returns the minimum distance between two opposite edges of the picture's window.
 double least_window(double low, double high);
 
 /// The smallest aspect ratio other than 0: a smaller one would squeeze the picture into a line.

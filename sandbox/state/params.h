@@ -22,7 +22,7 @@
 
 namespace viewing {
 
-/// The last two are the first two with a window of their own: glFrustum and glOrtho.
+/// The last two are the first two with an explicit window: glFrustum and glOrtho.
 enum class ProjectionType { perspective, orthographic, frustum, orthographic_window };
 enum class Theme { dark, light, projector };
 enum class Language { en, ko };
@@ -37,7 +37,7 @@ struct CameraParams {
     /// Returns eye, center and up of this camera; the center is at the depth of the target or, if the target is not at
     /// least 0.1 in front of the eye, 1 away.
     LookAt look_at() const;
-    /// Takes position, angles and target from eye, center and up; returns what made these degenerate.
+    /// Sets position, angles and target from eye, center and up. Returns the reason if these are degenerate.
     LookAtFault look(const LookAt& look_at);
     bool operator==(const CameraParams&) const = default;
 };
@@ -52,13 +52,13 @@ struct ProjectionParams {
         return type == ProjectionType::orthographic || type == ProjectionType::orthographic_window;
     }
     bool has_window() const { return type == ProjectionType::frustum || type == ProjectionType::orthographic_window; }
-    /// Chooses the type; the window stays as it is.
+    /// Sets the type; leaves the window unchanged.
     void set_type(bool orthographic, bool window);
     Edges window() const { return {left, right, bottom, top}; }
     void set_window(const Edges& edges);
     /// Enlarges an orthographic picture, window or height, about the view axis.
     void scale_picture(double factor);
-    /// Returns the same projection with the view axis in the middle of the picture: no window, but as high.
+    /// Returns the same projection with the view axis in the middle of the picture: no window, but the same height.
     ProjectionParams centered() const;
     bool operator==(const ProjectionParams&) const = default;
 };
@@ -83,11 +83,11 @@ struct PlaneOverrides {
     bool operator==(const PlaneOverrides&) const = default;
 };
 
-/// The followed point: a vertex of an object in the scene, or a point of one's own.
+/// The followed point: a vertex of an object in the scene, or any other point.
 struct Follow {
     std::string object;
     int vertex = 0;
-    std::optional<glm::dvec3> point = {};  ///< in world space, in place of object and vertex
+    std::optional<glm::dvec3> point = {};  ///< in world space, instead of object and vertex
     bool operator==(const Follow&) const = default;
 };
 
@@ -160,7 +160,7 @@ struct Params {
 
     /// Returns the lens of P: that of a P entered by hand, if it has one, or else the lens that P is computed from. If
     /// slips.degrees_as_radians is on, fovy is read as radians. The field of view is then negative if cot(fovy/2) is,
-    /// which rotates the picture by 180°, and it is kept away from 0° and ±180°, so that P has an inverse.
+    /// which rotates the picture by 180°. It is kept away from 0° and ±180°, so that P has an inverse.
     Lens lens() const;
 
     /// Returns the lens of the P entered by hand; none if there is no such P, or if no lens makes it.
@@ -170,7 +170,8 @@ struct Params {
     /// are then those of the picture. Its projection may have values beyond the fields' ranges.
     Params with_projection_by_hand() const;
 
-    /// Returns how many times as large reflection.fovy makes the picture in a mirror; 1 if it is the camera's.
+    /// Returns the factor by which reflection.fovy enlarges the picture in a mirror; 1 if the mirror uses the camera's
+    /// fovy.
     double mirror_picture_scale() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }

@@ -28,7 +28,7 @@ struct NamedFile {
     /// Whether its state sets the theme or the text size; if so, the preset opens only from the list, and Page Down
     /// skips it.
     bool sets_looks = false;
-    std::vector<int> slides = {};  ///< its "slides" field: the slides of the lecture that it is for
+    std::vector<int> slides = {};  ///< its "slides" field: the lecture slides to which the file belongs
 };
 
 /// Returns the presets of the assets directory in the order of the lecture, as listed in lecture.json next to them

@@ -40,7 +40,7 @@ struct Scene {
 /// directory.
 std::filesystem::path assets_directory();
 
-/// Says what is wrong with the assets directory: it is missing, or it contains no presets, scenes, lessons or
+/// Returns what is wrong with the assets directory: it is missing, or it contains no presets, scenes, lessons or
 /// exercises. Returns "" if nothing is wrong. Names the environment variable if that is the cause.
 std::string assets_problem();
 

@@ -23,7 +23,7 @@ enum class ShapeKind { box, sphere, torus, cylinder, cone, quad, triangle, teapo
 
 /// Options for reading a mesh file.
 struct MeshReading {
-    double crease_deg = 30.0;  ///< largest angle between faces that computed normals smooth over: 0 … 180
+    double crease_deg = 30.0;  ///< largest angle between faces with smooth computed normals: 0 … 180
     bool fit = true;           ///< centers and scales the mesh; off: keeps the file's coordinates
     bool operator==(const MeshReading&) const = default;
 };

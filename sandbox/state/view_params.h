@@ -56,7 +56,7 @@ struct BesideParams {
     double share = 0.5;                             ///< the fraction of the view to the left of the divider
     DepthFormat format = DepthFormat::d32f;         ///< for other_depth
     DepthMapping mapping = DepthMapping::reversed;  ///< for other_depth
-    Settings set;                                   ///< for settings: what is different in the second picture
+    Settings set;                                   ///< for settings: the fields that differ in the second picture
     bool operator==(const BesideParams&) const = default;
 };
 
@@ -90,11 +90,11 @@ struct ViewParams {
     std::optional<Pin> pin;           ///< overrides `pixel`
     std::optional<glm::ivec2> cells;  ///< columns and rows of cells around that pixel; none: as many as stay readable
     int call = -1;                    ///< the last draw call to draw, counted from 0; −1: draws all
-    int triangle = -1;                ///< how many triangles of that call to draw; −1: all of them
+    int triangle = -1;                ///< the number of triangles of that call to draw; −1: all
     int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all
     int derivation_step = -1;         ///< the last line of a derivation to show, counted from 0; −1: shows all
-    double division = 1.0;            ///< of clip space: 0 eye space, 1 after the division by w
-    double way = 0.0;                 ///< of a point: 0 world, 1 eye, 2 clip space, 3 NDC, 4 window
+    double division = 1.0;            ///< in the clip space view: 0 eye space, 1 after the division by w
+    double way = 0.0;                 ///< progress of a point: 0 world, 1 eye, 2 clip space, 3 NDC, 4 window
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     LayoutParams layout;
     bool operator==(const ViewParams&) const = default;

@@ -26,7 +26,7 @@ struct VisibilityParams {
     bool operator==(const VisibilityParams&) const = default;
 };
 
-/// Returns whether GL alone draws the method's picture; all other methods first do work of their own, such as sorting.
+/// Returns whether GL alone draws the method's picture; all other methods first do their own work, such as sorting.
 inline bool is_drawn_by_gl_alone(VisibilityMethod method) {
     return method == VisibilityMethod::depth_buffer || method == VisibilityMethod::none;
 }

@@ -50,8 +50,8 @@ Grid LayOut(ImVec2 min, ImVec2 max, int columns, int rows) {
     return grid;
 }
 
-/// Returns black or white, whichever has more contrast, which is at least 4.5 : 1 on any color. Source: WCAG 2,
-/// relative luminance.
+/// Returns black or white, whichever has more contrast: at least 4.5 : 1 on any color. Source: WCAG 2, relative
+/// luminance.
 ImU32 ContrastingInk(ImU32 color) {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
     const auto linear = [](float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F); };

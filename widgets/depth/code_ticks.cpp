@@ -36,7 +36,7 @@ struct CodeTick {
     bool is_joined;
 };
 
-/// Returns every n-th tick, so that the ticks stay apart in the upper row, and the last one in any case.
+/// Returns every n-th tick, so that the ticks in the upper row stay apart, and always the last tick.
 std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
     const std::size_t last = eye_distances.size() - 1;
     const std::size_t most = std::max<std::size_t>(static_cast<std::size_t>((rows.right - rows.left) / Px(6)), 1);

@@ -13,7 +13,8 @@ std::optional<double> ValueAt(const ChartCurve& curve, double x);
 /// Returns the first emphasized curve, which the readout and the marks use; null if there is none.
 const ChartCurve* EmphasizedOf(std::span<const ChartCurve> curves);
 
-/// Draws a curve as a line without markers: dotted, or else faint unless it is emphasized.
+/// Draws a curve without markers: as dots if `dotted`, otherwise as a line, which is faint unless the curve is
+/// emphasized.
 void DrawPlainCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& curve, bool dotted);
 /// Returns the color of a curve that is not emphasized.
 ImU32 FaintColor(ImU32 color);

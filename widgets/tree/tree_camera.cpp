@@ -53,7 +53,7 @@ ImVec2 TreeCamera::HalfBox() const {
 bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state) {
     constexpr int least_levels = 3;
     const double room = ViewSize(camera).x - 2.0 * margin;
-    // From the back row, fewer and larger nodes are read.
+    // Viewers in the back row need fewer, larger nodes.
     const double zoom =
         CurrentContext().is_on_stage ? 2.0 * TreeCamera::comfortable_zoom : TreeCamera::comfortable_zoom;
     const auto fits = [room, zoom](const TreeLayout& layout) {

@@ -202,8 +202,8 @@ private:
                   Shown(color), label);
     }
 
-    /// Draws the traversal number above the node, on the side away from the edge to the parent, in smaller type if it
-    /// would overlap a neighbor's number, and not at all if even the least type would.
+    /// Draws the traversal number above the node, on the side away from the edge to the parent. Uses smaller type if
+    /// the number would overlap a neighbor's, and omits the number if it would overlap even in the smallest type.
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);

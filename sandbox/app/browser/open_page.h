@@ -1,5 +1,5 @@
 // The state of the page, shared by the two files that page.js calls into: page.cpp handles events, frames and the text
-// that a person sees; requests.cpp handles requests by name.
+// that the user sees; requests.cpp handles requests by name.
 #pragma once
 
 #include <memory>

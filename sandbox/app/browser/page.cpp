@@ -151,7 +151,7 @@ void tell_standstill() {
 }
 
 /// Whether the sandbox uses this key when embedded. All keys belong to the host page, with two exceptions: any key
-/// while a person types or chooses from a list, and the flying keys while the pointer is over the picture.
+/// while the user types or chooses from a list, and the flying keys while the pointer is over the picture.
 bool uses_embedded(const KeyChanged& change) {
     constexpr std::array flying{Key::w, Key::a, Key::s, Key::d, Key::q, Key::e, Key::r, Key::f};
     const ImGuiIO& io = ImGui::GetIO();

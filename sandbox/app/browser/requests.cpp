@@ -189,7 +189,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open(const char* text) {
     if (const std::string trouble = text_trouble(std::strlen(text)); !trouble.empty()) return given(trouble);
     Result<LoadedState> state = state_to_open(text);
     if (!state) return given(state.error());
-    // Keep the look and layout chosen by the person or the host page, unless the state sets its own.
+    // Keep the look and layout chosen by the user or the host page, unless the state sets its own.
     Session& session = page->studio.session;
     if (state->params.ui == UiParams{}) state->params.ui = session.params.ui;
     if (state->params.view.layout == LayoutParams{}) state->params.view.layout = session.params.view.layout;

@@ -21,7 +21,7 @@ public:
     /// Takes the notes window; null if none can be made, in which case the notes do not appear anywhere.
     void take(std::unique_ptr<NotesWindow> window) { window_ = std::move(window); }
 
-    /// Returns the notes window; null if there is none, or if the person has closed it.
+    /// Returns the notes window; null if there is none, or if the user has closed it.
     GLFWwindow* shown_window() const { return window_ && window_->is_shown() ? window_->glfw() : nullptr; }
 
     /// Updates the page if it has changed. An error is one sentence about the file.

@@ -103,7 +103,7 @@ void NotesWindow::set(Notes notes) {
     is_stale_ = true;
 }
 
-/// Draws the notes with the labels in a column of their own.
+/// Draws the notes with the labels in a separate column.
 void NotesWindow::lay_out(float width) const {
     const widgets::Palette& palette = palette_of(theme_);
     const auto line = [](ImFont* font, ImU32 color, float x, float room, const std::string& text) {

@@ -2,8 +2,8 @@
 // Closing the window only hides it; keys pressed in it control the lesson.
 //
 // The first window's GL context draws the notes, with a second ImGui context that gets no input, into a texture. The
-// second window's context shares this texture and copies it to its screen. So ImGui's backends know only one context,
-// and a slow or missing notes window does not disturb the lecture.
+// second window's context shares this texture and copies it to its screen. ImGui's backends therefore use only one
+// context, and a slow or missing notes window does not disturb the lecture.
 #pragma once
 
 #include <memory>
@@ -30,7 +30,7 @@ public:
     NotesWindow& operator=(const NotesWindow&) = delete;
 
     GLFWwindow* glfw() const { return window_; }
-    /// True until the person closes the window.
+    /// True until the user closes the window.
     bool is_shown() const;
 
     /// Sets the notes to show from the next draw() on.

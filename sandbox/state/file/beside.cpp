@@ -43,7 +43,7 @@ bool show_beside(Params& params, Params other) {
     });
     if (set.empty()) return false;
     params.view.beside.shows = Beside::settings;
-    // As a file would give them back, so that writing and reading a state changes nothing.
+    // Store the settings as if they were read from a file, so that writing and reading a state changes nothing.
     const Json written = parse_document(print_document(settings_as_json(set)), "");
     params.view.beside.set.all = read_settings(written, {});
     return true;

@@ -12,7 +12,7 @@ namespace viewing {
 bool may_differ_beside(std::string_view path);
 
 /// Returns the parameters of the second picture: those of the first with its settings applied, moved into their ranges
-/// (a far that was lowered below a changed near, for instance). Without a second picture, returns `params`.
+/// (for instance, if far was lowered below a changed near). Without a second picture, returns `params`.
 Params beside_params(const Params& params);
 
 /// Makes the second picture show `other`: the fields in which it differs become view.beside.set. Differences that the

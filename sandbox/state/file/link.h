@@ -15,8 +15,8 @@ namespace viewing {
 std::string link_base();
 
 /// Returns "#1", followed by the fields that differ from the defaults as compact JSON, compressed with zlib and encoded
-/// as base64url without padding. The opening state also has a link, a short one. File names stay unchanged, because a
-/// link carries no files.
+/// as base64url without padding. The opening state also has a link, which is short. File names stay unchanged, because
+/// a link carries no files.
 std::string link_fragment(const Params& params);
 
 /// Returns "#lesson=ID&step=N"; `step` counts from 1.

@@ -112,7 +112,7 @@ std::vector<std::string> read_names(const Json& value, const Field& field, const
 }
 
 /// Reads the differences of the second picture. Each must be possible in some state; beside_params() makes them fit
-/// the state at hand.
+/// the current state.
 Settings read_differences(const Json& value, const Field& field, const Where& where) {
     require_object(value, where, allowed_text(field));
     Settings differences{read_settings(value, where)};

@@ -56,7 +56,7 @@ void read_group(Params& params, const Json& object, const Where& where);
 Json field_as_json(const Field& field, Params& params, std::size_t element = 0);
 Json params_as_document(Params params);
 
-// ---- camera.look_at (look_at_reader.cpp): read in place of position, yaw, pitch and roll, and never written --------
+// ---- camera.look_at (look_at_reader.cpp): read instead of position, yaw, pitch and roll, and never written ---------
 
 inline constexpr std::string_view look_at_path = "camera.look_at";
 
@@ -75,7 +75,7 @@ void require_one_camera(const Json& camera, const Where& where);
 /// far, a nonzero normal, a nonzero light, and planes and lights that exist.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Reads "slides", the slides of the lecture that something is for; empty if there are none.
+/// Reads "slides" of an object: the lecture slides to which the object belongs; empty if there are none.
 std::vector<int> read_slides(const Json& object, const Where& where);
 
 /// Checks the titles of a file, which are all optional, removes them from the tree, and returns them.

@@ -13,7 +13,7 @@ struct Titles {
     std::string about;             ///< a sentence
     std::string group;             ///< the heading above it in a list
     std::string fixed_by;          ///< for a state that breaks the picture: the setting that fixes it
-    std::vector<int> slides = {};  ///< the slides of the lecture that it is for
+    std::vector<int> slides = {};  ///< the lecture slides to which the file belongs
     bool operator==(const Titles&) const = default;
 };
 

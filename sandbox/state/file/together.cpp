@@ -45,7 +45,7 @@ void check_overrides(const Params& params, const Where& where) {
     }
 }
 
-/// Refuses a window without width or height, or one whose edges are exchanged.
+/// Refuses a window without width or height, or one whose edges are swapped.
 void check_edges(const Params& params, const char* low_path, double low, const char* high_path, double high,
                  const Where& root) {
     if (!params.projection.has_window() || high - low >= least_window(low, high)) return;

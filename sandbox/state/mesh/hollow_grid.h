@@ -20,7 +20,7 @@ public:
 
     std::size_t size() const { return corners_.size(); }  ///< number of corners at the last fill()
 
-    /// Returns whether `is_found` holds for any corner that may be inside a triangle or on its border. Tests the
+    /// Returns whether `is_found` is true for any corner that may be inside a triangle or on its border. Tests the
     /// corners in the cells that the triangle touches until it finds one, and permanently drops those that are no
     /// longer hollow.
     template <typename IsHollow, typename IsFound>
@@ -41,7 +41,8 @@ private:
     glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
     static std::uint32_t clamped(double cell, std::uint32_t count);
     std::size_t cell_of(const glm::dvec2& place) const;
-    /// Returns which of the `count` cells along one axis a triangle touches inside a slab of the other axis (`across`).
+    /// Returns the cells, out of `count` along one axis, that a triangle touches inside a slab of the other axis
+    /// (`across`).
     static Cells cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count);
     Cells rows_of(const Triangle& in_cells) const;
     Cells columns_of(const Triangle& in_cells, std::uint32_t row) const;

@@ -54,7 +54,7 @@ private:
         return place;
     }
 
-    /// An edge that starts at the position: its other end, and the entry of about_ whose face it belongs to.
+    /// An edge that starts at the position: its other end, and the entry of about_ for its face.
     struct Edge {
         int end;
         std::uint32_t place;

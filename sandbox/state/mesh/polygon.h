@@ -21,7 +21,7 @@ public:
 
     enum class Outcome {
         filled,
-        crosses_itself,  ///< a fan covers what cannot be cut correctly
+        crosses_itself,  ///< a fan covers the part that cannot be cut correctly
         takes_too_long,  ///< nothing was appended
     };
 

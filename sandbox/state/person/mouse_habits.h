@@ -1,4 +1,4 @@
-// How a person moves the camera with the mouse: remembered for the window like the theme, and never part of a state.
+// How the user moves the camera with the mouse: remembered for the window like the theme, and never part of a state.
 #pragma once
 
 namespace viewing {

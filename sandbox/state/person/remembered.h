@@ -1,6 +1,6 @@
 // Settings that the window remembers for a user between runs: the theme, the scale, the language, the window's size and
-// place, the habits of the mouse, the progress in lessons, the recent files and the student, but never the state. Only
-// the window reads and writes them; a headless command uses only the files that it is given.
+// place, the mouse habits, the progress in lessons, the recent files and the student, but never the state. Only the
+// window reads and writes them; a headless command uses only the files that it is given.
 #pragma once
 
 #include <filesystem>

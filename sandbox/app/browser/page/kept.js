@@ -1,13 +1,13 @@
-// Keeps the program's files of settings and answers in localStorage from one visit to the next. While storage is
-// refused or full, a bar says so, and the answers can be saved as a file. Other tabs write the same files: the program
-// merges the text of another tab with its own, even if this tab has overwritten that text. Loaded after net.js.
+// Keeps the program's settings and answer files in localStorage between visits. While storage is refused or full, a bar
+// says so, and the answers can be saved as a file. Other tabs write the same files: the program merges the text of
+// another tab with its own, even if this tab has overwritten that text. Loaded after net.js.
 'use strict';
 
 const kept = (() => {
   const $ = (id) => document.getElementById(id);
   const isAnswers = (path) => path.startsWith(net.answers_folder);
 
-  const seen = new Map();  // path: the stored text that the program knows
+  const seen = new Map();  // path: the stored text that the program has read or written
   const put = (path, text) => {
     FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     FS.writeFile(path, text);
@@ -46,7 +46,7 @@ const kept = (() => {
 
   // ---- Files that are not kept, and the bar that says so
 
-  const saved = new Map();  // path: the text that the person has saved as a file
+  const saved = new Map();  // path: the text that the user has saved as a file
   let is_full = false, since = '', is_hidden = false, is_silent = false, asks_before = false, has_asked = false;
 
   const unsaved = () => net.answers().filter(({path, text}) => net.unkept.has(path) && saved.get(path) !== text);
@@ -83,7 +83,7 @@ const kept = (() => {
   };
 
   /// Asks for confirmation before the page closes and answers are lost. Listens only after the first refusal: with a
-  /// beforeunload listener, browsers cannot restore the page unchanged when the person comes back.
+  /// beforeunload listener, browsers cannot restore the page unchanged when the user comes back.
   const askBeforeItGoes = () => {
     if (asks_before) return;
     asks_before = true;

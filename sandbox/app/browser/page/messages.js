@@ -10,7 +10,7 @@ const messages = (() => {
     try {
       text = JSON.stringify(value);
     } catch {
-      // A cycle, or a number that JSON does not have.
+      // A cycle, or a number that JSON cannot represent.
     }
     text ??= String(value);
     return text.length > 60 ? text.slice(0, 60) + '…' : text;

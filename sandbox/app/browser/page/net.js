@@ -37,7 +37,7 @@ const net = (() => {
   // Keys of the browser's storage: this prefix, then the name of one of the program's files.
   const kept = 'viewing-sandbox:', settings = '/home/web_user/.config/viewing-sandbox/';
   const answers_folder = settings + 'answers/';
-  const unkept = new Map();  // path: text that the browser has not kept yet, or refused to
+  const unkept = new Map();  // path: text that the browser has not kept yet, or has refused to keep
 
   const isKorean = () => {
     if (is_open) return document.documentElement.lang === 'ko';
@@ -151,7 +151,7 @@ const net = (() => {
   window.addEventListener('error', (event) => {
     const {target, error, filename} = event;
     if (target instanceof HTMLScriptElement) return missing(target.src);
-    // A DOMException means that the browser refused one thing: the program goes on.
+    // A DOMException means that the browser refused one thing: the program continues.
     if (error && !(error instanceof DOMException) && (isOfProgram(error) || isOurs(filename ?? ''))) failed(error);
   }, true);
   window.addEventListener('unhandledrejection', ({reason}) => {

@@ -118,7 +118,7 @@ const page = (() => {
     if (location.hash !== now) write(is_same_lesson ? 'replaceState' : 'pushState', now);
   };
 
-  /// An address that the person has just typed arrives later, as an event; until then, do not overwrite it.
+  /// An address that the user has just typed arrives later, as an event; until then, do not overwrite it.
   const write = (how, fragment) => {
     if (location.hash !== known) return;
     history[how](null, '', fragment || location.pathname + location.search);
@@ -295,7 +295,7 @@ const page = (() => {
   // ---- Files
 
   const most_file_bytes = 2 ** 28;  // for figures; texts and meshes are checked when they are read
-  /// Passes a person's file to the program's function of this name.
+  /// Passes a user's file to the program's function of this name.
   const bring = async (file, name) => {
     const path = '/files/' + file.name.replace(/[/\\]/g, '_');
     try {
@@ -330,7 +330,7 @@ const page = (() => {
   const handOver = (path) => {
     const bytes = FS.readFile(path);
     if (kept.keep(path, bytes)) return;
-    FS.unlink(path);  // the person has it now
+    FS.unlink(path);  // the user has it now
     net.handOver(bytes, path.split('/').pop());
   };
 
@@ -349,7 +349,7 @@ const page = (() => {
     channel.port1.onmessage = go_on;
     channel.port2.postMessage(0);
   });
-  // Work has its own stack, so that frames can come and go while it is suspended.
+  // Work has its own stack, so that frames can run while it is suspended.
   const pause = async () => {
     const own = stackSave();
     stackRestore(base);
@@ -438,7 +438,8 @@ const page = (() => {
   };
 
   /// Dear ImGui queries these values before each frame, and each query waits for the driver. Fixed answers suffice: no
-  /// drawing code here leaves other values behind, and all of it sets again whatever ImGui restores.
+  /// drawing code here leaves other values behind, and all of it sets the state that it needs, regardless of what ImGui
+  /// restores.
   const prepareGl = (gl) => {
     const settled = new Map([
       [gl.BLEND_SRC_RGB, gl.ONE], [gl.BLEND_DST_RGB, gl.ZERO], [gl.BLEND_SRC_ALPHA, gl.ONE], [gl.BLEND_DST_ALPHA, gl.ZERO],
