@@ -86,7 +86,7 @@ target_link_libraries(web_PNG__PNG PUBLIC ZLIB::ZLIB)
 
 # smaller_fonts(RESULT FONTS…): reduces fonts with HarfBuzz to what the window can show (ui/window/fonts.cpp). The
 # Korean ones stay beside the page, which fetches them when Korean is chosen.
-# They keep the 2,350 syllables of KS X 1001, with letters and signs: what Korean text and names need.
+# They keep the 2,350 syllables of KS X 1001, and the letters and signs that Korean text and names need.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/korean.py CONTENT [[
 import sys

@@ -1,4 +1,4 @@
-// Lists all commands and runs one. commands.h declares the commands; each is in a file of its own.
+// Lists all commands and runs one. commands.h declares the commands; each is in its own file.
 #include "cli/run.h"
 
 #include <array>

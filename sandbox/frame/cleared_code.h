@@ -13,14 +13,14 @@ double start_of_cleared_code(const Params& params);
 /// Returns whether GL's depth buffer decides what is visible, and lets nearer surfaces win.
 bool lets_nearer_win(const Params& params);
 
-/// Returns whether the depths of the previous, equal frame stay and hide this frame: hides_next_frame().
+/// Returns whether the depths left by an identical previous frame hide this frame: hides_next_frame().
 bool previous_frame_hides(const Params& params);
 
-/// Returns whether GL_LESS, in a buffer cleared to the farthest depth, rejects all that is in view, because depth has
+/// Returns whether GL_LESS, in a buffer cleared to the farthest depth, rejects everything in view, because depth has
 /// the code of the cleared buffer everywhere.
 bool has_only_cleared_code(const Params& params, const Derived& derived, const Scene& scene);
 
-/// Returns whether part of a patch is in the picture, between near and far, and nearer than that distance.
+/// Returns whether part of a patch is in the picture, between near and far, and nearer than start_of_cleared_code().
 bool may_show(const PlanePatch& patch, const Params& params, const Derived& derived);
 
 /// Returns whether part of a patch is in the picture, between near and far, but beyond start_of_cleared_code().

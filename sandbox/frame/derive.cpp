@@ -70,7 +70,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     derived.aspect = aspect_of(params, derived.view_aspect);
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
     derived.stored_depth = stored_depth_of(params.depth, viewport);
-    // A P entered by hand is made for the clip range that the state names, which the driver may lack.
+    // A P entered by hand is made for the state's clip range, which the driver may not support.
     const bool lacks_range = params.depth.reversed_zero_to_one && reversed && !derived.clip_zero_to_one;
     derived.clip_from_view = !by_hand.clip_from_view ? projection_of(params, derived.aspect, derived.clip_zero_to_one)
                              : lacks_range           ? with_range_around_zero(*by_hand.clip_from_view)
@@ -102,7 +102,8 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, co
     cast.shadowed_world_from_world = by_hand.value_or(filled);
     cast.has_slip = !by_hand && largest_entry(filled - right) > 1e-9;
     cast.by_hand = by_hand.has_value();
-    // If casters are clipped at the light, the w of all that is left has one sign: forcing it negates all or nothing.
+    // If casters are clipped at the light, the w of every remaining point has the same sign, so forcing the sign
+    // negates all points or none.
     const ShadowParams& shadow = params.shadow;
     const bool forces_one_sign = shadow.sign == ShadowSign::forced && shadow.clip_at_light;
     cast.sign = shadow.sign == ShadowSign::plane_dot_light || forces_one_sign ? shadow_sign(unit_plane, light) : 1.0;

@@ -39,7 +39,7 @@ struct Landing {
     const glm::dmat4& clip_from_world;   ///< the picture's matrix: only images inside the picture count
     glm::dvec4 side;                     ///< only vertices on the positive side of this plane count
     const PlanePatch& patch;
-    /// Points of the plane that something covers count as outside the picture; null: nothing covers any.
+    /// Points of the plane that something covers count as outside the picture; null: no point is covered.
     std::function<bool(const glm::dvec3&)> is_covered = nullptr;
 
     /// Returns whether a homogeneous point of the plane, with w > 0, is covered.
@@ -63,8 +63,8 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// Returns four linear forms that are positive inside the picture's left, right, lower and upper side.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
-/// Returns whether part of a triangle of an object is where all forms, at most 32, are positive. For a mesh of more
-/// than 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
+/// Returns whether all forms, at most 32, are positive on part of some triangle of an object. For a mesh of more than
+/// 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 
 /// Returns whether any object may reach a point where all forms are positive. Visits no mesh if the scene's bounds rule
@@ -74,7 +74,7 @@ bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether any object has a vertex, not always the same one, where each of the forms is positive.
 bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 
-/// Returns whether part of a patch is where all forms are positive.
+/// Returns whether all forms are positive on part of a patch.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
 /// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is

@@ -208,9 +208,9 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
             (is_less && derived.has_distances && has_only_cleared_code(params, derived, scene)));
 }
 
-/// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
-/// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
-/// not tested, and where depth is cleared for its image, nearer fragments pass.
+/// Drops problems that cannot be seen while the depth test rejects the objects. Without the receiver's mask, a shadow
+/// beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is not
+/// tested, and where depth is cleared for its image, nearer fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
                                !params.shadow.clip_to_receiver;
@@ -223,8 +223,8 @@ void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     });
 }
 
-/// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
-/// value are drawn over each other, and all others while what was drawn in the previous frame is rejected. The
+/// Removes the fixes that may change nothing until another fix is applied: those of images while planes that share a
+/// stencil value are drawn over each other, and all others while the surfaces of the previous frame are rejected. The
 /// sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
@@ -240,7 +240,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             problem.fixed_by.clear();
 }
 
-/// Takes away the fixes that have no effect while V or P is entered by hand: its own sentence has the fix.
+/// Removes the fixes that have no effect while V or P is entered by hand: the sentence about that matrix has the fix.
 void drop_idle_fixes(std::vector<Problem>& problems, const CameraOverrides& by_hand) {
     for (Problem& problem : problems)
         if ((by_hand.view_from_world && problem.fixed_by.starts_with("camera")) ||

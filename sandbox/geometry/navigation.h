@@ -79,7 +79,7 @@ struct MovingFreedoms {
 /// Returns the freedoms of a mode: all six for fly, forward and yaw for walk, all but roll for orbit.
 MovingFreedoms available_freedoms(Navigation mode);
 
-/// Returns the freedoms that held keys ask for, available or not.
+/// Returns the freedoms that held keys request, available or not.
 MovingFreedoms asked_freedoms(const MotionInput& input);
 
 /// Returns the available freedoms in which the camera moves, due to continuing motion or this step's mouse motion.

@@ -32,8 +32,8 @@ struct Lens {
     double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
     std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
-    /// Returns the picture's edges at an eye distance. A lens with a window of its own ignores `aspect` (width /
-    /// height). With a negative fovy, left > right and bottom > top.
+    /// Returns the picture's edges at an eye distance. A lens with its own window ignores `aspect` (width / height).
+    /// With a negative fovy, left > right and bottom > top.
     Edges edges_at(double distance, double aspect) const;
     double reach = 100.0;  ///< the distance where pictures and charts end if far is infinite
 
@@ -49,16 +49,16 @@ struct Lens {
     bool operator==(const Lens&) const = default;
 };
 
-/// Returns P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height; a lens with a window of its
-/// own ignores it.
+/// Returns P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height; a lens with its own window
+/// ignores it.
 glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 
 /// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
-/// Returns the lens whose P this is up to a positive factor, with a window of its own; none if there is no such lens.
-/// `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far, or near ≤ 0; its
-/// window is that of a perspective lens at the nearer of the two. Entries up to `tolerance` count as 0.
+/// Returns the lens, with its own window, whose P equals this matrix up to a positive factor; none if there is no such
+/// lens. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far or
+/// near ≤ 0; its window is that of a perspective lens at the nearer of the two. Entries up to `tolerance` count as 0.
 std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
 
 /// Returns the eye of a camera: the point with w = 1 that P V sends to x = y = w = 0 or, if its rays are parallel, the

@@ -1,6 +1,6 @@
 // Compares two pictures with two thresholds: how far a channel may be off, and what share of the pixels may be off by
 // more. The first alone would fail on one stray edge pixel; the second alone would let a small error pass. Pictures
-// from another driver are compared with a profile of their own.
+// from another driver are compared with a separate profile.
 #pragma once
 
 #include <array>

@@ -32,7 +32,7 @@ Result<std::string> edited_step(const LessonSource& source, std::size_t step, co
     return edited(source, step, [&](Json& lesson) { edit(lesson["steps"][step]); });
 }
 
-/// Returns a sentence in a language; English if it lacks that one.
+/// Returns a sentence in a language; in English if it has no text in that language.
 std::string sentence_in(const Json& value, Language language) {
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_object()) return "";

@@ -1,6 +1,7 @@
 // Edits the text of a custom lesson: replaces parts that its author types in the window, and moves, duplicates or
-// removes steps or changes their state. Every function returns the whole new text of the file, which has been read as a
-// lesson, or one sentence that begins with `source`; the folder is that of the files that its scenes name.
+// removes steps or changes their state. Every function returns the whole new text of the file, which has been checked
+// by reading it as a lesson, or one sentence that begins with `source`. File names in its scenes are relative to the
+// folder.
 #pragma once
 
 #include <filesystem>
@@ -39,7 +40,7 @@ struct StepPart {
     Kind kind = Kind::other;
     std::size_t number = 0;  ///< of the choice, item, hint or wrong answer, from 0
     std::string place;       ///< within the step: "/ask/choices/0/say"
-    std::string text;        ///< in the language asked for; true or false for `right`; an answer as in the file
+    std::string text;        ///< in the requested language; true or false for `right`; an answer as in the file
 };
 
 /// Returns the parts of a step in the order of the screen: its text, question, choices, answer, hints, wrong answers,
@@ -52,7 +53,7 @@ Result<std::string> with_part(const LessonSource& source, std::size_t step, cons
 
 /// Moves a step; `to` is clamped to the list.
 Result<std::string> with_moved_step(const LessonSource& source, std::size_t from, std::ptrdiff_t to);
-/// Inserts a copy of a step behind it, with an id of its own.
+/// Inserts a copy of a step after it, with a different id.
 Result<std::string> with_doubled_step(const LessonSource& source, std::size_t step);
 Result<std::string> with_removed_step(const LessonSource& source, std::size_t step);
 /// Adds a choice to a question with choices, with texts for the author to replace.

@@ -57,8 +57,7 @@ inline constexpr std::size_t most_deployed = 16;
 /// if an expression fails, or if there are too many combinations or none.
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source);
 
-/// A function that returns the values that names have in a state. The returned value keeps alive everything that it
-/// refers to.
+/// A function that returns the values of names in a state. The returned value keeps alive everything that it refers to.
 using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 
 /// Returns a variant as a step, with its constants filled in and its expressions computed in the step's starting state.

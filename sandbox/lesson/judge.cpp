@@ -67,7 +67,7 @@ double best_factor(const std::vector<double>& typed, const std::vector<double>& 
     return best;
 }
 
-/// Returns what a wrong number has to do with the right one, if that is true to 0.2 %.
+/// Returns the relation of a wrong number to the right one, if it holds to within 0.2 %.
 Near relation_to(double right, double typed) {
     constexpr double relative = 2e-3, degrees_per_radian = 180.0 / 3.14159265358979323846;
     if (typed == 0.0 || right == 0.0) return Near::nothing;

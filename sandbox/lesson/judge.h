@@ -11,8 +11,8 @@ namespace viewing {
 
 /// What is right about an answer that matches no known mistake.
 enum class Near {
-    nothing,      ///< nothing that can be said
-    factor,       ///< all numbers are right but for one common factor
+    nothing,      ///< nothing to report
+    factor,       ///< all numbers are right except for one common factor
     sign,         ///< only the signs at the places are wrong
     half,         ///< the number is half of the right one
     twice,        ///< the number is twice the right one
@@ -21,10 +21,10 @@ enum class Near {
     degrees,      ///< the number is right as an angle in degrees, but it has to be in radians
     decimal,      ///< only the decimal point is in the wrong place, by up to three places
     right_parts,  ///< the rows or entries at the places are right, the others are not
-    first_items,  ///< so many tiles at the beginning are right
-    first_wrong,  ///< the first tile is another one
+    first_items,  ///< this many tiles at the beginning are right
+    first_wrong,  ///< the first tile is wrong
     no_items,     ///< none of the chosen tiles is right
-    some_items,   ///< so many chosen tiles are right; others are not, and some are missing
+    some_items,   ///< this many chosen tiles are right; others are not, and some are missing
     incomplete,   ///< every chosen tile is right, but some are missing
     too_many      ///< all right tiles are chosen, and others too
 };

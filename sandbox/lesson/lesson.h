@@ -68,7 +68,7 @@ struct WrongAnswer {
     int points = 0;                     ///< in an exercise: points that it still earns
 };
 
-/// A number that shows how far a goal is.
+/// A number that shows the progress toward a goal.
 struct GoalNumber {
     LessonText name;    ///< "V p"
     std::string value;  ///< an expression for a number or a vector

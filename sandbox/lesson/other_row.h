@@ -22,8 +22,8 @@ std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, 
                                               const glm::dvec4& asked);
 
 /// Returns the light whose S on this unit plane has this row, counted from 0. The row determines L_i and Π·L. `others`
-/// gives the light's other numbers; if Π·L differs for it, one of x, y, z is adapted, provided that only this one
-/// counts. None if there is no such light, and for a row of zeros.
+/// gives the light's other numbers; if Π·L differs for it, one of its x, y, z is adapted, provided that only this one
+/// affects Π·L. None if there is no such light, and for a row of zeros.
 std::optional<glm::dvec4> light_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& plane,
                                               const glm::dvec4& others);
 

@@ -1,4 +1,4 @@
-// How far a goal is: numbers of the current state beside the required ones.
+// The progress toward a goal: numbers of the current state beside the required ones.
 #pragma once
 
 #include <string>

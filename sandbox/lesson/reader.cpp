@@ -161,7 +161,7 @@ std::vector<LessonFile> listed(const char* folder) {
     return files;
 }
 
-/// A lesson's or a lecture's file, and the name that messages call it by.
+/// A lesson's or a lecture's file, and its name in messages.
 struct NamedSource {
     fs::path path;
     std::string source;

@@ -68,7 +68,7 @@ public:
     std::optional<Params>& reached() { return now().reached; }
     const std::optional<Params>& reached() const { return now().reached; }
 
-    /// Returns how far a goal is, as text for each number of Ask::progress, and the state that was judged.
+    /// Returns the progress toward a goal, as text for each number of Ask::progress, and the state that was judged.
     struct GoalProgress {
         std::optional<Params> at;
         std::vector<std::string> numbers;

@@ -24,7 +24,7 @@ struct SeenText {
 ///   nor −1;
 /// - the right choice as a whole line or a whole number, if no wrong choice is visible;
 /// - a row or a column of texts that equals the right order of three or more items.
-/// No finding is what the step's own sentences, its question or its hints say, and what its own controls show
+/// Texts in the step's own sentences, question and hints do not count as findings, nor do those in its own controls
 /// (layout.controls): the question starts from them.
 std::vector<std::string> seen_answers(const LessonStep& step, const Answer& right, const std::vector<SeenText>& texts);
 

@@ -270,7 +270,7 @@ std::string read_constants(const Json& object, const Where& where) {
     return object.dump();
 }
 
-/// Reads what is right. The kind of question is known.
+/// Reads the right answer. The kind of question is already known.
 void read_right(const Json& object, const LessonStep& step, Ask& ask, const std::vector<std::string>& constants,
                 const Where& where, Mistakes& mistakes) {
     if (ask.kind == AskKind::choice) {
@@ -388,7 +388,7 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
         if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");
         read_reveal(object["reveal"], step, inside.key("reveal"), mistakes);
     });
-    if (!has_constants) return step;  // expressions may use what is missing
+    if (!has_constants) return step;  // expressions may use the missing constants
     const std::vector<std::string> constants = keys_of(constants_of(step.ask));
     step.claims_before = expressions_at(object, "claims_before", inside, constants, mistakes);
     step.claims = expressions_at(object, "claims", inside, constants, mistakes);

@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// Collects the mistakes of a file, so that one run can tell them all.
+/// Collects the mistakes of a file, so that one run can report them all.
 class Mistakes {
 public:
     /// Reads one part of the file. If the part is refused, keeps the message and returns false.

@@ -27,7 +27,7 @@ std::optional<double> typed_number(std::string_view text) {
                                    return Error{name + " has no value here"};
                                },
                                nullptr, nullptr};
-    // In parentheses, a comma cannot begin a second value, whose place Lua would ignore.
+    // The parentheses make a comma an error. Without them, it would begin a second value, which Lua would ignore.
     const Result<Json> value = evaluate("(" + formula + ")", nothing, {.instructions = 20'000});
     if (!value || !value->is_number() || !std::isfinite(value->get<double>())) return std::nullopt;
     return value->get<double>();

@@ -61,7 +61,7 @@ std::vector<int> vote_shares(const VoteCounts& votes) {
     std::vector<int> shares(votes.size(), 0);
     if (total == 0) return shares;
     for (std::size_t i = 0; i < votes.size(); ++i) shares[i] = votes[i] * 100 / total;
-    // What rounding down leaves goes to the largest remainders.
+    // Percentage points lost by rounding down go to the shares with the largest remainders.
     std::vector<std::size_t> order(votes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),

@@ -42,7 +42,7 @@ public:
     void take(const VoteCounts& typed);
     /// Returns the votes as take() would leave them.
     VoteCounts with(const VoteCounts& typed) const;
-    /// Takes back the latest count() or take(). Returns false if there is none.
+    /// Undoes the latest count() or take(). Returns false if there is none.
     bool undo();
 
 private:

@@ -9,7 +9,7 @@
 namespace viewing {
 
 /// Draws the camera view without multisampling and returns its window depths as stored, rows from the top; 1 (reversed
-/// depth: 0) where only the cleared depth is. Needs a current context.
+/// depth: 0) where the buffer holds only the cleared depth. Needs a current context.
 Result<DepthImage> depth_image(Renderer& renderer, Params params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

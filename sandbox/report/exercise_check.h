@@ -1,5 +1,5 @@
-// An exercise's own tests. Checks each deployed variant like a step of a lesson, and then checks its answers again by
-// way of a hand-in.
+// An exercise's own tests. Checks each deployed variant like a step of a lesson, and then checks its answers again
+// through a hand-in.
 #pragma once
 
 #include "lesson/exercise.h"

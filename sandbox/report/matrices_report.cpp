@@ -30,8 +30,7 @@ Json followed_as_json(const FollowedPoint& followed) {
             {"mirrored", as_json(followed.mirrored_world)}};
 }
 
-/// Returns R for each plane and S for each of its lights; the first R and S are the same as those reported on their
-/// own.
+/// Returns R for each plane and S for each of its lights; the first R and S are the same as those reported separately.
 Json planes_as_json(const Derived& derived) {
     Json planes = Json::array();
     for (const DerivedPlane& plane : derived.planes) {

@@ -101,7 +101,7 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
         alone("depth.write"));
 }
 
-/// Reports a buffer that is cleared to another depth than the farthest.
+/// Reports a buffer that is cleared to a depth other than the farthest.
 void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     const bool is_reversed = depth.mapping == DepthMapping::reversed;
@@ -138,8 +138,8 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                 is_reversed && !depth.reversed_clear ? "depth.clear_value=0" : "depth.clear_value");
 }
 
-/// Returns whether the only plane is a mirror that is drawn last, without a depth test, over all that is in the
-/// picture: it shows only what is drawn inside the mask, where depth is cleared.
+/// Returns whether the only plane is a mirror that is drawn last, without a depth test, over everything in the picture:
+/// it shows only what is drawn inside the mask, where depth is cleared.
 bool is_covered_by_mirror(const Params& params, const Derived& derived, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const DerivedPlane& plane = derived.planes.front();
@@ -165,7 +165,7 @@ void say_clears(Sayer& tell, const Params& params, const Derived& derived, const
     if (!compares || rejects_all(depth) || !depth.write || is_covered_by_mirror(params, derived, scene) ||
         (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
         return;
-    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which their mirrors hide.
+    // GL_LEQUAL passes the same surfaces again. It rejects only moving objects, and images, which their mirrors hide.
     const bool shows = refuses_ties || params.reflection.enabled;
     const Sentence not_cleared =
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");

@@ -56,7 +56,8 @@ inline bool hides_next_frame(const DepthParams& depth) {
     return depth.tests() && refuses_ties && depth.write && !(depth.clear && depth.write_while_clearing);
 }
 
-/// Returns whether GL_NOTEQUAL compares with the depths of the previous frame, so that what was drawn then is rejected.
+/// Returns whether GL_NOTEQUAL compares with the depths of the previous frame, and so rejects the surfaces that were
+/// drawn then.
 inline bool rejects_previous_frame(const DepthParams& depth) {
     return depth.tests() && depth.func == CompareFunc::notequal && depth.write &&
            !(depth.clear && depth.write_while_clearing);

@@ -95,7 +95,7 @@ double with_offset(const FramePlan& plan, const PixelTriangle& triangle, double 
     return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits would be a large code
 }
 
-/// Returns the sums of two of the corners' members with these weights.
+/// Returns the weighted sums of two of the corners' members.
 glm::dvec2 weighted_pair(const ProjectedTriangle& triangle, const glm::dvec3& weights, double ProjectedCorner::*first,
                          double ProjectedCorner::*second) {
     glm::dvec2 sum(0.0);

@@ -19,7 +19,7 @@ using ProjectedTriangle = std::array<ProjectedCorner, 3>;
 /// Returns the eye distance of the point with these weights; it is negative behind the eye.
 double projected_distance(const ProjectedTriangle& triangle, const glm::dvec3& weights);
 
-/// Returns whether GL keeps the point with these weights: it is before the eye, and between near and far.
+/// Returns whether GL keeps the point with these weights: it is in front of the eye, and between near and far.
 bool is_in_clip_range(const FramePlan& plan, const ProjectedTriangle& triangle, const glm::dvec3& weights);
 
 /// Returns the window depth of a projected triangle with the offset, as depth_of() does for the camera's own matrices.

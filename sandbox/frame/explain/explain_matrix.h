@@ -18,7 +18,7 @@ enum class MatrixFault {
     transposed,          ///< rows and columns swapped
     translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
     scaled,              ///< V, C: the axes do not have length 1
-    left_handed,         ///< V, C: det −1; P: clips w = z instead of w = −z
+    left_handed,         ///< V, C: det −1; P: clip w is z instead of −z
     looks_back,          ///< V: x and z negated, as lookAtLH makes it
     degrees,             ///< P: fovy in degrees where radians belong
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
@@ -64,7 +64,7 @@ std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double
 
 /// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. For reversed depth, the third row
 /// decides or, if near and far are close together, the state. Otherwise, each range has a near that gives the same
-/// third row: 0 … 1 is meant if only its near is the state's own or has at most two digits.
+/// third row: the range is 0 … 1 if only its near is the state's own or has at most two digits.
 bool is_for_zero_to_one(const glm::dmat4& p, const Params& params, double tolerance);
 
 /// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter of the expected matrix, 0 if any.

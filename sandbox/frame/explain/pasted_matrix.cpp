@@ -19,7 +19,7 @@ bool is_word(char sign) {
     return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '_';
 }
 
-/// Removes comments: from // or # to the end of the line, from a MATLAB % too, and between /* and */.
+/// Removes comments: from //, # or MATLAB's % to the end of the line, and between /* and */.
 std::string without_comments(std::string_view text) {
     std::string kept;
     for (std::size_t at = 0; at < text.size();) {

@@ -1,4 +1,4 @@
-// Reports that culling removes the sides that face the eye, and a BSP tree that cuts too little. Part of problems.h.
+// Reports culling that removes the sides facing the eye, and a BSP tree that cuts too little. Part of problems.h.
 #include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/numbers.h"

@@ -1,4 +1,4 @@
-// Runs a hidden-surface method on a scene for a camera, and keeps everything that the views show of it: order, tree,
+// Runs a hidden-surface method on a scene for a camera, and keeps everything that the views show about it: order, tree,
 // steps, counters and picture. Read hidden_surfaces.cpp next, then hidden_drawing.h.
 #pragma once
 

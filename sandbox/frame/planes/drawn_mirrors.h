@@ -37,8 +37,8 @@ glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, co
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                        const glm::dmat4& clip_from_scene);
 
-/// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. Other planes have
-/// images too: with several planes, one may always be.
+/// Returns whether an object's image may be in the picture, by the uploaded R or by the right one. With several planes,
+/// always returns true, since the planes have images too.
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
 /// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. If

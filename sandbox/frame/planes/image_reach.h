@@ -11,14 +11,14 @@ namespace viewing {
 /// The scene as a row of mirrors shows it. Forms take a scene point (x, y, z, 1).
 struct WayThroughMirrors {
     std::vector<std::size_t> mirrors;  ///< as the view ray meets them; never empty
-    bool is_from_behind = false;       ///< the last mirror's normal points away from where it is seen from
+    bool is_from_behind = false;       ///< the last mirror's normal points away from the side that is seen
     std::vector<glm::dvec4> inside;    ///< all positive where a point's image is seen in each mirror, beyond near
     glm::dvec4 side{0.0};              ///< positive on the side of the last mirror that it should show
     glm::dvec4 distance{0.0};          ///< the image's eye distance
     glm::dvec4 before_far{0.0};        ///< positive for images that far keeps
 
-    /// Returns forms that are positive where the last mirror shows a point although it is behind it, more than
-    /// `tolerance` (world units) away.
+    /// Returns forms that are positive where the last mirror shows a point although the point is behind the mirror by
+    /// more than `tolerance` (world units).
     std::vector<glm::dvec4> forms_behind(double tolerance) const;
 };
 

@@ -44,7 +44,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     if (!lets_nearer_win(params)) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
     const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
-    Params in_patches = params;  // beside the patch, it is not this that lets the image show
+    Params in_patches = params;  // beside the patch, the image shows for another reason
     in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
         if (is_oblique && may_show_image(params, derived, mirror, scene))
@@ -54,8 +54,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
                          "plane gives the image other depths: it shows in front of the mirror"),
                 "reflection.stencil");
-        // Only without clipping, or with a wrong R or P, is an image in front of its mirror: where the picture shows
-        // it, its depth is that of a point in front.
+        // An image is in front of its mirror only without clipping, or with a wrong R or P: where the picture shows it,
+        // its depth is that of a point in front.
         const glm::dvec4 image_towards_eye =
             mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
         std::vector<std::string> in_front, touching;

@@ -13,7 +13,7 @@ namespace {
 
 /// Returns clip planes that keep the space between the light and the plane: in front of the plane, with a positive w.
 /// Where triangles may land many patch sizes away, they are also clipped around the patch if `ends_at_patch`: float32
-/// computes the depth of triangles that long too coarsely to compare it with the plane's.
+/// is too coarse to compare the depth of triangles that long with the plane's.
 std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
                                     bool ends_at_patch) {
     const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);

@@ -187,7 +187,7 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         "shadow.offset");
 }
 
-/// Returns whether part of a shadow may fall where the light's highlight is bright enough to see, in the picture.
+/// Returns whether part of a shadow in the picture may fall where the light's highlight is bright enough to see.
 bool may_reach_highlight(const Derived& derived, const Thrown& one, const Scene& scene) {
     constexpr int most = 24;
     constexpr double least = 1.0 / 512.0;
