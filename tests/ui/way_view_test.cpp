@@ -1,4 +1,4 @@
-// The lower view "The way of a point": its slider and its play button move the point, and the user can drag the point.
+// The lower view "The path of a point": its slider and its play button move the point, and the user can drag the point.
 #include "ui/views/way_view.h"
 
 #include "desk.h"

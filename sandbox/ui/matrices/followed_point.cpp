@@ -87,9 +87,7 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
     if (!widgets::OffersButton(type_button)) return;
     ImGui::SameLine(left);
     if (widgets::SmallButton(type_button)) params.follow = Follow{.object = "", .point = start};
-    widgets::Tooltip(
-        type_button,
-        "Follows a point of your own, which you can type here and drag in the views, instead of a vertex.");
+    widgets::Tooltip(type_button, "Follows a point that you can type here and drag in the views, instead of a vertex.");
 }
 
 /// Draws p's way through V and P to its pixel. A lesson that covers one of these matrices covers what it gives away.

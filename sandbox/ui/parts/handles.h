@@ -1,6 +1,6 @@
 // The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, the
 // tip of that normal, and the followed point. Views from outside also have handles for the camera, its direction, its
-// near and far planes, and the edges of a window of its own at the near plane.
+// near and far planes, and the edges of an explicit window at the near plane.
 #pragma once
 
 #include <array>

@@ -81,7 +81,7 @@ struct ViewState {
     PinnedPixel pinned;  ///< the pixel that the state pins, in the camera's picture
 };
 
-/// Returns whether a hidden-surface method, the draw calls, the passes or the way of a point is playing.
+/// Returns whether a hidden-surface method, the draw calls, the passes or the path of a point is playing.
 inline bool is_playing(const ViewState& state) {
     return state.hidden.panel.player.playing || state.call_player.playing || state.pass_player.playing ||
            state.way_player.playing;
@@ -117,7 +117,7 @@ void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
 /// Returns the pixel of the camera's picture that corresponds to the pointer's position in another picture from the
 /// same camera, which fills `rect`; nullopt if the pointer is outside the camera's picture.
-/// With a fixed aspect ratio or a window of its own, the camera's picture is stretched to fill any view.
+/// With a fixed aspect ratio or an explicit window, the camera's picture is stretched to fill any view.
 std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px,
                                           const ProjectionParams& projection);
 
