@@ -36,7 +36,7 @@ TEST(ClipSpaceView, SaysWhatTheSpaceIs) {
     };
     EXPECT_TRUE(says("NDC: after ÷ w, a box; its depth codes are equally spaced"));
     desk.params().view.division = 0.0;
-    EXPECT_TRUE(says("crowded at the near plane"));
+    EXPECT_TRUE(says("crowd at the near plane"));
     desk.params().view.division = 0.5;
     EXPECT_TRUE(says("a share of its w"));
     desk.params().view.division = 1.0;

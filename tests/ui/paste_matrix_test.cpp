@@ -41,7 +41,7 @@ TEST(PasteMatrix, ARightOneIsTakenInOneUndoStep) {
         desk.clipboard = matrix_text("view_from_world", pasted_view, format);
         press_paste(desk);
         EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
-        EXPECT_EQ(desk.session.message.text, "the camera is that of the pasted V");
+        EXPECT_EQ(desk.session.message.text, "the camera now comes from the pasted V");
         desk.undo();
         EXPECT_EQ(desk.params(), before);
     }
