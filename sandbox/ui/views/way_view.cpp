@@ -176,8 +176,7 @@ Said said(int step, const Derived& derived, const CameraWay& way, bool is_logari
                         "condition"_a = condition_of(FrustumPlane::none, derived.clip_zero_to_one)),
                     tr("P maps it to clip space"), false};
         case 3:
-            return {tr("the division by w maps it to NDC: the frustum is a box"), tr("÷ w maps it to NDC"),
-                    false};
+            return {tr("the division by w maps it to NDC: the frustum is a box"), tr("÷ w maps it to NDC"), false};
         default:
             if (is_logarithmic)
                 return {tr("the viewport maps it to the window; then the shader replaces z with the logarithm"),
