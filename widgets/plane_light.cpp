@@ -23,7 +23,7 @@ bool PlaneButtons(glm::dvec4& plane, const glm::dvec3& d) {
         {"yz", marked("The vertical plane x = 0: a = 1, the rest 0."),
          marked("A vertical plane with a = 1 that cuts no object. Press again for x = 0.")},
         {"xz", marked("The ground plane y = 0: b = 1, the rest 0."),
-         marked("A level plane with b = 1 that cuts no object. Press again for y = 0.")},
+         marked("A horizontal plane with b = 1 that cuts no object. Press again for y = 0.")},
         {"xy", marked("The vertical plane z = 0: c = 1, the rest 0."),
          marked("A vertical plane with c = 1 that cuts no object. Press again for z = 0.")}};
     const glm::dvec4 before = plane;

@@ -1,4 +1,4 @@
-// The spaces between eye and window, seen from outside: the views Clip space and The way of a point. Each is a
+// The spaces between eye and window, seen from outside: the views Clip space and The path of a point. Each is a
 // projective map from eye space to a cube from −1 to 1 around the origin, which an outside camera looks at.
 #pragma once
 

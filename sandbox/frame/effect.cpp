@@ -83,7 +83,7 @@ std::span<const Reason> reasons() {
          marked("The camera has no angle from which a mirror's could differ."),
          {"reflection.fovy"}},
         {[](const State& s) { return !s.params.projection.has_window(); },
-         marked("Only a projection with a window of its own has edges: glFrustum or glOrtho."),
+         marked("Only a projection with an explicit window has edges: glFrustum or glOrtho."),
          {"projection.left", "projection.right", "projection.bottom", "projection.top"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },

@@ -945,12 +945,12 @@ const Field all_fields[] = {
      .gl_call = "gl_Position / gl_Position.w"},
     {.path = "view.way",
      .place = IN(view.way),
-     .label = "way of a point",
+     .label = "path of a point",
      .min = 0,
      .max = 4,
      .step = 0.01,
      .help =
-         "The space that the view The way of a point has reached: 0 is the world, 1 eye space after V, 2 clip space "
+         "The space that the view The path of a point has reached: 0 is the world, 1 eye space after V, 2 clip space "
          "after P, 3 NDC after the division by w, 4 the window. In between, the point is on its way.",
      .formula = "p → V p → P V p → ÷ w → window",
      .gl_call = "glViewport"},

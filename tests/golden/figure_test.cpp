@@ -78,7 +78,7 @@ const std::vector<Case>& cases() {
         {PictureView::passes, "", {}, "gl"},
         {PictureView::moving_world, "", {}, "the camera stays"},
         {PictureView::clip, "", {}, "NDC"},
-        {PictureView::way, "", {"view.way=2", R"(follow={"object":"box","vertex":3})"}, "P carries it"},
+        {PictureView::way, "", {"view.way=2", R"(follow={"object":"box","vertex":3})"}, "P maps it"},
         {PictureView::from_light, "", {}, "the light's view"},
         {PictureView::mirror_ways, "", {}, "mirrored camera"},
         {PictureView::lecture_code, "", {}, "ShadowMatrix"},

@@ -98,7 +98,7 @@ TEST_F(AnswerFields, ExploringAnUnsolvedExerciseUncoversNothing) {
     ASSERT_FALSE(desk.workbench.guide.is_shown());
     EXPECT_FALSE(ui.has("matrices/S/r0c0"));
     EXPECT_EQ(ui.text_of("matrices/S"), "?");
-    EXPECT_NE(desk.session.message.text.find("stays covered"), std::string::npos);
+    EXPECT_NE(desk.session.message.text.find("stay hidden"), std::string::npos);
     desk.workbench.guide.run()->reveal();
     ui.frames(3);
     EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "a solved exercise hides nothing";

@@ -34,14 +34,14 @@ TEST(ClipSpaceView, SaysWhatTheSpaceIs) {
         for (const Letter& letter : letters_of_frame()) all += utf8(letter.character);
         return all.find(part) != std::string::npos;
     };
-    EXPECT_TRUE(says("NDC: after ÷ w a box, its depth codes equally spaced"));
+    EXPECT_TRUE(says("NDC: after ÷ w, a box; its depth codes are equally spaced"));
     desk.params().view.division = 0.0;
-    EXPECT_TRUE(says("crowded at the near plane"));
+    EXPECT_TRUE(says("crowd at the near plane"));
     desk.params().view.division = 0.5;
     EXPECT_TRUE(says("a share of its w"));
     desk.params().view.division = 1.0;
     desk.params().depth.format = DepthFormat::d32f;
-    EXPECT_TRUE(says("NDC: after ÷ w the frustum is a box"));
+    EXPECT_TRUE(says("NDC: after ÷ w, the frustum is a box"));
     desk.params().projection.type = ProjectionType::orthographic;
     EXPECT_TRUE(says("w = 1"));
 }

@@ -355,7 +355,8 @@ TEST(Layout, TheLookMenuSetsTheMouse) {
     Desk desk({800, 600});
     desk.click("top/Look");
     desk.ui.frames(3);
-    for (const char* label : {"right drag/pans", "middle drag/pans", "Drags keep the horizon", "Drags up look down"}) {
+    for (const char* label :
+         {"right drag/pans", "middle drag/pans", "Dragging keeps the horizon level", "Dragging up looks down"}) {
         ASSERT_TRUE(desk.ui.has(std::string("top/") + label)) << label;
         desk.click(std::string("top/") + label);
     }

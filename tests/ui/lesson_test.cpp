@@ -685,7 +685,7 @@ TEST(LessonStrip, AHintIsOfferedOnlyWhileThereIsOne) {
     while (run.hints_shown() < static_cast<int>(run.step().ask.hints.size())) run.show_hint();
     expect_told("Not yet. Look at the hints again.");
     run.take({.near = Near::half});
-    expect_told("Not yet: this is half of it.");
+    expect_told("Not yet: this is half the right value.");
 }
 
 TEST(LessonStrip, CheckIsReachedAtTwiceTheSize) {

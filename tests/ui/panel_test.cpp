@@ -185,9 +185,9 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     desk.fold_out_all();
     std::set<std::string> known;
     for (const Control& control : controls) known.insert(control.label);
-    known.insert("camera/speed");  // part of the session, not of the state
-    known.insert({"projection/window of its own", "projection/infinite z-far"});  // projection_test.cpp
-    known.insert({"camera/pose/Angles", "camera/pose/Look at"});                  // show the same fields in another way
+    known.insert("camera/speed");                                               // part of the session, not of the state
+    known.insert({"projection/explicit window", "projection/infinite z-far"});  // projection_test.cpp
+    known.insert({"camera/pose/Angles", "camera/pose/Look at"});                // show the same fields in another way
     for (const RecordedItem& item : desk.recorded()) {
         if (holds_value(item) && item.enabled) {
             EXPECT_TRUE(known.contains(item.label)) << item.label << " shows " << item.text;

@@ -41,7 +41,7 @@ TEST(PasteMatrix, ARightOneIsTakenInOneUndoStep) {
         desk.clipboard = matrix_text("view_from_world", pasted_view, format);
         press_paste(desk);
         EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
-        EXPECT_EQ(desk.session.message.text, "the camera is that of the pasted V");
+        EXPECT_EQ(desk.session.message.text, "the camera now comes from the pasted V");
         desk.undo();
         EXPECT_EQ(desk.params(), before);
     }
@@ -66,8 +66,8 @@ TEST(PasteMatrix, AFaultIsNamedAndFixed) {
     desk.clipboard = matrix_text("V", glm::transpose(pasted_view), MatrixFormat::numpy);
     press_paste(desk);
     EXPECT_EQ(desk.params(), before);
-    ASSERT_TRUE(is_recorded(desk, "pasted/Fix and take it"));
-    desk.click("pasted/Fix and take it");
+    ASSERT_TRUE(is_recorded(desk, "pasted/Fix and use it"));
+    desk.click("pasted/Fix and use it");
     desk.settle();
     EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
     EXPECT_FALSE(is_recorded(desk, "pasted/Close"));
@@ -78,7 +78,7 @@ TEST(PasteMatrix, AnUnknownOneCanOnlyBeClosed) {
     const Params before = desk.params();
     desk.clipboard = "1 2 3 4\n5 6 7 8\n9 10 11 12\n13 14 15 17";
     press_paste(desk);
-    EXPECT_FALSE(is_recorded(desk, "pasted/Fix and take it"));
+    EXPECT_FALSE(is_recorded(desk, "pasted/Fix and use it"));
     desk.click("pasted/Close");
     desk.settle();
     EXPECT_EQ(desk.params(), before);

@@ -4,7 +4,7 @@
 namespace viewing::test {
 namespace {
 
-constexpr const char* window_switch = "projection/window of its own";
+constexpr const char* window_switch = "projection/explicit window";
 
 /// Opens the panel's rarely used controls and switches the window on.
 void give_window(Desk& desk) {

@@ -109,19 +109,19 @@ TEST_F(StepEditorTest, StepsMoveAndTheScreenStaysAtTheStep) {
     EXPECT_EQ(in_file().steps.size(), 1U);
     wait_until([&] { return on_screen().steps.size() == 1; });
     EXPECT_FALSE(ui.find("step editor/Remove").enabled);
-    desk.click("step editor/Double");
+    desk.click("step editor/Duplicate");
     EXPECT_EQ(in_file().steps.size(), 2U);
 }
 
 TEST_F(StepEditorTest, TheScreenBecomesTheStepsStates) {
     desk.params().camera.yaw = 20.0;
     desk.settle();
-    desk.click("step editor/Screen as the question");
+    desk.click("step editor/Use screen as question");
     EXPECT_EQ(in_file().steps[0].start.params.camera.yaw, 20.0);
     wait_until([&] { return on_screen().steps[0].start.params.camera.yaw == 20.0; });
     desk.params().depth.test = false;
     desk.settle();
-    desk.click("step editor/Screen as the answer");
+    desk.click("step editor/Use screen as answer");
     EXPECT_FALSE(in_file().steps[0].revealed.depth.test);
     EXPECT_TRUE(in_file().steps[0].start.params.depth.test);
 }

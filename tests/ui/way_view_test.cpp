@@ -1,4 +1,4 @@
-// The lower view "The way of a point": its slider and its play button move the point, and the user can drag the point.
+// The lower view "The path of a point": its slider and its play button move the point, and the user can drag the point.
 #include "ui/views/way_view.h"
 
 #include "desk.h"
@@ -86,11 +86,11 @@ TEST(PlayWay, WithoutMotionItOnlyJumps) {
 TEST_F(WayViewTest, SaysWhatCarriesThePointAndWhatCutsItOff) {
     EXPECT_TRUE(says("world space"));
     params.view.way = 1.0;
-    EXPECT_TRUE(says("V carries p to eye space"));
+    EXPECT_TRUE(says("V maps p to eye space"));
     params.view.way = 2.0;
-    EXPECT_TRUE(says("P carries it to clip space"));
+    EXPECT_TRUE(says("P maps it to clip space"));
     params.view.way = 3.0;
-    EXPECT_TRUE(says("carries it to NDC"));
+    EXPECT_TRUE(says("maps it to NDC"));
     params.view.way = 4.0;
     EXPECT_TRUE(says("the viewport"));
     EXPECT_TRUE(says("pixel ("));

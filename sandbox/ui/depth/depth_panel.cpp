@@ -31,9 +31,9 @@ void offset_note(const Params& params, const Scene& scene, const StoredDepth& st
                                                        : say("on this driver: {codes} codes", "codes"_a = codes);
     if (!named_note("note:offset_unit", note)) return;
     widgets::Tooltip("Offset units",
-                     "How many depth codes these units amount to on this driver, measured by drawing. For one unit, GL "
-                     "requires only the smallest difference that is sure to be resolved; drivers use one, two, or four "
-                     "codes. For a float, the step is the one at the polygon's greatest depth.",
+                     "The number of depth codes that these units amount to on this driver, measured by drawing. For "
+                     "one unit, GL requires only the smallest difference that is sure to be resolved; drivers use one, "
+                     "two, or four codes. For a float, the step is taken at the polygon's greatest depth.",
                      "offset = factor · slope + units · r");
 }
 

@@ -47,9 +47,9 @@ std::string numbers_in_words(std::vector<double> numbers, bool is_light) {
 std::string other_row_in_words(const Verdict& verdict) {
     if (verdict.other_row == 0) return "";
     if (!verdict.other_plane.empty())
-        return say("Row {row} is that of the plane {plane}.", "row"_a = verdict.other_row,
+        return say("Row {row} belongs to the plane {plane}.", "row"_a = verdict.other_row,
                    "plane"_a = numbers_in_words(verdict.other_plane, false));
-    return say("Row {row} is that of the light {light}.", "row"_a = verdict.other_row,
+    return say("Row {row} belongs to the light {light}.", "row"_a = verdict.other_row,
                "light"_a = numbers_in_words(verdict.other_light, true));
 }
 
@@ -65,15 +65,15 @@ std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
             return is_matrix ? say("Not yet: only signs in these rows are wrong: {places}.", "places"_a = places)
                              : say("Not yet: only the sign is wrong here: {places}.", "places"_a = places);
         case Near::half:
-            return tr("Not yet: this is half of it.");
+            return tr("Not yet: this is half the right value.");
         case Near::twice:
-            return tr("Not yet: this is twice as much.");
+            return tr("Not yet: this is twice the right value.");
         case Near::reciprocal:
-            return tr("Not yet: this is 1 divided by it.");
+            return tr("Not yet: this is the reciprocal of the right value.");
         case Near::radians:
-            return tr("Not yet: this would be right in radians. Degrees are asked for.");
+            return tr("Not yet: this would be right in radians. Answer in degrees.");
         case Near::degrees:
-            return tr("Not yet: this would be right in degrees. Radians are asked for.");
+            return tr("Not yet: this would be right in degrees. Answer in radians.");
         case Near::decimal:
             return tr("Not yet: only the decimal point is in the wrong place.");
         case Near::right_parts:
@@ -85,14 +85,14 @@ std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
         case Near::first_wrong:
             return tr("Not yet: another tile comes first.");
         case Near::no_items:
-            return tr("Not yet: none of those that you chose is right.");
+            return tr("Not yet: none of your choices is right.");
         case Near::some_items:
-            return say_count(verdict.places.front(), "Not yet: one of those that you chose is right.",
-                             "Not yet: {count} of those that you chose are right.");
+            return say_count(verdict.places.front(), "Not yet: one of your choices is right.",
+                             "Not yet: {count} of your choices are right.");
         case Near::incomplete:
-            return tr("Not yet: what you chose is right, but something is missing.");
+            return tr("Not yet: your choices are right, but something is missing.");
         case Near::too_many:
-            return tr("Not yet: all the right ones are chosen, but others too.");
+            return tr("Not yet: you chose all the right ones, but others too.");
         case Near::nothing:
             break;
     }

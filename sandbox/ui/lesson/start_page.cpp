@@ -164,7 +164,7 @@ std::optional<std::size_t> StartPage::draw_beginnings(const Past& past) {
     const auto known = past.progress.find(past.last_lesson);
     if (last == lessons().end() || known == past.progress.end()) return chosen;
     const std::string where = say(
-        "Go on: {lesson}, step {step}", "lesson"_a = last->title.shown(),
+        "Continue: {lesson}, step {step}", "lesson"_a = last->title.shown(),
         "step"_a = std::min<std::size_t>(known->second.step + 1, static_cast<std::size_t>(std::max(last->steps, 1))));
     ImGui::SameLine(0.0F, px(12.0F));
     const float room = ImGui::GetContentRegionAvail().x - px(40.0F);
@@ -212,13 +212,13 @@ bool StartPage::draw(Guide& guide, PresenterMode& presenter, Session& session, c
     if (!is_open_) return false;
     const Page page("start page");
     const widgets::Group group("start");
-    page_heading(tr("Viewing: a lecture in pictures that answer you"), "title");
+    page_heading(tr("Viewing: a lecture in interactive pictures"), "title");
     if (button_at_right("Explore freely")) is_open_ = false;
     const char* const about =
         gives_lecture_ ? marked("Choose a lesson: it opens on stage.")
                        : marked(
-                             "Move the camera, the light or a plane, and see at once how the picture and the "
-                             "lecture's matrices follow. Each lesson asks before it shows the answer.");
+                             "Move the camera, the light or a plane, and see immediately how the picture and the "
+                             "lecture's matrices change. Each lesson asks before it shows the answer.");
     paragraph(tr(about), widgets::CurrentContext().fonts.text, ImGui::GetContentRegionAvail().x - px(150.0F))
         .draw("about", gives_lecture_ ? palette().text : palette().quiet);
     if (button_at_right("Exercises")) {

@@ -109,19 +109,19 @@ void StepEditor::draw_steps(Guide& guide, Session& session) {
     if (widgets::SmallButton("◂###step before", step_ > 0, "this is the first step")) guide.go_to(step_ - 1, session);
     if (flowing_button("▸###step after", "", step_ + 1 < count, marked("this is the last step")))
         guide.go_to(step_ + 1, session);
-    if (flowing_button("Move up", marked("Exchanges this step with the one before."), step_ > 0,
+    if (flowing_button("Move up", marked("Swaps this step with the previous one."), step_ > 0,
                        marked("this is the first step")))
         write(with_moved_step(source_, step_, place - 1), guide);
-    if (flowing_button("Move down", marked("Exchanges this step with the one after."), step_ + 1 < count,
+    if (flowing_button("Move down", marked("Swaps this step with the next one."), step_ + 1 < count,
                        marked("this is the last step")))
         write(with_moved_step(source_, step_, place + 1), guide);
-    if (flowing_button("Double", marked("Inserts a copy of this step behind it.")))
+    if (flowing_button("Duplicate", marked("Inserts a copy of this step after it.")))
         write(with_doubled_step(source_, step_), guide);
-    if (flowing_button("Remove", marked("Removes this step from the file. Undo the edit brings it back."), count > 1,
+    if (flowing_button("Remove", marked("Removes this step from the file. \"Undo the edit\" restores it."), count > 1,
                        marked("a lesson needs at least one step")))
         write(with_removed_step(source_, step_), guide);
-    if (flowing_button("Undo the edit", marked("Writes the text that the file had before the last edit."),
-                       !earlier_.empty(), marked("nothing was edited yet"))) {
+    if (flowing_button("Undo the edit", marked("Restores the text that the file had before the last edit."),
+                       !earlier_.empty(), marked("nothing has been edited yet"))) {
         const std::string before = std::move(earlier_.back());
         earlier_.pop_back();
         write(before, guide);
@@ -132,12 +132,12 @@ void StepEditor::draw_steps(Guide& guide, Session& session) {
 void StepEditor::draw_states(Guide& guide, Session& session) {
     const std::string preset = session.preset() ? session.preset()->name : "";
     const LessonStep& step = guide.run()->step();
-    if (widgets::SmallButton("Screen as the question"))
+    if (widgets::SmallButton("Use screen as question"))
         write(with_start(source_, step_, session.params, preset), guide);
     widgets::Tooltip(
-        "Screen as the question",
-        "The step begins with the state on the screen, with its views, its layout and the followed point.");
-    if (flowing_button("Screen as the answer", marked("The answer leads to the state on the screen.")))
+        "Use screen as question",
+        "The step begins with the state on the screen, including its views, its layout and the followed point.");
+    if (flowing_button("Use screen as answer", marked("The answer reveals the state on the screen.")))
         write(with_revealed(source_, step_, step.start.params, session.params), guide);
     if (step.ask.kind == AskKind::choice && flowing_button("Add a choice", marked("Adds a wrong choice.")))
         write(with_choice(source_, step_), guide);

@@ -88,9 +88,7 @@ void offer_to_type(Params& params, float left, const glm::dvec3& start) {
     if (!widgets::OffersButton(type_button)) return;
     ImGui::SameLine(left);
     if (widgets::SmallButton(type_button)) params.follow = Follow{.object = "", .point = start};
-    widgets::Tooltip(
-        type_button,
-        "Follows a point of your own, which you can type here and drag in the views, instead of a vertex.");
+    widgets::Tooltip(type_button, "Follows a point that you can type here and drag in the views, instead of a vertex.");
 }
 
 /// Draws p's path through V and P to its pixel. If a lesson covers one of these matrices, also covers the numbers that

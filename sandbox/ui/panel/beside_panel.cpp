@@ -59,9 +59,9 @@ std::optional<Params> other_state(OtherState which, const Session& session, cons
 const char* why_no_other(OtherState which) {
     switch (which) {
         case OtherState::before_edit:
-            return tr("There was no edit yet, or it changed nothing that the second picture can show.");
+            return tr("There has been no edit yet, or it changed nothing that the second picture can show.");
         case OtherState::preset:
-            return tr("No preset is open, or nothing was changed since.");
+            return tr("No preset is open, or nothing has changed since.");
         case OtherState::fixed:
             return tr("There is no problem with a fix.");
     }
@@ -102,7 +102,7 @@ void beside_section(Session& session, const std::vector<Problem>& problems) {
     if (params.view.beside.shows != Beside::settings) return;
     behind(widgets::SmallButtonWidth("Swap"));
     if (widgets::SmallButton("Swap")) swap_pictures(params);
-    widgets::Tooltip("Swap", tr("Exchanges the two pictures: the controls then change the other one."));
+    widgets::Tooltip("Swap", tr("Swaps the two pictures: the controls then change the other one."));
 }
 
 }  // namespace viewing

@@ -105,7 +105,7 @@ void look_at_fields(CameraTab& tab, CameraParams& camera) {
     if (fault == LookAtFault::center_is_eye)
         widgets::Trouble("center = eye: there is no view direction, so the camera looks along −z");
     if (fault == LookAtFault::up_along_view)
-        widgets::Trouble("up is zero or parallel to the view, which leaves the roll open: it is 0");
+        widgets::Trouble("up is zero or parallel to the view, so the roll is undefined and set to 0");
     copy_buttons(look_at);
 }
 
@@ -117,7 +117,7 @@ void draw_camera_pose(CameraTab& tab, Params& params) {
     if (has_choice) {
         static constexpr const char* ways[] = {marked("Angles"), marked("Look at")};
         static constexpr const char* tips[] = {marked("The camera as position, yaw, pitch and roll."),
-                                               marked("The same camera as gluLookAt takes it: eye, center and up.")};
+                                               marked("The camera as gluLookAt arguments: eye, center and up.")};
         int way = tab.shows_look_at ? 1 : 0;
         if (widgets::Segments("##pose", way, ways, 0, tips)) tab.shows_look_at = way == 1;
         if (widgets::IsSought(pose_targets)) tab.shows_look_at = false;

@@ -42,16 +42,16 @@ void window_control(Params& params, const Derived& derived) {
     if (widgets::IsListing()) return;
     ProjectionParams& projection = params.projection;
     bool has_window = projection.has_window();
-    if (widgets::Toggle("window of its own", has_window, false)) {
+    if (widgets::Toggle("explicit window", has_window, false)) {
         Lens lens = params.lens();
         lens.fovy_deg = std::abs(lens.fovy_deg);
         if (has_window) projection.set_window(lens.edges_at(projection.near, derived.aspect));
         projection.set_type(projection.is_orthographic(), has_window);
         clamp_to_ranges(params);
     }
-    widgets::Tooltip("Window of its own",
+    widgets::Tooltip("Explicit window",
                      "The picture's four edges as glFrustum and glOrtho take them, instead of an angle or a height. "
-                     "They begin with the picture as it is, and need not be centered on the view axis.",
+                     "They start as the edges of the current picture, and need not be centered on the view axis.",
                      "", "glFrustum | glOrtho");
 }
 
@@ -67,8 +67,9 @@ void infinite_control(Params& params) {
     }
     ImGui::EndDisabled();
     widgets::Tooltip("Infinite far",
-                     "Nothing is too far: f/(f − n) becomes 1, and P keeps an inverse. Depth precision is almost the "
-                     "same, for near decides it. Only for perspective and a frustum, not for logarithmic depth.",
+                     "Nothing is too far away: f/(f − n) becomes 1, and P stays invertible. Depth precision is almost "
+                     "the same, because near determines it. Only for perspective and a frustum, not for logarithmic "
+                     "depth.",
                      "d = 1 - n/z; reversed: d = n/z", "glm::infinitePerspective");
 }
 

@@ -95,7 +95,7 @@ std::span<const char* const> topic_names() {
                                             marked("The lecture's display()"),
                                             marked("Why this pixel?"),
                                             marked("Clip space"),
-                                            marked("The way of a point")};
+                                            marked("The path of a point")};
     return names;
 }
 

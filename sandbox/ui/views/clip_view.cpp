@@ -43,12 +43,12 @@ ClipWords clip_words(const Params& params) {
     const bool are_even =
         !precision_of(params.depth.format).is_float && params.depth.mapping != DepthMapping::logarithmic;
     if (params.view.division <= 0.0)
-        return {are_even ? tr("eye space: a pyramid, its depth codes crowded at the near plane")
+        return {are_even ? tr("eye space: a pyramid; its depth codes crowd at the near plane")
                          : tr("eye space: the frustum is a pyramid"),
                 tr("eye space: a pyramid")};
     if (params.view.division >= 1.0)
-        return {are_even ? tr("NDC: after ÷ w a box, its depth codes equally spaced")
-                         : tr("NDC: after ÷ w the frustum is a box"),
+        return {are_even ? tr("NDC: after ÷ w, a box; its depth codes are equally spaced")
+                         : tr("NDC: after ÷ w, the frustum is a box"),
                 tr("NDC: a box")};
     return {tr("between: each point is divided by a share of its w"), tr("between: ÷ a share of w")};
 }

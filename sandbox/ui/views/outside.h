@@ -1,4 +1,4 @@
-// Shared parts of the views from outside: the observer's, the moving world, clip space, the way of a point.
+// Shared parts of the views from outside: the observer's, the moving world, clip space, the path of a point.
 #pragma once
 
 #include "ui/views/views.h"

@@ -82,7 +82,7 @@ struct ViewState {
     PinnedPixel pinned;  ///< the pixel that the state pins, in the camera's picture
 };
 
-/// Returns whether a hidden-surface method, the draw calls, the passes or the way of a point is playing.
+/// Returns whether a hidden-surface method, the draw calls, the passes or the path of a point is playing.
 inline bool is_playing(const ViewState& state) {
     return state.hidden.panel.player.playing || state.call_player.playing || state.pass_player.playing ||
            state.way_player.playing;

@@ -170,19 +170,18 @@ Said said(int step, const Derived& derived, const CameraWay& way, bool is_logari
         case 0:
             return {tr("world space: where the scene puts p"), tr("world space"), false};
         case 1:
-            return {tr("V carries p to eye space: the camera is the origin"), tr("V carries p to eye space"), false};
+            return {tr("V maps p to eye space: the camera is the origin"), tr("V maps p to eye space"), false};
         case 2:
-            return {say("P carries it to clip space, inside if {condition}",
+            return {say("P maps it to clip space, inside if {condition}",
                         "condition"_a = condition_of(FrustumPlane::none, derived.clip_zero_to_one)),
-                    tr("P carries it to clip space"), false};
+                    tr("P maps it to clip space"), false};
         case 3:
-            return {tr("the division by w carries it to NDC: the frustum is a box"), tr("÷ w carries it to NDC"),
-                    false};
+            return {tr("the division by w maps it to NDC: the frustum is a box"), tr("÷ w maps it to NDC"), false};
         default:
             if (is_logarithmic)
-                return {tr("the viewport carries it to the window; then the shader replaces z with the logarithm"),
+                return {tr("the viewport maps it to the window; then the shader replaces z with the logarithm"),
                         tr("the viewport: pixels"), false};
-            return {tr("the viewport carries it to the window, in pixels"), tr("the viewport: pixels"), false};
+            return {tr("the viewport maps it to the window, in pixels"), tr("the viewport: pixels"), false};
     }
 }
 
@@ -206,7 +205,7 @@ void play_button(Params& params, widgets::StepPlayer& player) {
     widgets::Record("play");
     widgets::Tooltip(player.playing ? marked("Stop") : marked("Play"),
                      player.playing ? marked("Stops the point where it is.")
-                                    : marked("Carries the point from space to space; at the end, starts over."));
+                                    : marked("Moves the point from space to space; at the end, starts over."));
 }
 
 /// Draws the play button and the slider from the world to the window.

@@ -179,13 +179,13 @@ static void mouse_controls(MouseHabits& mouse) {
     drag(marked("right drag"), mouse.right_pans, marked("looks"),
          marked("Turns the camera, as the left button does. In Orbit, it pans."));
     drag(marked("middle drag"), mouse.middle_pans, marked("orbits"),
-         marked("Carries the camera about the point under the pointer. With Shift, it pans."));
-    widgets::Toggle("Drags keep the horizon", mouse.keeps_horizon, usual.keeps_horizon);
+         marked("Orbits the camera about the point under the pointer. With Shift, it pans."));
+    widgets::Toggle("Dragging keeps the horizon level", mouse.keeps_horizon, usual.keeps_horizon);
     widgets::Tooltip(
-        "Drags keep the horizon",
-        "In Fly, a drag turns yaw about the world's up axis and pitch about the camera's right axis. If off, "
-        "it turns about the camera's own axes, as the keys do, and can tilt the horizon.");
-    widgets::Toggle("Drags up look down", mouse.inverts_y, usual.inverts_y);
+        "Dragging keeps the horizon level",
+        "In Fly, dragging yaws about the world's up axis and pitches about the camera's right axis. If off, dragging "
+        "turns about the camera's own axes, as the keys do, and can tilt the horizon.");
+    widgets::Toggle("Dragging up looks down", mouse.inverts_y, usual.inverts_y);
     widgets::Slider("mouse speed", mouse.sensitivity,
                     {.min = least_sensitivity,
                      .max = greatest_sensitivity,

@@ -73,7 +73,7 @@ void Workbench::cover_question(const LessonRun& run) {
 void Workbench::leave_lesson(Session& session) {
     guide.leave();
     if (guide.is_sheet() && !guide.run()->is_revealed())
-        session.message = {tr("what the exercise asks for stays covered until it is solved"), false};
+        session.message = {tr("the values that the exercise asks for stay hidden until you solve it"), false};
 }
 
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {

@@ -48,7 +48,7 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
     widgets::Tooltip(
         "What this view shows",
         "Choose the observer's view of the camera from outside, or the view from the light; the world moving while the "
-        "camera stays; clip space, where the frustum becomes a box; the way of a point through the matrices; why a "
+        "camera stays; clip space, where the frustum becomes a box; the path of a point through the matrices; why a "
         "pixel has its color; the depth buffer and its analysis (histogram, precision, codes, one pixel, a block of "
         "pixels, depth fighting); the lecture's display(); the lecture's derivation and code for shadow and mirror, "
         "and four ways to draw a mirror; the frame as GL calls, pass by pass; or, for the hidden-surface methods, the "
@@ -72,7 +72,7 @@ void tree_legend(float right) {
         if (left + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, tr(legend)).x > right) continue;
         header_note(legend, right);
         return widgets::Tooltip(
-            "How the tree is read",
+            "How to read the tree",
             (std::string(tr(legends[0])) + "\n" +
              tr("The tree does not depend on the eye, although the slide's \"according to the viewer direction\" may "
                 "suggest that it does. The tree is built once, and only its traversal depends on the eye."))

@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr const char* no_state = marked("the pasted matrix was not taken: no state may have its values");
+constexpr const char* no_state = marked("the pasted matrix was rejected: its values are not allowed in a state");
 
 /// Sets a matrix of the state and reports this in a message.
 void take_into(Session& session, char letter, const glm::dmat4& matrix, double view_aspect, double tolerance) {
@@ -20,9 +20,9 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
         return session.report(Error{tr(no_state)});
     const bool is_camera = letter == 'V' || letter == 'C';
     const std::string name(1, letter);
-    session.message = {is_camera       ? say("the camera is that of the pasted {matrix}", "matrix"_a = name)
-                       : letter == 'P' ? tr("the projection is that of the pasted P")
-                                       : say("{matrix} is entered by hand, as pasted", "matrix"_a = name),
+    session.message = {is_camera       ? say("the camera now comes from the pasted {matrix}", "matrix"_a = name)
+                       : letter == 'P' ? tr("the projection now comes from the pasted P")
+                                       : say("{matrix} was entered by hand, as pasted", "matrix"_a = name),
                        false};
 }
 
@@ -30,7 +30,7 @@ void take_into(Session& session, char letter, const glm::dmat4& matrix, double v
 void enter_into(Session& session, char letter, const glm::dmat4& matrix) {
     if (!enter_by_hand(session.params, letter, matrix)) return session.report(Error{tr(no_state)});
     session.message = {
-        say("{matrix} is entered by hand, as pasted", "matrix"_a = std::string(1, letter == 'C' ? 'V' : letter)),
+        say("{matrix} was entered by hand, as pasted", "matrix"_a = std::string(1, letter == 'C' ? 'V' : letter)),
         false};
 }
 
@@ -78,13 +78,13 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
     widgets::Trouble(tr(words.wrong));
     if (*words.fix != '\0') widgets::Note(say("Fix: {how}", "how"_a = tr(words.fix)).c_str());
     ImGui::EndChild();
-    const bool fixes = fixed && widgets::Button("Fix and take it");
+    const bool fixes = fixed && widgets::Button("Fix and use it");
     if (fixed) ImGui::SameLine();
     const bool enters = letter != 0 && widgets::Button("Show it as it is");
     if (letter != 0) {
         widgets::Tooltip("Show it as it is",
-                         "Enters the matrix by hand, with its fault: the picture shows what it does, and Release ends "
-                         "it.");
+                         "Enters the matrix by hand, with its fault: the picture shows what it does until you press "
+                         "Release.");
         ImGui::SameLine();
     }
     const bool closes = widgets::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));

@@ -78,7 +78,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(takes_focus_, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
-        widgets::TextField("##text", typed_, tr("a name, a word of a question, or a setting: near 0.01"),
+        widgets::TextField("##text", typed_, tr("a name, a word from a question, or a setting: near 0.01"),
                            ImGuiInputTextFlags_EnterReturnsTrue);
     widgets::Record("text");
     if (typed_ != before) {
@@ -95,7 +95,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
         if (draw_row(found_[i], i, static_cast<int>(i) == marked_, kinds)) chosen = found_[i];
         if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) marked_ = static_cast<int>(i);
     }
-    if (found_.empty()) widgets::Note(marked("Nothing has these words."));
+    if (found_.empty()) widgets::Note(marked("No entry contains these words."));
     ImGui::PopFont();
     if (entered && !found_.empty()) chosen = found_[static_cast<std::size_t>(marked_)];
 

@@ -96,7 +96,7 @@ void add_lesson(Entries& entries, const LessonFile& lesson, std::size_t number) 
 }  // namespace
 
 const char* name_of_kind(EntryKind kind) {
-    static constexpr std::array names = {marked("command"), marked("setting"), marked("trouble"), marked("preset"),
+    static constexpr std::array names = {marked("command"), marked("setting"), marked("mistake"), marked("preset"),
                                          marked("view"),    marked("lesson"),  marked("step"),    marked("exercise")};
     return names[static_cast<std::size_t>(kind)];
 }

@@ -1,5 +1,5 @@
 // The sandbox embedded in a host page: the parts that its address requests, and the messages that it answers (README,
-// "In a page of your own"). Every message is checked before it has any effect; the answer is the requested data, or one
+// "In your own page"). Every message is checked before it has any effect; the answer is the requested data, or one
 // sentence that reports the error. Loaded after page.js.
 'use strict';
 
