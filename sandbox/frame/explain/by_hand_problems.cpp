@@ -176,8 +176,7 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
     const bool lands = largest_component(of.unit_plane * s) <= size;
     const bool loses_light = largest_component(s * cast.light_world) <= size * glm::length(cast.light_world);
     tell.broken(!lands, sentence("by_hand.not_in_plane",
-                                 "{matrix} entered by hand does not send points into the plane: Π·S p "
-                                 "≠ 0",
+                                 "{matrix} entered by hand does not send points into the plane: Π·S p ≠ 0",
                                  "matrix"_a = matrix));
     tell.broken(
         lands && !loses_light,

@@ -310,8 +310,7 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)))
             : say_count(
                   apart, "{surface} and {other} store {code} and {stored}, one code apart: within GL's rounding error.",
-                  "{surface} and {other} store {code} and {stored}, {count} codes apart: within GL's "
-                  "rounding error.",
+                  "{surface} and {other} store {code} and {stored}, {count} codes apart: within GL's rounding error.",
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)),
                   "stored"_a = code_text(one.compared_with, precision(question)));
     const glm::ivec2 beside =
