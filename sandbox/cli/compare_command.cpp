@@ -28,8 +28,9 @@ void declare_pictures(Options& options, TypedCompare& typed) {
 void declare_outputs(Options& options, TypedCompare& typed) {
     options.group("Output");
     options.text("-o,--output", "DIFF.png", typed.output,
-                 "Writes a picture of the differences: A in faint gray, small differences blue, edges with other "
-                 "samples yellow, differences beyond the threshold orange-red, areas that only one picture has violet");
+                 "Writes a picture of the differences: A in faint gray, small differences blue, edges sampled "
+                 "differently yellow, differences beyond the threshold orange-red, areas that only one picture has "
+                 "violet");
     options.text("--json", "FILE|-", typed.json, ending_report_help);
 }
 
@@ -103,7 +104,7 @@ constinit const Command compare_command{
     "compares two PNG files: how much they differ, by how much at worst, and where",
     "Says in one line whether two pictures are equal within thresholds. A pixel counts as different if a channel "
     "differs by more than --worst levels; the pictures are equal if at most a share of --share of the pixels does. The "
-    "portable profile does not count edges seen with other samples, and allows neither a block of five different "
+    "portable profile does not count edges that are sampled differently, and allows neither a block of five different "
     "pixels nor a shift of the mean by more than 0.6 levels in any 16 × 16 pixels. Pictures of different sizes are "
     "different. A picture has at most 16384 pixels per side and 64 million in total.",
     "compare mine.png reference.png\n"

@@ -188,8 +188,8 @@ void examine_surroundings(Examination& examination) {
 
     if (const std::string problem = assets_problem(); !problem.empty()) {
         examination.steps.push_back({"assets", Health::missing, problem,
-                                     "install the complete program; leave VIEWING_SANDBOX_ASSETS unset, which is only "
-                                     "for programs apart from their assets"});
+                                     "install the complete program; leave VIEWING_SANDBOX_ASSETS unset unless the "
+                                     "program and its assets are in separate places"});
         if (examination.status == ExitStatus::done) examination.status = ExitStatus::bad_input;
     } else {
         examination.steps.push_back({"assets", Health::fine,

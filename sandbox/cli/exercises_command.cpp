@@ -192,8 +192,8 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     options.group("For authors");
     options.flag("--test", typed.test,
                  "Tests every deployed variant: the model answer is accepted, each listed wrong one is refused and "
-                 "distinguished, each fault is visible, no answer can be read before it; exits with 0, or 1 and a line "
-                 "per failure");
+                 "distinguished, each fault is visible, no answer can be read beforehand; exits with 0, or 1 and a "
+                 "line per failure");
     options.flag("--deploy", typed.deploy,
                  "Prints the variants of FILE to keep in it, so that later versions give the same sheets");
     add_device_option(options, typed.device);

@@ -50,7 +50,7 @@ void declare(Options& options, TypedGrade& typed) {
     options.flag("--tags", typed.tags,
                  "Counts the students with each misconception: below the text table, instead of the csv table");
     options.flag("--bom", typed.bom, "Begins csv with a byte order mark: Excel then reads names as UTF-8");
-    options.text("--language", "en|ko", typed.language, "Of the page, titles and feedback; default en");
+    options.text("--language", "en|ko", typed.language, "Language of the page, titles and feedback; default en");
     options.text("-o,--output", "OUT", typed.output, "File for the table; default -, standard output");
     options.text("--html", "REPORT.html", typed.html,
                  "Writes a page for the lecturer: points, misconceptions, every attempt, and pictures of what wrong "
@@ -193,12 +193,11 @@ constinit const Command grade_command{
     "wrong one and the misconception it shows, - for a missing one, v! for an answer to a variant that is not this "
     "student's, ? for one that could not be judged. first try counts the exercises that were right at the first "
     "attempt, out of those tried. Notes point out answers that may deserve a look, without a judgment: the same times "
-    "of "
-    "attempts or the same changes in two files, everything right within seconds, another student's variant. A file "
+    "of attempts or the same changes in two files, everything right within seconds, another student's variant. A file "
     "that cannot be read costs only its own line. In a file with too many answers, the last, the first and the latest "
     "that the file marks as right are judged, and its notes say so. In csv, first_try is a number and a missing answer "
-    "an empty cell. "
-    "The exit status is 0 if everybody has everything right, 1 if somebody has not, 2 if a file cannot be read.",
+    "an empty cell. The exit status is 0 if everybody has everything right, 1 if somebody does not, 2 if a file cannot "
+    "be read.",
     "grade hand-ins\n"
     "grade hand-ins --set shadow --tags\n"
     "grade hand-ins --course viewing-2026 --format csv -o grades.csv --html report.html\n"

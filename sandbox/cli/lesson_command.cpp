@@ -97,7 +97,7 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     }
     if (findings.empty()) {
         print(counted(std::ssize(read), "lesson") + ", " + counted(steps, "step") +
-              ": claims hold, answers are judged correctly and cannot be read before, every step can be drawn\n");
+              ": claims hold, answers are judged correctly and cannot be read beforehand, every step can be drawn\n");
         return ExitStatus::done;
     }
     print(findings);
@@ -170,8 +170,8 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     options.flag("--answers", typed.answers, "Adds the answers");
     options.flag(
         "--check", typed.check,
-        "Tests the named lessons, or all of the program's: claims, model answers, wrong answers, that no "
-        "answer can be read before it, and that every step can be drawn; exits with 0, or 1 and a line per failure");
+        "Tests the named lessons, or all of the program's: claims, model answers, wrong answers, that no answer can be "
+        "read beforehand, and that every step can be drawn; exits with 0, or 1 and a line per failure");
     options.flag("--names", typed.names, "Prints the names that expressions may use");
     options.flag("--list", typed.list, "Prints the lessons that come with the program, one per line");
     add_device_option(options, typed.device);

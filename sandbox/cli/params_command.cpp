@@ -16,8 +16,8 @@ ExitStatus run_params(const Command& self, const Arguments& arguments) {
     Options options(self);
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
-                 "json (default) for programs, text for people; schema: the JSON Schema of a state file, by which "
-                 "editors complete and check; scene-schema, suite-schema: the schemas of scenes and suites");
+                 "json (default) for programs, text for people; schema: the JSON Schema of a state file, which editors "
+                 "use to complete and check it; scene-schema, suite-schema: the schemas of scenes and suites");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     constexpr std::array formats{"json", "text", "schema", "scene-schema", "suite-schema"};

@@ -27,7 +27,7 @@ ExitStatus run_presets(const Command& self, const Arguments& arguments) {
     std::optional<std::string> typed_language;
     options.flag("--json", json,
                  "Prints JSON instead: name, title, about, group, slides and kind (preset or scene) of each");
-    options.text("--language", "en|ko", typed_language, "Of titles and sentences; default en");
+    options.text("--language", "en|ko", typed_language, "Language of titles and sentences; default en");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (assets_directory().empty()) throw Failure(ExitStatus::bad_input, "presets: " + assets_problem());

@@ -49,7 +49,7 @@ std::string main_help() {
     text += "\n" + wrapped("Topics (viewing-sandbox help TOPIC): " + joined(manual_topics()) + ".", 0);
     return text +
            "\nOptions:\n"
-           "  -h, --help       this text, or after a command that command's help\n"
+           "  -h, --help       this text, or, after a command, that command's help\n"
            "  --version        the program's version\n"
            "\nExamples:\n"
            "  viewing-sandbox\n"

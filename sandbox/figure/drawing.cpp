@@ -60,7 +60,7 @@ bool has_cut_text(const Drawing& drawing) {
 
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white) {
     if (on_black.marks.size() != on_white.marks.size())
-        return Error{"two drawings of the same differ in more than their background"};
+        return Error{"two drawings of the same content differ in more than their background"};
     Drawing left = on_black;
     for (std::size_t i = 0; i < left.marks.size(); ++i)
         std::visit(Cutter{}, left.marks[i].what, on_white.marks[i].what);

@@ -53,7 +53,7 @@ void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t
     clear.stencil = stencil_of_forgetting_lights(level, plane);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
     Pass back = patch_mask(level, plane, {marked("Unmark the patch"), marked("Unmark patch {plane}")},
-                           tr("counts the stencil down to the mirror's value"));
+                           tr("decrements the stencil to the mirror's value"));
     back.depth.test = false;
     back.stencil = stencil_of_leaving(level, plane);
     passes.push_back(back);

@@ -111,13 +111,13 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
             tell(true,
                  sentence("view.stray_vertices",
                           "{object} is {times} times as large as the box that holds nearly all of its vertices: a few "
-                          "stray vertices make the rest a dot",
+                          "stray vertices shrink the rest to a dot",
                           "object"_a = name, "times"_a = figures(times, 2)));
             continue;
         }
         tell(is_too_thin(object, derived),
              sentence("view.too_thin",
-                      "{object} covers less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
+                      "{object} is less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
                       "little or nothing of it is drawn",
                       "object"_a = name));
     }

@@ -34,7 +34,7 @@ std::string portable_text(const CompareReport& report) {
     if (report.options.profile == CompareProfile::strict) return "";
     const auto largest = *std::max_element(report.local_shift.begin(), report.local_shift.end(),
                                            [](double p, double q) { return std::abs(p) < std::abs(q); });
-    return "; " + std::to_string(report.resampled) + " more are edges with other samples; the largest block has " +
+    return "; " + std::to_string(report.resampled) + " more are edges sampled differently; the largest block has " +
            std::to_string(report.largest_block) + ", limit " + std::to_string(report.options.block_px) +
            "; the mean shifts by " + figures(largest, 3) + " in 16 × 16 pixels, limit " +
            figures(report.options.shift, 3);

@@ -201,7 +201,7 @@ Result<Image> read_picture(std::FILE* file, const std::string& name, std::option
     if (static_cast<std::uint64_t>(width) * height > most_image_pixels)
         return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
                      " pixels; at most " + std::to_string(most_image_pixels / 1'000'000) +
-                     " million are allowed, make it smaller"};
+                     " million are allowed; make it smaller"};
     if (file_bytes && !file_can_hold(*file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
         return Error{name + ": the PNG file is cut off before its end"};
 

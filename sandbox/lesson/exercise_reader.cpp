@@ -14,7 +14,7 @@ namespace viewing {
 void require_constant_name(const std::string& name, const Where& where) {
     if (!is_constant_name(name))
         where.refuse("\"" + excerpt(name) +
-                     "\" is not a valid name: use letters, digits and _, and a word without another meaning");
+                     "\" is not a valid name: use letters, digits and _, and no word that already has a meaning");
 }
 
 namespace {

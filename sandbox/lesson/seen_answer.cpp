@@ -170,7 +170,7 @@ public:
 
 private:
     void find(const std::string& what, const std::string& text, const std::string& place) {
-        std::string sentence = what + " can be read before it: " + one_line(text) + " in " + place;
+        std::string sentence = what + " can be read beforehand: " + one_line(text) + " in " + place;
         if (std::find(found_.begin(), found_.end(), sentence) == found_.end()) found_.push_back(std::move(sentence));
     }
 

@@ -42,7 +42,7 @@ Result<VoteCounts> typed_votes(std::string_view text, std::size_t choices) {
             choice = static_cast<std::size_t>(upper - 'A');
         }
         if (!choice || !number) continue;
-        if (votes[*choice] >= 0) return Error{say("{choice} is there twice.", "choice"_a = letter(*choice))};
+        if (votes[*choice] >= 0) return Error{say("{choice} appears twice.", "choice"_a = letter(*choice))};
         votes[*choice] = *number;
         choice.reset();
         number.reset();

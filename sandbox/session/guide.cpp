@@ -68,7 +68,7 @@ void Guide::follow_file(Session& session, double dt_s) {
         begin(*std::move(*read), step, session);
         if (was_revealed) run_->reveal();
         return_to_step(session);
-        session.message = {tr("the lesson's file has changed and was read again"), false};
+        session.message = {tr("the lesson's file changed and was reloaded"), false};
     }
     unwatched_s_ += dt_s;
     if (unwatched_s_ < every_s || !watches_file() || reading_again_.is_running()) return;

@@ -194,8 +194,8 @@ const Field all_fields[] = {
      .logarithmic = true,
      .may_be_infinite = true,
      .help = "Distance of the far plane: everything beyond is clipped. In perspective, it hardly affects depth "
-             "precision; the near plane does. It may be infinite in perspective and in a frustum, unless depth is "
-             "logarithmic: nothing is too far, and with standard depth P's third row is 0, 0, −1, −2n.",
+             "precision; the near plane does. Unless depth is logarithmic, it may be infinite in perspective and in a "
+             "frustum: then nothing is too far, and with standard depth, P's third row is 0, 0, −1, −2n.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
 
@@ -217,8 +217,8 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
-     .help = "The left edge of the picture to the right of the view axis: at the near plane in a frustum, at every "
-             "distance in an orthographic window. Must be less than right.",
+     .help = "The left edge of the picture, measured to the right of the view axis: at the near plane in a frustum, at "
+             "every distance in an orthographic window. Must be less than right.",
      .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
      .gl_call = window_call},
     {.path = "projection.right",
@@ -228,8 +228,8 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
-     .help = "The right edge of the picture to the right of the view axis, as left. If left and right are not "
-             "opposite numbers, the view axis does not meet the middle of the picture.",
+     .help = "The right edge of the picture, measured to the right of the view axis, at the same distance as left. If "
+             "left and right are not opposite numbers, the view axis does not meet the middle of the picture.",
      .formula = "P₁₁ = 2n / (r − l), P₁₃ = (r + l) / (r − l)",
      .gl_call = window_call},
     {.path = "projection.bottom",
@@ -239,7 +239,8 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
-     .help = "The lower edge of the picture above the view axis, as left. Must be less than top.",
+     .help = "The lower edge of the picture, measured upward from the view axis, at the same distance as left. Must be "
+             "less than top.",
      .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
      .gl_call = window_call},
     {.path = "projection.top",
@@ -249,7 +250,7 @@ const Field all_fields[] = {
      .min = -window_limit,
      .max = window_limit,
      .step = 0.01,
-     .help = "The upper edge of the picture above the view axis, as left.",
+     .help = "The upper edge of the picture, measured upward from the view axis, at the same distance as left.",
      .formula = "P₂₂ = 2n / (t − b), P₂₃ = (t + b) / (t − b)",
      .gl_call = window_call},
 
@@ -550,9 +551,8 @@ const Field all_fields[] = {
     {.path = "shadow.clip_at_light",
      .place = IN(shadow.clip_at_light),
      .label = "clip at the light",
-     .help = "Only parts that are nearer to the plane than the light is can cast a shadow: each triangle is clipped to "
-             "w > 0. When off, triangles stretch to infinity if they cross the plane w = 0, which contains the light "
-             "and is parallel to the receiver.",
+     .help = "Parts beyond the light cast no shadow: each triangle is clipped to w > 0. When off, triangles stretch to "
+             "infinity if they cross the plane w = 0, which contains the light and is parallel to the receiver.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.sign",
      .place = IN(shadow.sign),
@@ -645,9 +645,9 @@ const Field all_fields[] = {
      .max = 179,
      .step = 0.5,
      .least_above_zero = 1,
-     .help = "The vertical field of view with which the picture in a mirror is drawn, for example because the mirrored "
-             "camera has a projection of its own; 0 uses the camera's. With any other value, the mirror image is too "
-             "small or too large for its mirror.",
+     .help = "The vertical field of view for the picture in a mirror, for example because the mirrored camera has its "
+             "own projection; 0 uses the camera's. With any other value, the mirror image is too small or too large "
+             "for its mirror.",
      .formula = "P′ V R"},
     {.path = "reflection.printed_by_rows",
      .place = IN(reflection.printed_by_rows),
@@ -713,7 +713,7 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .help = "A point p, followed through the matrices to its place in the picture, its shadow s = S p and its mirror "
-             "image R p: an object's vertex or a point of your own; null means none.",
+             "image R p: an object's vertex or a point that you choose; null means none.",
      .formula = "s = S p ÷ w"},
 
     // visibility
@@ -766,7 +766,7 @@ const Field all_fields[] = {
     {.path = "visibility.compare_with",
      .place = IN(visibility.compare_with),
      .label = "compare with",
-     .help = "The method with which the difference view compares the current one: pixels away from edges are red where "
+     .help = "The method that the difference view compares with the current one: pixels away from edges are red where "
              "the two methods see different polygons."},
     {.path = "visibility.numbers",
      .place = IN(visibility.numbers),

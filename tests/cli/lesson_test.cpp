@@ -48,7 +48,7 @@ TEST_F(LessonCommand, ACheckFindsAnAnswerOnTheScreen) {
     };
     write("mine.json", lesson(""));
     const std::string found = expect(1, {"lesson", "--check", "mine.json"}).out;
-    EXPECT_TRUE(has(found, "mine, step one: the answer 2.345 can be read before it: 2.3")) << found;
+    EXPECT_TRUE(has(found, "mine, step one: the answer 2.345 can be read beforehand: 2.3")) << found;
     EXPECT_TRUE(has(found, "light/position/x")) << found;
     write("mine.json", lesson(R"("cover": ["control:light.position"],)"));
     expect(0, {"lesson", "--check", "mine.json"});

@@ -158,7 +158,7 @@ enum class AnswerOutcome { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
 };
-constexpr std::array<OutcomeLook, 6> outcome_looks{{{marked("right at first try"), "#2e7d4f"},
+constexpr std::array<OutcomeLook, 6> outcome_looks{{{marked("right on first try"), "#2e7d4f"},
                                                     {marked("right later"), "#86bf9a"},
                                                     {marked("partly right"), "#e3b341"},
                                                     {marked("wrong"), "#cf5a3c"},

@@ -71,8 +71,8 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(
         true,
         sentence("depth.too_coarse",
-                 "at {object} (z = {z}), depths that differ by less than {gap} are not distinguished, {percent} of "
-                 "the picture's height there: where surfaces meet, the wrong one may win",
+                 "at {object} (z = {z}), depths less than {gap} apart, {percent} of the picture's height there, are "
+                 "not distinguished: where surfaces meet, the wrong one may win",
                  "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
                  "percent"_a = percent(share)),
         finer_depth(params, derived, seen, worst->farthest));
@@ -128,8 +128,8 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(
         is_there && depth.offset.factor == 0.0 && codes > 0.0 && codes < 1.0,
         sentence("depth.offset_too_small",
-                 "{units} offset units are {codes} of a depth code on this driver: where rounding removes it, a "
-                 "decal fights with the surface below",
+                 "{units} offset units are {codes} of a depth code on this driver: where rounding removes the offset, "
+                 "a decal fights with the surface below",
                  "units"_a = figures(depth.offset.units, 3), "codes"_a = figures(codes, 2)),
         "depth.offset.units=" + plain_number(std::copysign(1.0, depth.offset.units) / *unit * 1.5));
 }
@@ -169,8 +169,8 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                 fix);
     tell.broken(worst.pair->gap() > 0.0,
                 sentence("depth.fighting",
-                         "{object} and {other} are {gap} apart, but at z = {z}, depth is only sure to distinguish "
-                         "{needed}: where their codes are alike, the two fight",
+                         "{object} and {other} are {gap} apart, but at z = {z}, depth reliably distinguishes only gaps "
+                         "of {needed} or more: where their codes are equal, the two fight",
                          "object"_a = first, "other"_a = second, "gap"_a = figures(worst.pair->gap(), 2),
                          "z"_a = figures(worst.distance, 3), "needed"_a = figures(worst.needed, 2)),
                 fix);
@@ -203,7 +203,8 @@ void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, con
             equation.w += std::copysign(rounded_down(apart), plane.eye_side) * glm::length(glm::dvec3(equation));
             tell.broken(true,
                         sentence("depth.object_in_plane",
-                                 "{object} lies in {plane} itself: where their depths round alike, the two fight",
+                                 "{object} lies in {plane} itself: where their depths round to the same code, the two "
+                                 "fight",
                                  "object"_a = object_text(object.description.name),
                                  "plane"_a = planes_name(std::array{index}, planes.size())),
                         index > 0 ? ""

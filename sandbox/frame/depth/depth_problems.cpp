@@ -270,7 +270,8 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
                 true,
                 sentence(
                     "depth.decal_without_base",
-                    "a decal that lies on no flat object is left out: no mark in the stencil says where to draw it"));
+                    "a decal that does not lie on a flat object is left out: no mark in the stencil says where to draw "
+                    "it"));
 }
 
 /// Reports what is missing from a picture that is otherwise correct.
@@ -290,8 +291,8 @@ void say_omissions(Sayer& tell, const Params& params) {
     tell.window(
         params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
         sentence("window.no_multisampling",
-                 "16-bit depth comes without a stencil: the shadow and mirror masks hold one value per pixel, so "
-                 "there is no multisampling"));
+                 "16-bit depth has no stencil: the shadow and mirror masks hold one value per pixel, so there is no "
+                 "multisampling"));
 }
 
 }  // namespace

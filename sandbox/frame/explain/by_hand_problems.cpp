@@ -112,11 +112,12 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
             return std::nullopt;
         return is_shadow
                    ? sentence("by_hand.shadow_for_mirror",
-                              "{matrix} entered by hand is the shadow of the light {light} on the plane {plane}, not a "
-                              "mirror",
+                              "{matrix} entered by hand is the shadow matrix for the light {light} and the plane "
+                              "{plane}, not a reflection matrix",
                               "matrix"_a = matrix, "light"_a = light, "plane"_a = plane)
                    : sentence("by_hand.mirror_for_shadow",
-                              "{matrix} entered by hand is the mirror of the plane {plane}, not a shadow",
+                              "{matrix} entered by hand is the reflection matrix for the plane {plane}, not a shadow "
+                              "matrix",
                               "matrix"_a = matrix, "plane"_a = plane);
     }
     if (is_right_transposed(found, entries))
@@ -131,22 +132,24 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
         case MatrixFault::transposed:
             if (is_shadow) return std::nullopt;  // Sᵀ is a shadow matrix too, of another plane and light
             return sentence("by_hand.other_mirror_transposed",
-                            "{matrix} entered by hand is the transpose of a mirror matrix: of the plane {plane}",
+                            "{matrix} entered by hand is the transpose of the reflection matrix for the plane {plane}",
                             "matrix"_a = matrix, "plane"_a = plane);
         case MatrixFault::other_light:
             return sentence("by_hand.other_light",
-                            "{matrix} entered by hand is the shadow of the light {light}, not of this one",
+                            "{matrix} entered by hand is the shadow matrix for the light {light}, not for this one",
                             "matrix"_a = matrix, "light"_a = light);
         case MatrixFault::other_plane:
             return is_shadow ? sentence("by_hand.shadow_of_other_plane",
-                                        "{matrix} entered by hand is the shadow on the plane {plane}, not on this one",
+                                        "{matrix} entered by hand is the shadow matrix for the plane {plane}, not for "
+                                        "this one",
                                         "matrix"_a = matrix, "plane"_a = plane)
                              : sentence("by_hand.mirror_of_other_plane",
-                                        "{matrix} entered by hand is the mirror of the plane {plane}, not of this one",
+                                        "{matrix} entered by hand is the reflection matrix for the plane {plane}, not "
+                                        "for this one",
                                         "matrix"_a = matrix, "plane"_a = plane);
         case MatrixFault::different:
             return sentence("by_hand.other_shadow",
-                            "{matrix} entered by hand is the shadow of the light {light} on the plane {plane}",
+                            "{matrix} entered by hand is the shadow matrix for the light {light} and the plane {plane}",
                             "matrix"_a = matrix, "light"_a = light, "plane"_a = plane);
         case MatrixFault::not_unit_normal:
             return sentence(
@@ -172,9 +175,9 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
     // Here, Πᵀ S is a row vector times a matrix; if it is 0, every image lies in the plane.
     const bool lands = largest_component(of.unit_plane * s) <= size;
     const bool loses_light = largest_component(s * cast.light_world) <= size * glm::length(cast.light_world);
-    tell.broken(!lands,
-                sentence("by_hand.not_in_plane", "{matrix} entered by hand does not land in the plane: Π·S p ≠ 0",
-                         "matrix"_a = matrix));
+    tell.broken(!lands, sentence("by_hand.not_in_plane",
+                                 "{matrix} entered by hand does not send points into the plane: Π·S p ≠ 0",
+                                 "matrix"_a = matrix));
     tell.broken(
         lands && !loses_light,
         sentence("by_hand.light_not_to_0",
@@ -201,8 +204,8 @@ void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& m
                                  "matrix"_a = matrix));
     tell.broken(keeps && !sends(of.mirrored_world_from_world, q, patch.center - normal, patch),
                 sentence("by_hand.no_mirror_image",
-                         "{matrix} entered by hand keeps the plane, but sends no other point to its mirror image: "
-                         "R q ≠ q − 2 (n·q + d) n",
+                         "{matrix} entered by hand leaves the plane in place, but sends no other point to its mirror "
+                         "image: R q ≠ q − 2 (n·q + d) n",
                          "matrix"_a = matrix));
 }
 
@@ -225,7 +228,7 @@ void tell_shadow_by_hand(Sayer& tell, const Params& params, const Derived& deriv
     tell.broken(is_clipped && cast.sign < 0.0,
                 sentence("by_hand.sign",
                          "{matrix} entered by hand gives points between the light and the plane a positive w, but "
-                         "sign(n·ℓ + d) = −1 turns it: clipping removes the shadow",
+                         "sign(n·ℓ + d) = −1 makes it negative: clipping removes the shadow",
                          "matrix"_a = matrix),
                 "shadow.sign=none");
     tell.broken(is_clipped && cast.sign > 0.0,

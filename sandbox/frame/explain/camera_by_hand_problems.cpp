@@ -116,7 +116,7 @@ void tell_projection(Sayer& tell, const Params& params, const Derived& derived, 
     }
     tell.broken(!params.lens_by_hand(),
                 sentence("by_hand.no_lens",
-                         "P entered by hand is that of no lens: near and far have no meaning, and depths are no "
+                         "P entered by hand does not describe a lens: near and far have no meaning, and depths are not "
                          "distances"),
                 path);
 }

@@ -64,7 +64,7 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::unknown:
             break;
     }
-    return {"unknown", marked("its structure is that of none of the lecture's matrices"), ""};
+    return {"unknown", marked("its structure matches none of the lecture's matrices"), ""};
 }
 
 const char* matrix_title(char letter) {

@@ -52,7 +52,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                 true,
                 sentence("reflection.oblique_uncovered",
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
-                         "plane gives the image other depths: it shows in front of the mirror"),
+                         "plane gives the image different depths: it appears in front of the mirror"),
                 "reflection.stencil");
         // An image is in front of its mirror only without clipping, or with a wrong R or P: where the picture shows it,
         // its depth is that of a point in front.

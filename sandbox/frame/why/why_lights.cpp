@@ -72,10 +72,10 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
     const bool is_missing_light = !question.plan.passes[first.fragment.pass].color_write;
     said += "\n";
     if (is_missing_light)
-        said += tr("The stencil marks it, and the plane is drawn without this light.");
+        said += tr("The stencil marks the pixel, and the plane is drawn without this light.");
     else
-        said += say_count(shadow.passing, "The shadow is blended over it once.",
-                          "The shadow is blended over it {count} times.");
+        said += say_count(shadow.passing, "The shadow is blended over the pixel once.",
+                          "The shadow is blended over the pixel {count} times.");
     return said;
 }
 
@@ -140,8 +140,8 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     row.caster_world = in_way->point_world;
     row.caster = surface_name(question, in_way->object_index);
     if (question.params.shadow.enabled)
-        row.sentence +=
-            " " + say("{caster} is in its way, but planar shadows fall on planes only.", "caster"_a = row.caster);
+        row.sentence += " " + say("{caster} is in the light's way, but planar shadows fall on planes only.",
+                                  "caster"_a = row.caster);
     return row;
 }
 

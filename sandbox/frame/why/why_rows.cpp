@@ -247,7 +247,7 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
     const std::string sentence =
         elsewhere
             ? say("Drawn here: {object} at q = {q}. Its image {product} q = {image} belongs at pixel ({x}, {y}): the "
-                  "picture in the mirror has another lens than the camera.",
+                  "picture in the mirror has a different lens than the camera.",
                   "object"_a = object, "q"_a = point_text(q), "product"_a = product,
                   "image"_a = point_text(image_world), "x"_a = elsewhere->x, "y"_a = elsewhere->y)
             : say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,
@@ -309,9 +309,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
             ? say("{surface} and {other} store the same code {code}: the depth test cannot tell them apart.",
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)))
             : say_count(
-                  apart, "{surface} and {other} store {code} and {stored}, one code apart: closer than GL's rounding.",
-                  "{surface} and {other} store {code} and {stored}, {count} codes apart: closer than GL's "
-                  "rounding.",
+                  apart, "{surface} and {other} store {code} and {stored}, one code apart: within GL's rounding error.",
+                  "{surface} and {other} store {code} and {stored}, {count} codes apart: within GL's rounding error.",
                   "surface"_a = name, "other"_a = rival_name, "code"_a = code_text(one.stored, precision(question)),
                   "stored"_a = code_text(one.compared_with, precision(question)));
     const glm::ivec2 beside =
@@ -321,8 +320,8 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
     const int object = surface->fragment.object_index;
     if (seen)
         said += " " + (seen->fragment.object_index == object
-                           ? say("By the exact depths, the pixel beside it shows the same surface.")
-                           : say("By the exact depths, the pixel beside it shows {surface}.",
+                           ? say("By exact depth, the neighboring pixel shows the same surface.")
+                           : say("By exact depth, the neighboring pixel shows {surface}.",
                                  "surface"_a = surface_name(question, seen->fragment.object_index)));
     made.rows.push_back({.kind = WhyRow::Kind::fight, .title = tr("Depth fighting"), .sentence = said});
 }

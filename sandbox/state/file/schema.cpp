@@ -206,7 +206,7 @@ void add_look_at(Json& camera) {
     Json look_at = object_of({{"eye", point}, {"center", point}, {"up", point}});
     look_at["required"] = {"eye", "center"};
     look_at["description"] =
-        "The camera as gluLookAt takes it, in place of position, yaw, pitch and roll. Files are written with angles.";
+        "The camera as gluLookAt takes it, instead of position, yaw, pitch and roll. Files are written with angles.";
     camera["properties"]["look_at"] = std::move(look_at);
     for (const std::string_view path : fields_of_look_at())
         camera["allOf"].push_back({{"not", {{"required", {"look_at", field(path).name()}}}}});

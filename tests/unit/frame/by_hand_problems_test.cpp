@@ -78,12 +78,14 @@ TEST(ByHand, AMatrixIsCalledWhatItIs) {
         HandSample x(random);
         EXPECT_TRUE(
             first_says(x.of_shadow(glm::transpose(slides_shadow(x.plane, x.light))), "the transpose of the right S"));
-        EXPECT_TRUE(first_says(x.of_shadow(slides_shadow(x.plane, x.other_light)), "is the shadow of the light ("));
-        EXPECT_TRUE(first_says(x.of_shadow(slides_shadow(x.other_plane, x.light)), "is the shadow on the plane "));
-        EXPECT_TRUE(first_says(x.of_shadow(slides_mirror(x.plane)), "is the mirror of the plane "));
+        EXPECT_TRUE(
+            first_says(x.of_shadow(slides_shadow(x.plane, x.other_light)), "is the shadow matrix for the light ("));
+        EXPECT_TRUE(
+            first_says(x.of_shadow(slides_shadow(x.other_plane, x.light)), "is the shadow matrix for the plane "));
+        EXPECT_TRUE(first_says(x.of_shadow(slides_mirror(x.plane)), "is the reflection matrix for the plane "));
         EXPECT_TRUE(
             first_says(x.of_mirror(glm::transpose(slides_mirror(x.plane))), "Rᵀ, the transpose of the right R"));
-        EXPECT_TRUE(first_says(x.of_mirror(slides_mirror(x.other_plane)), "is the mirror of the plane "));
+        EXPECT_TRUE(first_says(x.of_mirror(slides_mirror(x.other_plane)), "is the reflection matrix for the plane "));
         EXPECT_TRUE(first_says(x.of_mirror(slides_mirror(1.7 * x.plane)), "a normal that is not a unit vector"));
         dmat4 slip = slides_mirror(x.plane);
         slip[0][1] = -slip[0][1];
@@ -100,12 +102,13 @@ TEST(ByHand, WorkedSentences) {
         return broken_by_hand(params);
     };
     EXPECT_EQ(of(slides_shadow({0, 1, 0, 0}, {1, 4, 2, 1}), slides_mirror({0, 1, 0, -0.5})),
-              (std::vector<std::string>{"S entered by hand is the shadow of the light (1, 4, 2), not of this one",
-                                        "R entered by hand is the mirror of the plane y = 0.5, not of this one"}));
+              (std::vector<std::string>{
+                  "S entered by hand is the shadow matrix for the light (1, 4, 2), not for this one",
+                  "R entered by hand is the reflection matrix for the plane y = 0.5, not for this one"}));
     EXPECT_EQ(of(slides_shadow({0, 1, 0, 0}, {0, 1, 0, 0}), slides_mirror({0.6, 0.8, 0, -2})),
               (std::vector<std::string>{
-                  "S entered by hand is the shadow of the light (0, 1, 0, 0), not of this one",
-                  "R entered by hand is the mirror of the plane 0.6 x + 0.8 y − 2 = 0, not of this one"}));
+                  "S entered by hand is the shadow matrix for the light (0, 1, 0, 0), not for this one",
+                  "R entered by hand is the reflection matrix for the plane 0.6 x + 0.8 y − 2 = 0, not for this one"}));
 }
 
 // The properties: S p is in the plane for all p, S L = 0, and S leaves points of the plane fixed. R leaves the plane's

@@ -92,7 +92,7 @@ TEST(ViewProblems, AMeshOfWhichNothingIsSeenIsNamed) {
     EXPECT_FALSE(says(mesh_scene(0.5F, glm::dvec3(1.0)), "scan"));
     EXPECT_TRUE(says(mesh_scene(0.5F, {2.0, 1e-5, 1e-5}), "thinner than a pixel"));
     EXPECT_FALSE(says(mesh_scene(0.5F, {2.0, 0.1, 0.1}), "thinner than a pixel"));
-    EXPECT_TRUE(says(mesh_scene(500.0F, glm::dvec3(0.004)), "a few stray vertices make the rest a dot"));
+    EXPECT_TRUE(says(mesh_scene(500.0F, glm::dvec3(0.004)), "a few stray vertices shrink the rest to a dot"));
     EXPECT_FALSE(says(mesh_scene(20.0F, glm::dvec3(0.1)), "stray"));
     EXPECT_FALSE(says(mesh_scene(500.0F, glm::dvec3(1.0)), "stray")) << "the rest is large enough to see";
 }

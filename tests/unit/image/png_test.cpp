@@ -218,7 +218,7 @@ TEST_F(PngFiles, HugeSizesAreRefusedWithoutAllocatingThem) {
               path.string() + ": the picture is 16385 × 4 pixels; at most 16384 per side are allowed");
     EXPECT_NE(error_for(4, 2000000000).find("4 × 2000000000 pixels"), std::string::npos);
     EXPECT_EQ(error_for(16384, 16384),
-              path.string() + ": the picture is 16384 × 16384 pixels; at most 64 million are allowed, make it smaller");
+              path.string() + ": the picture is 16384 × 16384 pixels; at most 64 million are allowed; make it smaller");
     EXPECT_EQ(error_for(8000, 8000), path.string() + ": the PNG file is cut off before its end");
     EXPECT_NE(error_for(0, 4).find("broken"), std::string::npos);
     EXPECT_NE(error_for(0xFFFFFFFFU, 0xFFFFFFFFU).find("broken"), std::string::npos);

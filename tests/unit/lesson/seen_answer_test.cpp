@@ -26,7 +26,7 @@ TEST(SeenAnswer, ANumberIsFoundWithTheDigitsShown) {
     const LessonStep step = step_of(AskKind::number);
     const Answer right{{-1.3684}, {}};
     EXPECT_EQ(seen_answers(step, right, {text_at("t = −1.368 here", 0, 0, "a/b")}),
-              std::vector<std::string>{"the answer -1.3684 can be read before it: −1.368 in a/b"});
+              std::vector<std::string>{"the answer -1.3684 can be read beforehand: −1.368 in a/b"});
     EXPECT_EQ(found(step, right, {text_at("-1.37", 0)}), 1U) << "the keyboard's minus";
     EXPECT_EQ(found(step, right, {text_at("−1.4", 0)}), 0U) << "two digits are too few";
     EXPECT_EQ(found(step, right, {text_at("1.368", 0)}), 0U) << "another sign";

@@ -33,7 +33,7 @@ TEST(TypedVotes, SayWhatDoesNotFit) {
     EXPECT_EQ(refusal("a b 5"), "A: how many votes?");
     EXPECT_EQ(refusal("a 5 7"), "7: which choice is it for?");
     EXPECT_EQ(refusal("5 7 a"), "5: which choice is it for?");
-    EXPECT_EQ(refusal("a 5 a 6"), "A is there twice.");
+    EXPECT_EQ(refusal("a 5 a 6"), "A appears twice.");
     EXPECT_EQ(refusal("a 99999999999999999999"), "At most 9999 votes.");
 }
 
