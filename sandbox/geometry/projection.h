@@ -32,8 +32,8 @@ struct Lens {
     double far = 40.0;       ///< may be infinite: perspective only, without a logarithm
     std::optional<Edges> window = {};  ///< perspective: at the near plane, as in glFrustum; orthographic: as in glOrtho
 
-    /// Returns the picture's edges at an eye distance. A lens with an explicit window ignores `aspect` (width / height).
-    /// With a negative fovy, left > right and bottom > top.
+    /// Returns the picture's edges at an eye distance. A lens with an explicit window ignores `aspect` (width /
+    /// height). With a negative fovy, left > right and bottom > top.
     Edges edges_at(double distance, double aspect) const;
     double reach = 100.0;  ///< the distance where pictures and charts end if far is infinite
 
@@ -56,8 +56,8 @@ glm::dmat4 clip_from_view(const Lens& lens, double aspect);
 /// Returns P with near and far swapped, for a clip range of 0 … 1: near → 1, far → 0.
 glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
-/// Returns the lens, with an explicit window, whose P equals this matrix up to a positive factor; none if there is no such
-/// lens. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far or
+/// Returns the lens, with an explicit window, whose P equals this matrix up to a positive factor; none if there is no
+/// such lens. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far or
 /// near ≤ 0; its window is that of a perspective lens at the nearer of the two. Entries up to `tolerance` count as 0.
 std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
 
