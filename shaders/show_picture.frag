@@ -2,7 +2,7 @@
 in vec2 position_texture;
 
 uniform sampler2D picture;
-uniform vec2 picture_share;  // share of the target that the picture fills, centered
+uniform vec2 picture_share;  // fraction of the target that the picture fills, centered
 
 out vec4 color;
 

@@ -10,7 +10,7 @@ uniform highp sampler2D surface_positions;  // xyz: relative to the drawing's or
 uniform highp sampler2D surface_normals;    // xyz: toward the eye; w: 1 for a front face, 0 for a back face
 uniform highp sampler2D surface_colors;     // xyz: linear color; w: object ID, from 1
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
-uniform vec2 picture_share;                 // share of the view that the picture fills, centered
+uniform vec2 picture_share;                 // fraction of the view that the picture fills, centered
 uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[CLIP_PLANES];

@@ -1,5 +1,5 @@
 // This file is linked into every test program. It sets the locations of the assets, the program and the tests, unless
-// the environment already sets them. No other setup is needed, whether ctest or a person starts the program. Every test
+// the environment already sets them. No other setup is needed, whether ctest or a user starts the program. Every test
 // compiles its shaders anew, with the fast settings of the headless commands, so that no result depends on what an
 // earlier run left in Mesa's cache.
 #include <cstdlib>

@@ -113,10 +113,10 @@ struct DividerStyle {
     float default_share = 0.5F;    ///< a right-click resets to it
 };
 
-/// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the part of the
-/// width to the left of the line, 0…1. Call after drawing the picture and before the item that handles the picture's
-/// mouse input, since the first item has priority. Leaves the cursor in place. A NaN share counts as the default.
-/// Returns true when `share` was edited.
+/// Draws a line from top to bottom over the picture in min…max; the user drags it sideways. `share`: the fraction of
+/// the width to the left of the line, 0…1. Call after drawing the picture and before the item that handles the
+/// picture's mouse input, since the first item has priority. Leaves the cursor in place. A NaN share counts as the
+/// default. Returns true when `share` was edited.
 bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const DividerStyle& style = {});
 
 }  // namespace widgets

@@ -17,7 +17,7 @@ struct TreeNode {
     int parent = -1, front = -1, back = -1;  ///< indices; −1: none
     std::string_view label = {};             ///< short: a number
     int mark = -1;                           ///< its number in a traversal, drawn beside it; −1: not visited
-    ImU32 color = 0;                         ///< by meaning; 0: neutral
+    ImU32 color = 0;                         ///< chosen by meaning; 0: neutral
     int eye_side = 0;                        ///< 1: the eye is in front, −1: behind; highlights that edge. 0: neither
 };
 
@@ -41,7 +41,7 @@ TreeLayout LayOutTree(std::span<const TreeNode> nodes, const std::unordered_set<
 struct TreeDiagramState {
     glm::dvec2 pan{0.0};  ///< from the view's upper left corner to the root, in design pixels
     double zoom = 1.0;
-    double stretch = 1.0;               ///< horizontal: before an audience, a fitted tree fills the view's width
+    double stretch = 1.0;  ///< horizontal scale: in front of an audience, a fitted tree fills the view's width
     std::unordered_set<int> collapsed;  ///< nodes with folded subtrees
     bool fit_next = true;               ///< show the whole tree in the next frame, or only its top if it is too large
     bool fit_whole_next = false;        ///< show the whole tree in the next frame, however small

@@ -63,8 +63,8 @@ ImU32 InkOn(ImU32 color);
 inline ImU32 Shown(ImU32 color) {
     return ImGui::GetColorU32(color);
 }
-/// Returns whether widgets are inside ImGui::BeginDisabled. ApplyStyle sets the alpha to 1, and only that block lowers
-/// it.
+/// Returns whether widgets are inside ImGui::BeginDisabled. ApplyStyle sets the alpha to 1, and only BeginDisabled
+/// lowers it.
 inline bool IsDisabled() {
     return ImGui::GetStyle().Alpha < 0.99F;
 }
@@ -82,7 +82,7 @@ void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view te
 void BeginTargets(Targets& targets);
 /// Draws a plate if the box's name is covered. Returns whether it is. `component`: −1 for a box on its own.
 bool CoveredBox(const char* id_text, int component, ImVec2 size);
-/// Marks the last item with the name that its scope gives this box.
+/// Marks the last item, a box, with the name that the current scope gives this box.
 void MarkBox(int component);
 
 /// Returns the width available for a label, which may wrap: at least 160 design pixels, since a popup that fits its
@@ -93,7 +93,7 @@ float LabelRoom();
 void LabelBehind(const char* label);
 
 /// Groups a control and its label into one item. The label is to the right of the control, or above it if a control of
-/// this width leaves no space. Ends with its scope.
+/// this width leaves no space. The group ends when this object goes out of scope.
 struct Labelled {
     Labelled(const char* label, float control_width);
     ~Labelled();

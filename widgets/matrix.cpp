@@ -37,7 +37,7 @@ glm::dmat4 WithoutResidues(glm::dmat4 value) {
     return value;
 }
 
-/// The layout for a given width: the cells' places, the number of decimals, and whether symbols fit.
+/// The layout for a given width: the cells' positions, the number of decimals, and whether symbols fit.
 struct Measures {
     inner::Face number, symbol;
     float bracket, inset;  ///< from the edge to the bracket's line; from a cell's edge to its text
@@ -207,7 +207,7 @@ int CellUnderPointer(ImVec2 corner, const Measures& measures) {
     return 4 * static_cast<int>(row) + static_cast<int>(column);
 }
 
-/// Describes the entry: its place, its symbol, its value with more decimals, and its GLM name.
+/// Describes the entry: its position, its symbol, its value with more decimals, and its GLM name.
 void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     const Context& context = CurrentContext();
     inner::BeginTooltipWindow();

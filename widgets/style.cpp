@@ -1,5 +1,5 @@
-// The look: three palettes, ImGui's own colors and metrics, and the frame that all fields share. Check each theme with
-// widgets-demo.
+// The appearance: three palettes, ImGui's own colors and metrics, and the frame that all fields share. Check each theme
+// with widgets-demo.
 #include <algorithm>
 
 #include "widgets/inner.h"

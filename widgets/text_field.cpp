@@ -54,8 +54,8 @@ bool Entry(const char* label, std::string& value, const Draw& draw) {
     return true;
 }
 
-/// Exchanges blanks for line ends, and line ends for blanks, so that no line is wider than `width` if possible. No byte
-/// moves, so a caret stays where it is.
+/// Replaces spaces with newlines and vice versa, so that no line is wider than `width` if possible. No byte moves, so a
+/// caret stays where it is.
 void Wrap(char* begin, char* end, float width) {
     std::replace(begin, end, '\n', ' ');
     char *line = begin, *last_blank = nullptr;

@@ -126,14 +126,14 @@ struct Context {
     Editing editing;
     std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
-    bool is_on_stage = false;            ///< before an audience: a tooltip ends when the pointer rests
+    bool is_on_stage = false;            ///< in front of an audience: a tooltip disappears if the pointer keeps resting
     float matrix_growth = 1.0F;          ///< at least 1: enlarges the matrices drawn next, as far as their width allows
     bool printed = false;                ///< for a printed figure, where nothing should look pressable
     std::vector<SectionPlace> sections;  ///< of the panel, in this frame
     std::string section_asked;           ///< a section to open and scroll to
     std::string offered;                 ///< advice that an empty view shows in this frame
-    /// Over all scrolling windows in this frame: the smallest visible share of a window's content, the largest used
-    /// share of a window's height, and the number of windows.
+    /// Over all scrolling windows in this frame: the smallest visible fraction of a window's content, the largest used
+    /// fraction of a window's height, and the number of windows.
     float seen_share = 1.0F, used_share = 0.0F;
     int scrolled_count = 0;
 };
@@ -199,7 +199,8 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 std::string BrokenAtBlanks(std::string_view text, float width);
 /// Does the same in a given font at its own size; also works outside a frame.
 std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& font);
-/// Returns the start of the text that fits into `width` pixels in the current font, with "…" if anything was cut.
+/// Returns as much of the beginning of the text as fits into `width` pixels in the current font, with "…" if anything
+/// was cut.
 std::string Shortened(std::string text, float width);
 void Note(const char* text);  ///< small, quiet, wraps
 /// The topic of a sentence. Each tone has its own sign and color: a red triangle with an exclamation mark if the
@@ -385,7 +386,7 @@ bool Splitter(const char* id, bool vertical, float& position, float min, float m
 
 // ---- drawing in a view -----------------------------------------------------------------------------
 
-/// Draws text on a plate of the views' background, with which all role colors contrast.
+/// Draws text on a plate in the views' background color, with which all role colors contrast.
 void PlateText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font = nullptr);
 
 /// Places labels beside their points so that none covers another or leaves the view: it tries eight directions around

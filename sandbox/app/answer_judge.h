@@ -1,6 +1,6 @@
 // Judges a lesson's answers when Check is pressed, and its goals whenever the state changes. Answers that need measured
-// pictures are judged in the background, while the window shows that they are being checked. Read lesson/judge.h for
-// how a verdict is reached.
+// pictures are judged in the background, while the window shows that they are being checked. See lesson/judge.h for how
+// a verdict is reached.
 #pragma once
 
 #include <memory>

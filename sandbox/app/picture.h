@@ -23,7 +23,7 @@ struct LessonPicture {
     bool revealed = false;
     bool presents = false;          ///< shows the step as the audience sees it
     bool has_strip = true;          ///< shows the lesson strip with the step's texts
-    std::string code_address = {};  ///< adds the QR code of a link that begins like this; "": no code
+    std::string code_address = {};  ///< adds the QR code of a link that begins with this address; "": no code
     bool ends = false;              ///< shows the card that follows the step
 };
 
@@ -91,7 +91,7 @@ struct PictureRequest {
     glm::ivec2 size_px{1280, 720};
     std::optional<int> samples = {};                   ///< 0 or 4; empty: the state's; always 0 for depth and stencil
     std::shared_ptr<const LessonPicture> lesson = {};  ///< for the whole window; the state is then the step's
-    bool presents = false;     ///< for the whole window: as in front of an audience, even without a lesson
+    bool presents = false;     ///< for the whole window: shows it as an audience would see it, even without a lesson
     bool labels = false;       ///< for the camera's picture: adds the window's overlay, and the picture beside it
     bool transparent = false;  ///< makes the bare background transparent
     double dpi = usual_dpi;    ///< text has the same height in points at any dpi

@@ -29,7 +29,7 @@ public:
     /// Does the same for any state, and keeps its picture under `name`.
     PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
 
-    /// Whether a picture is being made, which needs more frames.
+    /// Whether a picture is being made, in which case more frames are needed.
     bool is_busy() const { return preparing_.is_running(); }
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 /// Text is unreadable below half its usual size, and too large for a figure above twice its usual size.
 constexpr double least_size = 0.5, most_size = 2.0;
-/// The share of the height that counts as full. A view that fills more is not enlarged.
+/// The fraction of the height that counts as full. A view that fills more is not enlarged.
 constexpr double full_share = 0.9;
 
 ViewName maximized(PictureView view) {
@@ -140,7 +140,7 @@ std::string RestingWindow::too_small(glm::ivec2 size_px) {
     const std::string told = "the view does not fit in " + size_text(size_px) + " pixels, even at its smallest scale; ";
     constexpr int highest_px = 8192;
     while (!fits() && surroundings_.size_px.y < highest_px) {
-        // If content is cut off without scrolling, its hidden share is unknown, so assume at least a fifth.
+        // If content is cut off without scrolling, the hidden fraction is unknown, so assume at least a fifth.
         const double seen = std::min(static_cast<double>(studio_.workbench.widgets.seen_share), 0.8);
         surroundings_.size_px.y =
             std::min(highest_px, static_cast<int>(std::ceil(surroundings_.size_px.y / seen / 10.0)) * 10);

@@ -1,4 +1,4 @@
-// The data for one frame: the parameters at its time, and everything computed from them before a pixel is drawn. Read
+// The data for one frame: the parameters at its time, and everything computed from them before a pixel is drawn. See
 // studio.cpp for how it is made, and view_pictures.h for how it is drawn.
 #pragma once
 

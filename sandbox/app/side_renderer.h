@@ -1,5 +1,5 @@
 // A software renderer beside the window's own. It measures pictures while the window stays responsive, and gives the
-// same results as the commands, whichever driver draws the window. Read gl/egl_context.h for its context.
+// same results as the commands, whichever driver draws the window. See gl/egl_context.h for its context.
 #pragma once
 
 #include <functional>

@@ -168,7 +168,8 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     if (requests.cancel_hidden) answer_.cancel();
     if (requests.restart_hidden) answer_.restart();
     ImGui::Render();
-    // A frozen picture stays on screen: draw only the first frozen frame, whose message says so.
+    // A frozen picture stays on screen: draw only the first frozen frame, whose message says that the picture is
+    // frozen.
     const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
     if (was_frozen && is_frozen_) return requests;
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());

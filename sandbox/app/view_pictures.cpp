@@ -119,7 +119,7 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
         case Topic::mirror_ways:
             return draw_mirror_ways(shown, scene);
         default:
-            return std::monostate{};  // only the user interface draws it
+            return std::monostate{};  // only the user interface draws the other topics
     }
 }
 

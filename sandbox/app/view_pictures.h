@@ -23,7 +23,7 @@ public:
     /// Draws only the camera's view, for scenes that are slow to draw; draw_lower() draws only one of the views below
     /// it.
     Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
-    /// Draws the camera's view at the size that it last had on screen, although it is not visible.
+    /// Draws the camera's view at the size that it last had on screen, even though it is not visible now.
     Status draw_unseen_camera(const ShownFrame& shown, const Scene& scene);
     Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
 

@@ -42,8 +42,8 @@ Status WindowMemory::take_written() {
     const std::optional<Result<Remembered>> ended = writing_.take();
     if (!ended) return std::monostate{};
     if (!*ended) return Error{ended->error()};
-    // Adopt changes by other windows, but not their look or their student. If both windows have a step in a lesson,
-    // keep this window's step. If two windows copied each other's step, they would never come to rest.
+    // Adopt changes by other windows, but not their appearance or their student. If both windows have a step in a
+    // lesson, keep this window's step. If two windows copied each other's step, they would never settle.
     Remembered written = **ended;
     for (auto& [id, progress] : written.lessons)
         if (const auto own = sent_.lessons.find(id); own != sent_.lessons.end()) progress.step = own->second.step;
@@ -109,7 +109,7 @@ Status WindowMemory::finish() {
     Status last = take_written();
     if (is_written_ && remembered_ == known_) return last;  // otherwise it has changed since, or could not be written
     const Result<Remembered> written = merge_remembered(file_, known_, remembered_);
-    is_written_ = false;  // if the window stays open, follow() adopts additions by others
+    is_written_ = false;  // if the window stays open, follow() adopts what other windows have added
     if (!written) return Error{written.error()};
     Remembered known = remembered_;
     known.lessons = std::move(known_.lessons);

@@ -1,4 +1,4 @@
-// Remembers theme, scale, language, mouse habits and the window's place for the next run. Read
+// Remembers theme, scale, language, mouse habits and the window's position for the next run. See
 // state/person/remembered.h for the file.
 #pragma once
 
@@ -14,8 +14,8 @@ namespace viewing {
 class WindowMemory {
 public:
     /// Reads the file of the last run. If the file cannot be read, nothing is remembered and, unless `is_fresh`,
-    /// trouble() says why. If `is_fresh`, forgets the looks and the place, but not the progress, the recent files or
-    /// the student.
+    /// trouble() says why. If `is_fresh`, forgets the window's appearance and position, but not the progress, the
+    /// recent files or the student.
     WindowMemory(std::filesystem::path file, bool is_fresh);
 
     /// Returns the problem with the last run's file; "" if there is none.
@@ -24,7 +24,7 @@ public:
     /// Whether nothing has been remembered yet, which means that this is the first run.
     bool is_first_time() const { return is_first_time_; }
 
-    /// Applies the remembered look to a state that has none of its own. If no language is remembered, sets the
+    /// Applies the remembered appearance to a state that sets none of its own. If no language is remembered, sets the
     /// system's.
     void dress(Params& params) const;
 

@@ -52,7 +52,7 @@ inline const char* meaning(ExitStatus status) {
 /// The message for std::bad_alloc.
 inline constexpr const char* not_enough_memory = "internal error: out of memory";
 
-/// Ends a command with a status and one sentence for a person. Thrown inside cli/ and caught by run_command_line.
+/// Ends a command with a status and one sentence for the user. Thrown inside cli/ and caught by run_command_line.
 struct Failure : std::runtime_error {
     Failure(ExitStatus status_of_failure, const std::string& sentence)
         : std::runtime_error(sentence), status(status_of_failure) {}

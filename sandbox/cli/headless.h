@@ -56,7 +56,7 @@ void check_size(const Options& options, const PictureRequest& request);
 /// Throws Failure if the scene is too large for a hidden-surface method, before any work on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the exit status for an error of draw_picture() that GL has not reported: bad_input for a view that may be
+/// Returns the exit status for an error from draw_picture() that GL has not reported: bad_input for a view that may be
 /// empty or may not fit, otherwise gl_error.
 ExitStatus status_of_trouble(PictureView view);
 

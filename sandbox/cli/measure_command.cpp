@@ -76,7 +76,7 @@ GrowthRequest growth_request(const Options& options, const TypedMeasure& typed) 
     request.counts = counts_up_to(typed.max ? whole_option(options, "--max", *typed.max, 1, 1'000'000) : 10'000);
     const std::string kind = typed.polygons.value_or(polygon_kinds.front());
     request.scene = static_cast<GrowthScene>(choice_option(options, "--polygons", kind, polygon_kinds));
-    if (typed.no_times) {  // without times, only the number of pairs limits a method
+    if (typed.no_times) {  // if no times are measured, only the number of pairs limits a method
         request.time_budget_ms = std::numeric_limits<double>::infinity();
         request.max_pairs = 100'000'000;
     }

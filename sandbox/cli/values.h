@@ -48,7 +48,7 @@ std::optional<Language> language_option(const Options& options, const std::optio
 /// Makes the language of --language the current one; without the option, changes nothing.
 void speak_option(const Options& options, const std::optional<std::string>& text);
 
-/// Returns the address in front of a link's #, as typed; the default if the option was left out.
+/// Returns the address before a link's #, as typed; the default if the option was left out.
 std::string address_option(const Options& options, const char* name, const std::optional<std::string>& text);
 /// The help text of --base.
 inline constexpr const char* base_help =

@@ -164,7 +164,7 @@ void derive_planes(Derived& derived, const Params& params, const Scene& scene) {
     derived.chosen = params.chosen();
 }
 
-/// Returns the place of the followed point; nullopt if none is followed, or the scene lacks the vertex.
+/// Returns the position of the followed point; nullopt if none is followed, or the scene lacks the vertex.
 std::optional<glm::dvec3> place_of_followed(const std::optional<Follow>& follow, const Scene& scene) {
     if (!follow || follow->point) return follow ? follow->point : std::nullopt;
     const SceneObject* object = scene.find(follow->object);

@@ -147,8 +147,9 @@ glm::dmat4 projection_without_hand(const Params& params, const Derived& derived)
 glm::dmat4 effective_camera(const Derived& derived);
 
 /// Returns, in world space, the eight frustum corners of a camera with this state's projection: first the four near
-/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them. If no lens makes a
-/// P entered by hand, returns the points that it sends to the corners of the clip range, where such points exist.
+/// ones, then the four far ones, each counterclockwise from the bottom left as the camera sees them. If P is entered by
+/// hand and no lens produces it, returns the points that it sends to the corners of the clip range, where such points
+/// exist.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
                                           const glm::dmat4& world_from_view);
 /// Does the same for the placed camera, to show the camera even while a mistake breaks V.

@@ -1,4 +1,4 @@
-// Lists the GL calls that lead from one pass to the next, in the lecture's words, for the panel.
+// Lists the GL calls that change the state from one pass to the next, in the lecture's words, for the panel.
 #include <algorithm>
 
 #include "frame/plan.h"

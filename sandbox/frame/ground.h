@@ -20,7 +20,7 @@ inline constexpr Color front_color{0x70, 0x9e, 0xd9}, back_color{0xcc, 0x7d, 0x2
 /// The color of pixels where two hidden-surface methods differ.
 inline constexpr Color difference_color{235, 30, 40};
 
-/// Colors of stencil values: nothing marked, a patch, a patch with a missing light, a missing light beside a patch.
+/// Colors of stencil values: nothing marked, a patch, a patch with a missing light, a missing light outside a patch.
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};
 

@@ -1,5 +1,4 @@
-// The symbolic form of each matrix's entries, shown under the numbers in the window. Read matrix_text.h for the
-// numbers.
+// The symbolic form of each matrix's entries, shown under the numbers in the window. See matrix_text.h for the numbers.
 #pragma once
 
 #include <array>

@@ -135,8 +135,8 @@ bool holds(const Landing& landing, const glm::dvec4& sent) {
     return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
 }
 
-/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
-/// patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
+/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands outside
+/// the patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
 /// picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
@@ -164,7 +164,7 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
     return any_vertex(object, may_hold, is_there);
 }
 
-/// A mesh's part in the picture. Lengths are shares of the picture's height.
+/// A mesh's part in the picture. Lengths are fractions of the picture's height.
 struct Drawn {
     double area = 0.0;    ///< of all its triangles, whether or not they hide each other
     double length = 0.0;  ///< the diagonal of its bounds

@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// The share of the picture's height that a few pixels take up.
+/// The fraction of the picture's height that a few pixels take up.
 inline constexpr double visible_share = 1.0 / 200.0;
 
 /// Returns the height of the picture at an eye distance, in world units.

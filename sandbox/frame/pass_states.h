@@ -47,7 +47,7 @@ constexpr StencilState outside(int region) {
     return {.test = true, .func = CompareFunc::notequal, .reference = region};
 }
 
-/// Marks a patch seen in a mirror with the mirror's region plus one.
+/// Marks a patch seen in a mirror with the mirror's region value plus one.
 constexpr StencilState enters_from(int region) {
     StencilState state = inside(region);
     state.on_pass = StencilOp::increment;

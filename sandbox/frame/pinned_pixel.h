@@ -1,5 +1,5 @@
-// Finds the pinned pixel of the camera's picture: by its coordinates (view.pixel), or by a place in the picture or on
-// an object (view.pin), which stays the same at every size of the picture.
+// Finds the pinned pixel of the camera's picture: by its coordinates (view.pixel), or by a position in the picture or
+// on an object (view.pin), which stays the same at every size of the picture.
 #pragma once
 
 #include <optional>
@@ -19,11 +19,11 @@ std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dma
 
 struct PinnedPixel {
     std::optional<glm::ivec2> pixel;  ///< inside the picture; none if nothing is pinned or if `why_none` gives a reason
-    std::string why_none = "";        ///< the reason why the pinned place is not visible: one translated sentence
+    std::string why_none = "";  ///< the reason why the pinned position is not visible: one sentence in the UI language
 };
 
 /// Finds the pinned pixel in the camera's frame `plan`, for a picture of this size. An object that is pinned without a
-/// place is pinned at its visible pixel nearest to the middle of its box. The computed fragments
+/// position is pinned at its visible pixel nearest to the middle of its box. The computed fragments
 /// (frame/depth/fragments.h) decide visibility, on a grid of at most 33 × 33 pixels of the box.
 PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const FramePlan& plan, const Scene& scene,
                          glm::ivec2 size_px);

@@ -29,7 +29,7 @@ enum class Shading {
     unlit,     ///< ambient only
     flat,      ///< one color
     facing,    ///< front and back faces in two colors
-    heat,      ///< gaps of flat pairs, divided by the smallest gap that depth surely resolves
+    heat,      ///< gaps of flat pairs, divided by the smallest gap that depth reliably resolves
     caster_w,  ///< w after S: casts a shadow, behind the plane, or beyond the light
 
     // IDs instead of colors, for the renderer to read back: no plan contains them.
@@ -200,8 +200,8 @@ GrayScale gray_scale(const FramePlan& plan);
 /// Plans the observer's frame: the same scene, shadows and mirrors seen from outside, with plain depth and color.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// Returns the GL calls that lead from one pass of a frame to another, with the values that they set, in the lecture's
-/// words; unchanged state needs no call. first_gl_state() is the state before the first pass.
+/// Returns the GL calls that turn the state of one pass of a frame into that of another, with the values that they set,
+/// in the lecture's words; unchanged state needs no call. first_gl_state() is the state before the first pass.
 std::vector<std::string> gl_calls(const FramePlan& frame, const Pass& pass, const Pass& before);
 Pass first_gl_state();
 

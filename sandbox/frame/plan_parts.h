@@ -116,7 +116,7 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
 /// Adds missing light: shadows mark the stencil first, then the patch is drawn once for each set of missing lights.
 void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_t plane);
 
-/// Adds the planes and objects of a level: part of plan.cpp.
+/// Adds the planes and objects of a level; defined in plan.cpp.
 void add_world(std::vector<Pass>& passes, Level level);
 
 }  // namespace viewing

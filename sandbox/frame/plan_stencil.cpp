@@ -1,4 +1,4 @@
-// Decides where the stencil lets each pass draw and which values the pass writes to it. Read pass_states.h for the
+// Decides where the stencil lets each pass draw and which values the pass writes to it. See pass_states.h for the
 // states.
 #include "frame/plan_parts.h"
 

@@ -68,7 +68,7 @@ void say_light(Sayer& tell, const Params& params, const Derived& derived, const 
                   "light"_a = light, "planes"_a = behind));
 }
 
-/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), however small: S shows each w > 0.
+/// Reports a light whose w is between 0 (a parallel light) and 1 (a point light), however small: any w > 0 shows in S.
 void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (light.w <= 0.0 || light.w >= 1.0) return;
@@ -223,9 +223,9 @@ void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     });
 }
 
-/// Removes the fixes that may change nothing until another fix is applied: those of images while planes that share a
-/// stencil value are drawn over each other, and all others while the surfaces of the previous frame are rejected. The
-/// sentences about clearing and about GL_NOTEQUAL keep theirs.
+/// Removes the fixes that may change nothing until another fix is applied: the fixes of images while planes that share
+/// a stencil value are drawn over each other, and all others while the surfaces of the previous frame are rejected. The
+/// sentences about clearing and about GL_NOTEQUAL keep their fixes.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
         return problem.id == "reflection.shared_stencil";

@@ -46,7 +46,7 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
 /// Identifies a V and P entered by hand, and adds what is wrong with them.
 void find_camera_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
 
-/// Identifies each S and R entered by hand, if possible: a transpose, or a right matrix of something else.
+/// Identifies each S and R entered by hand, if possible: a transpose, or the correct matrix for something else.
 void find_by_hand_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived);
 
 /// Add the problems of the depth buffer, of shadows and of mirrors: the reason why each switch breaks the picture.

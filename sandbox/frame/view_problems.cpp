@@ -61,7 +61,7 @@ Sentence beside_the_view(const Params& params, const Derived& derived, const Sce
 }
 
 /// Returns the longest side of the box that holds all vertices but a few: along each axis, the lowest and the highest
-/// fiftieth of them do not count. In model units; estimated from some thousand vertices.
+/// fiftieth of them do not count. In model units; estimated from a few thousand vertices.
 double size_of_most(const Mesh& mesh) {
     constexpr std::size_t judged = 4096, left_out = 50;
     const std::size_t step = std::max<std::size_t>(1, mesh.positions.size() / judged);

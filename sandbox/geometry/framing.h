@@ -1,4 +1,4 @@
-// Places a camera so that its picture contains a box. Read navigation.h for how the user moves the camera.
+// Places a camera so that its picture contains a box. See navigation.h for how the user moves the camera.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -90,7 +90,8 @@ std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, d
         return std::all_of(entries.begin(), entries.end(), [&](double entry) { return std::abs(entry) <= tolerance; });
     };
     const glm::dvec4 &x = rows[0], &y = rows[1], &z = rows[2];
-    // The entry that multiplies z or, without a division, 1 shifts the window's middle; the other entry is 0.
+    // The window's middle is shifted by the entry that multiplies z or, without a division, by the one that multiplies
+    // 1; the other entry is 0.
     const int middle = lens.orthographic ? 3 : 2, other = 5 - middle;
     if (!are_zero({x.y, x[other], y.x, y[other], z.x, z.y, rows[3].x, rows[3].y, rows[3][other]}) || x.x == 0.0 ||
         y.y == 0.0)

@@ -20,9 +20,9 @@ struct DeviceInfo {
 /// Returns every EGL device; empty if EGL cannot enumerate them.
 std::vector<DeviceInfo> egl_devices();
 
-/// Speeds up a process that draws few pictures: the software renderer compiles its shaders without optimization and for
-/// 128-bit vectors, which halves the time of a cold start and changes no pixel. Call before the first context is made.
-/// Does not override GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH if the user has set them.
+/// Speeds up a process that draws only a few pictures: the software renderer compiles its shaders without optimization
+/// and for 128-bit vectors, which halves the time of a cold start and changes no pixel. Call before the first context
+/// is made. Does not override GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH if the user has set them.
 void prefer_quick_start();
 
 /// Turns off the driver's shader cache if neither HOME nor a cache folder is set. Otherwise, the driver would look up a

@@ -1,5 +1,5 @@
 // A substitute for the stencil buffer of a target that has none: one byte per pixel in a texture, drawn together with
-// the color. Read render/masks.h for how a pass tests and changes it.
+// the color. See render/masks.h for how a pass tests and changes it.
 #pragma once
 
 #include "gl/objects.h"

@@ -1,5 +1,5 @@
-// Compares two pictures with two thresholds: how far a channel may be off, and what share of the pixels may be off by
-// more. The first alone would fail on one stray edge pixel; the second alone would let a small error pass. Pictures
+// Compares two pictures with two thresholds: how far a channel may be off, and what fraction of the pixels may be off
+// by more. The first alone would fail on one stray edge pixel; the second alone would let a small error pass. Pictures
 // from another driver are compared with a separate profile.
 #pragma once
 
@@ -21,8 +21,8 @@ inline constexpr std::array profile_names{"strict", "portable"};
 
 /// strict: pictures are equal if they have the same size, and at most `share` of the compared pixels have a channel
 /// (red, green, blue or alpha) that differs by more than `worst`. portable: resampled edges do not count among these
-/// pixels; in addition, no connected block of them may have more than `block_px`, and no square of 16 x 16 pixels may
-/// be shifted by more than `shift`.
+/// pixels; in addition, no connected block of them may have more than `block_px` pixels, and the mean of any square of
+/// 16 x 16 pixels may shift by at most `shift`.
 struct CompareOptions {
     /// How far a channel may be off, in levels from 0 to 255. The default is 2, because the renderer rounds differently
     /// on different processors. One level is invisible; a wrong light or normal changes a channel by tens of levels.
@@ -43,9 +43,9 @@ struct CompareOptions {
     double shift = 0.6;
 };
 
-/// The thresholds of the portable profile. worst is 3: two levels of noise and one of rounding. share is 0.002: another
-/// number of samples changes at most 0.0006 of the pixels, in a picture full of lines; a larger share cannot come from
-/// rounding, even if the pixels are far apart.
+/// The thresholds of the portable profile. worst is 3: two levels of noise and one of rounding. share is 0.002: a
+/// different number of samples changes at most 0.0006 of the pixels, in a picture full of lines; a larger fraction
+/// cannot come from rounding, even if the pixels are far apart.
 constexpr CompareOptions portable_options{.worst = 3, .share = 0.002, .profile = CompareProfile::portable};
 
 /// Returns the thresholds of a profile.

@@ -18,7 +18,7 @@ PixelBox around(const PixelBox& a, const PixelBox& b) {
             a.pixels + b.pixels};
 }
 
-/// Adds a box to boxes that are not near each other, and merges boxes until no two are near each other again.
+/// Adds a box to a set in which no two boxes are near each other, and merges boxes until that is true again.
 void add_box(std::vector<PixelBox>& boxes, PixelBox box, int gap) {
     for (bool joined = true; joined;) {
         joined = false;

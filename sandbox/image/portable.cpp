@@ -12,12 +12,12 @@ namespace {
 
 constexpr int channels = 4;
 
-/// The share of an edge's step by which a value may be outside the range of its neighbors in the other picture. A line
-/// one pixel wide that is resolved with 16 samples keeps at least half of its contrast.
+/// The fraction of an edge's step by which a value may be outside the range of its neighbors in the other picture. A
+/// line one pixel wide that is resolved with 16 samples keeps at least half of its contrast.
 constexpr double fading = 0.5;
-/// An edge displaced by at least this many pixels counts as moved. Other samples displace an edge by up to half a pixel
-/// (one sample at the center instead of the true coverage) plus an eighth (coverage from four samples). For an edge
-/// that has moved by one pixel, the measurement gives 1.
+/// An edge displaced by at least this many pixels counts as moved. A different set of samples displaces an edge by up
+/// to half a pixel (one sample at the center instead of the true coverage) plus an eighth (coverage from four samples).
+/// For an edge that has moved by one pixel, the measurement gives 1.
 constexpr double moved_px = 0.8;
 /// The smallest step, in levels, whose displacement counts. For a smaller step, the rounding of the neighboring pixels
 /// matters too much.
@@ -68,7 +68,7 @@ struct Profile {
 
 struct Displacement {
     double px = 0.0;      ///< how far the edge moved; never negative
-    double net_px = 0.0;  ///< absolute sum of a line's signed edge displacements: 0 if both sides shrank alike
+    double net_px = 0.0;  ///< absolute value of the sum of a line's signed displacements: 0 if both sides shrank alike
     int step = 0;         ///< height of the edge, in levels
     int least_range = 0;  ///< range of the profile in the picture where it is smaller
 };

@@ -1,5 +1,5 @@
-// The portable rule: accepts the changes that another driver or another number of samples may cause in a picture, and
-// nothing else. Read CompareProfile in compare.h first.
+// The portable rule: accepts the changes that another driver or a different number of samples may cause in a picture,
+// and nothing else. Read CompareProfile in compare.h first.
 #pragma once
 
 #include <array>

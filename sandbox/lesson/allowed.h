@@ -12,8 +12,8 @@ namespace viewing {
 /// Returns the paths of fields that differ.
 std::vector<std::string> changed_fields(const Params& before, const Params& after);
 
-/// Returns the changed fields that `allow` lists neither by themselves nor by their group. Viewing fields (view,
-/// observer, ui, animation) may always change, and all fields may if `allow` is empty.
+/// Returns the changed fields that `allow` lists neither individually nor by group. Viewing fields (view, observer, ui,
+/// animation) may always change, and all fields may if `allow` is empty.
 std::vector<std::string> changed_without_leave(const Params& before, const Params& after,
                                                const std::vector<std::string>& allow);
 

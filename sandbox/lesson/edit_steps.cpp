@@ -11,7 +11,7 @@ namespace {
 
 using Pointer = Json::json_pointer;
 
-/// Calls `edit` with the lesson's document, which has that step, and reads the result as a lesson.
+/// Checks that the lesson's document has that step, calls `edit` with the document, and reads the result as a lesson.
 template <typename Edit>
 Result<std::string> edited(const LessonSource& source, std::size_t step, const Edit& edit) {
     return guarded([&] {
@@ -63,13 +63,13 @@ public:
         const Pointer at(place);
         parts_.push_back({kind, number, place, step_.contains(at) ? sentence_in(step_[at], language_) : ""});
     }
-    /// Adds whether a choice is right; returns it.
+    /// Adds and returns whether a choice is right.
     bool mark(const std::string& choice, std::size_t number) {
         const bool is_right = step_[Pointer(choice)].is_object() && step_[Pointer(choice)].contains("right");
         parts_.push_back({StepPart::Kind::right, number, choice + "/right", is_right ? "true" : "false"});
         return is_right;
     }
-    /// Adds a value as it is in the file, if it is there.
+    /// Adds a value as it appears in the file; does nothing if the file lacks it.
     void value(StepPart::Kind kind, const std::string& place, std::size_t number = 0) {
         const Pointer at(place);
         if (!step_.contains(at)) return;
@@ -192,7 +192,7 @@ Result<std::string> with_start(const LessonSource& source, std::size_t step, con
                                const std::string& preset) {
     return edited_step(source, step, [&](Json& whole) {
         whole["state"] = state_of_step(params, preset, source.name);
-        whole.erase("layout");  // the state has it now
+        whole.erase("layout");  // the state contains it now
     });
 }
 

@@ -1,5 +1,5 @@
 // An exercise: a lesson step with parameters, so that each student gets different numbers. variant_step() turns a
-// variant into a plain step, which is then presented and judged like any lesson step. Read variants.h for how variants
+// variant into a plain step, which is then presented and judged like any lesson step. See variants.h for how variants
 // are assigned to students, and hand_in.h for the file that is handed in.
 #pragma once
 

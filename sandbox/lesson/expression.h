@@ -1,6 +1,6 @@
 // The expressions of lesson files. Lua computes one value from a closed list of names. An expression has no access to
 // files or libraries except the mathematics here, cannot define functions or loops, and has limited time and memory, so
-// that a stranger's file can do no harm. Read names.h for the names, and lesson.h for the fields that contain
+// that a stranger's file can do no harm. See names.h for the names, and lesson.h for the fields that contain
 // expressions.
 #pragma once
 

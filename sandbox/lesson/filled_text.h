@@ -9,10 +9,10 @@
 
 namespace viewing {
 
-/// Whether a text has a place for a value.
+/// Whether a text has a placeholder for a value.
 bool has_places(const LessonText& text);
 
-/// Replaces each {expression} with its value as a sentence has it: a number with `digits` significant digits, "−3",
+/// Replaces each {expression} with its value as written in a sentence: a number with `digits` significant digits, "−3",
 /// "(0, 1, 0, 0)". The error is that of the first expression that has no value.
 Result<std::string> filled(const std::string& text, const std::function<Result<Json>(const std::string&)>& value_of,
                            int digits);

@@ -1,4 +1,4 @@
-// A student's hand-in: one JSON file with every attempt, which a person can read, too. Grading trusts only the student
+// A student's hand-in: one JSON file with every attempt, which people can read, too. Grading trusts only the student
 // number, the answers and the changes; the verdicts are for human readers. Read report/grading.h next.
 #pragma once
 

@@ -13,14 +13,14 @@ namespace viewing {
 enum class Near {
     nothing,      ///< nothing to report
     factor,       ///< all numbers are right except for one common factor
-    sign,         ///< only the signs at the places are wrong
+    sign,         ///< only the signs at `places` are wrong
     half,         ///< the number is half of the right one
     twice,        ///< the number is twice the right one
     reciprocal,   ///< the number is 1 divided by the right one
     radians,      ///< the number is right as an angle in radians, but it has to be in degrees
     degrees,      ///< the number is right as an angle in degrees, but it has to be in radians
     decimal,      ///< only the decimal point is in the wrong place, by up to three places
-    right_parts,  ///< the rows or entries at the places are right, the others are not
+    right_parts,  ///< the rows or entries at `places` are right, the others are not
     first_items,  ///< this many tiles at the beginning are right
     first_wrong,  ///< the first tile is wrong
     no_items,     ///< none of the chosen tiles is right
@@ -36,7 +36,7 @@ struct Verdict {
     int points = 0;                          ///< in an exercise: points earned although the answer is not right
     Near near = Near::nothing;               ///< for an unknown mistake
     std::vector<int> places = {};            ///< for `near`: rows or entries, counted from 1, or a number of tiles
-    int other_row = 0;                       ///< a wrong row that is right for another plane or light, from 1; 0: none
+    int other_row = 0;                       ///< from 1: a wrong row that is right for another plane or light; 0: none
     std::vector<double> other_plane = {};    ///< (a, b, c, d) of that plane, with a unit normal; empty: it is a light
     std::vector<double> other_light = {};    ///< (x, y, z, w) of that light
     std::vector<std::string> progress = {};  ///< of a goal: see progress_of()

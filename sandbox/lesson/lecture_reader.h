@@ -1,4 +1,4 @@
-// Internal to lesson/: reads a lecture, a list of lessons, single steps and presets with their minutes, as one lesson
+// Internal to lesson/: reads a lecture (a list of lessons, single steps and presets, with their minutes) as one lesson
 // whose steps are those of all its parts.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace viewing {
 /// Whether the document is a lecture; otherwise it must be a lesson.
 bool is_lecture(const Json& document);
 
-/// Reads as much as can be read, and adds a sentence for each mistake. Without one, the lecture is complete.
+/// Reads as much as can be read, and adds a sentence for each mistake. If there are none, the lecture is complete.
 Lesson read_lecture(const Json& document, const std::filesystem::path& folder, const Where& where, Mistakes& mistakes);
 
 }  // namespace viewing

@@ -1,6 +1,6 @@
 // A guided lesson, as its file describes it, or a lecture made of lessons, steps and presets. Each step asks a question
 // before it shows the answer. Each step's state is complete, so a step can be revisited, reached directly and tested
-// alone. Read reader.cpp for the file, judge.h for answers, and run.h for the progress through a lesson.
+// alone. See reader.cpp for the file, judge.h for answers, and run.h for the progress through a lesson.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ constexpr bool is_typed(AskKind kind) {
     return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
 }
 
-/// Whether items are chosen or put in order.
+/// Whether the answer consists of items that are chosen or put in order.
 constexpr bool has_items(AskKind kind) {
     return kind == AskKind::sequence || kind == AskKind::order || kind == AskKind::product || kind == AskKind::subset;
 }

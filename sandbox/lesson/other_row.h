@@ -1,4 +1,4 @@
-// A row of an entered R or S that is right for another plane or light than the question's.
+// A row of an entered R or S that is right for a plane or light other than the question's.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -22,8 +22,8 @@ std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, 
                                               const glm::dvec4& asked);
 
 /// Returns the light whose S on this unit plane has this row, counted from 0. The row determines L_i and Π·L. `others`
-/// gives the light's other numbers; if Π·L differs for it, one of its x, y, z is adapted, provided that only this one
-/// affects Π·L. None if there is no such light, and for a row of zeros.
+/// gives the light's other numbers; if they give a different Π·L, one of the light's x, y, z is adapted, provided that
+/// only this one affects Π·L. None if there is no such light, and for a row of zeros.
 std::optional<glm::dvec4> light_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& plane,
                                               const glm::dvec4& others);
 
@@ -33,8 +33,8 @@ struct OtherRow {
     glm::dvec4 numbers{0.0};
 };
 
-/// Finds the first row of 16 numbers that is not among `right_rows` (from 1) and belongs to another plane than
-/// `plane.equation` or, for S, to another light than `light.position`. None if `expect` is neither R nor S of these.
+/// Finds the first row of 16 numbers that is not among `right_rows` (from 1) and belongs to a plane other than
+/// `plane.equation` or, for S, to a light other than `light.position`. None if `expect` is neither R nor S of these.
 std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std::vector<int>& right_rows,
                                   const std::string& expect, const Surroundings& surroundings);
 

@@ -98,7 +98,7 @@ public:
 
     int hints_shown() const { return now().hints; }
     void show_hint();
-    /// Returns the votes of the room on the step's choices; each step keeps its own.
+    /// Returns the audience's votes on the step's choices; each step keeps its own.
     Ballot& ballot() { return now().ballot; }
     const Ballot& ballot() const { return now().ballot; }
     /// Restores earlier work on a step. `reached` is the value that reached() returns.
@@ -116,7 +116,7 @@ private:
         std::vector<std::string> unread;
         std::vector<int> tried;  ///< wrong choices
         std::optional<Answer> model;
-        LessonText reveal_say;  ///< filled; empty until then, and for a text without numbers to fill in
+        LessonText reveal_say;  ///< with its numbers; empty until they are filled in, and for a text without any
         GoalProgress progress;
         Products products;
         int hints = 0;

@@ -23,7 +23,7 @@ struct Token {
 
 constexpr std::string_view minus = "−";
 
-/// Returns the numbers in a text, without the digits of names (d24, s₁) and numbers with a power of ten.
+/// Returns the numbers in a text, except digits in names (d24, s₁) and numbers with a power of ten.
 std::vector<Token> numbers_in(const SeenText& seen) {
     const std::string& text = seen.text;
     std::vector<Token> numbers;
@@ -40,7 +40,7 @@ std::vector<Token> numbers_in(const SeenText& seen) {
         for (; at < text.size(); ++at) {
             const bool goes_on = at + 1 < text.size() && is_digit(text[at + 1]);
             if (text[at] == ',' && goes_on) {
-                // A comma groups three digits; any other separates numbers.
+                // A comma may group three digits; any other comma separates numbers.
                 const std::size_t end = std::min(text.find_first_not_of("0123456789", at + 1), text.size());
                 if (end - at != 4 || has_point) break;
                 continue;

@@ -12,7 +12,8 @@
 
 namespace viewing {
 
-/// The calls in the list of passes that can be named, by their start: "call:glClear" is its first line that begins so.
+/// The calls in the list of passes that can be named, by how they begin: "call:glClear" is the first line of the list
+/// that begins that way.
 inline constexpr const char* named_calls[] = {"glClear(", "glDepthMask(GL_FALSE)", "glEnable(GL_CULL_FACE)"};
 
 /// Returns the name in the form that the window uses. For an unknown name, the error is a sentence that suggests the

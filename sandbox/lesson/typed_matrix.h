@@ -1,4 +1,4 @@
-// The matrix in an answer: entered numbers, or the product of the factors on its tiles. States that show the
+// The matrix in an answer: entered numbers, or the product of the factors on its tiles. Also the states that show the
 // effect of that matrix, and of the right one, on the picture.
 #pragma once
 
@@ -26,9 +26,10 @@ Result<std::vector<glm::dmat4>> products_of(const Ask& ask, const std::vector<in
 /// Returns the start of a step, but with a shadow that is also visible beyond the edge of the plane.
 LoadedState with_right_matrix(const LessonStep& step);
 
-/// Returns the same start with the matrix as the field that shows the answer (Ask::shows_as), or with the camera that
-/// has it as its C or V. If the question allows any factor, chooses the sign for which points near the origin get w > 0
-/// and so stay in front of the eye. Fails if the field refuses the numbers, or if no camera has the matrix.
+/// Returns the same start with the matrix as the value of the field that shows the answer (Ask::shows_as), or with the
+/// camera that has it as its C or V. If the question allows any factor, chooses the sign for which points near the
+/// origin get w > 0 and so stay in front of the eye. Fails if the field refuses the numbers, or if no camera has the
+/// matrix.
 Result<LoadedState> with_typed_matrix(const LessonStep& step, const glm::dmat4& matrix);
 
 }  // namespace viewing

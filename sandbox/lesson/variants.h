@@ -1,6 +1,6 @@
 // Assigns variants of exercises to students. The assignment is fixed forever, so that a sheet never changes and a
 // lecturer can reconstruct it. All numbers are 64-bit, modulo 2⁶⁴. Source: Steele, Lea and Flood 2014, SplitMix64. For
-// FNV, read text/hash.h.
+// FNV, see text/hash.h.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace viewing {
 std::uint64_t finalised(std::uint64_t bits);
 
 /// Returns 0 … count − 1 in an order that depends only on the seed. This is a Fisher–Yates shuffle from the end, which
-/// picks each place by SplitMix64 modulo the number of remaining places.
+/// picks each position by SplitMix64 modulo the number of remaining positions.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed);
 
 /// Returns a variant from 0 to `count` − 1 (`count` ≥ 1): the finalized FNV-1a hash of "course|student|exercise",

@@ -1,5 +1,5 @@
-// The votes of a room on one question with choices: a first vote and a second one after the discussion, as the lecturer
-// types them ("A 80 B 60") or counts raised hands.
+// An audience's votes on one question with choices: a first vote and a second one after the discussion. The lecturer
+// types the counts ("A 80 B 60") or counts raised hands.
 #pragma once
 
 #include <array>

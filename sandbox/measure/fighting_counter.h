@@ -1,6 +1,6 @@
 // Keeps the numbers of the depth fighting view up to date without blocking the window. GL draws the pictures while
 // nothing is being dragged, a background thread computes exact visibility, and the search for the smallest gap draws a
-// few pictures per frame. Then the counter counts everything again with each cure, and from jittered cameras. Read
+// few pictures per frame. Then the counter counts everything again with each cure, and from jittered cameras. See
 // fighting_measure.h for the counts.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Answers hidden-surface questions with the help of GL: if one of GL's own methods is being compared, GL draws the
-// picture, and the polygon ids are read back from it. Read hidden_worker.h for how the window gets its answers.
+// picture, and the polygon ids are read back from it. See hidden_worker.h for how the window gets its answers.
 #pragma once
 
 #include "frame/hidden/hidden_views.h"

@@ -1,5 +1,5 @@
 // Finds the smallest gap that a depth buffer resolves, by drawing: two parallel quads move closer together until a
-// pixel shows the wrong one. Read frame/depth/fighting.h for the formulas, and fighting_measure.h for the counting.
+// pixel shows the wrong one. See frame/depth/fighting.h for the formulas, and fighting_measure.h for the counting.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Draws the mirror image with GL in four ways and compares them. Read frame/planes/mirror_ways.h for the counts.
+// Draws the mirror image with GL in four ways and compares them. See frame/planes/mirror_ways.h for the counts.
 #pragma once
 
 #include "frame/planes/mirror_ways.h"

@@ -21,14 +21,14 @@ public:
     /// Ends a child that is still running (end()).
     ~ChildProcess();
 
-    /// Write to the program's standard input: tell() appends a line end, give() does not. Return false if the program
-    /// no longer reads its input.
+    /// Write to the program's standard input: tell() appends a newline, give() does not. Return false if the program no
+    /// longer reads its input.
     bool tell(const std::string& line) { return give(line + "\n"); }
     bool give(std::string_view bytes);
     /// Closes the program's standard input, so that the program ends by itself.
     void finish_telling();
 
-    /// Returns the complete lines written since the last call, without line ends; keeps an incomplete line for later.
+    /// Returns the complete lines written since the last call, without newlines; keeps an incomplete line for later.
     std::vector<std::string> take_lines();
     /// Returns what the program has written to standard error since the last call, but only the last 64 KiB of it.
     std::string take_complaints();

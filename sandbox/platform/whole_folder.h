@@ -1,5 +1,5 @@
 // A folder of results that is never visible half-complete: it is written next to its target and gets the target's name
-// only when it is complete. Read file.h for single files.
+// only when it is complete. See file.h for single files.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Reads the buffers of a view as numbers: colors, stored depths, and stencil values. Read probe.h for their meaning.
+// Reads the buffers of a view as numbers: colors, stored depths, and stencil values. See probe.h for their meaning.
 #pragma once
 
 #include <vector>

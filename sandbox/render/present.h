@@ -1,4 +1,4 @@
-// Makes the buffers of a frame visible: draws depth, stencil and counts as colors into another target. Read
+// Makes the buffers of a frame visible: draws depth, stencil and counts as colors into another target. See
 // buffer_read.h for how to read their numbers.
 #pragma once
 

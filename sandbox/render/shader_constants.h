@@ -1,5 +1,5 @@
 // The numbers that C++ and GLSL share, generated from enumerations and tables and inserted before every shader, so that
-// no shader repeats them. Read shaders/surface.frag for their use.
+// no shader repeats them. See shaders/surface.frag for their use.
 #pragma once
 
 #include <span>

@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// Returns whether a whole box is outside one side of the picture or behind one of the pass's clip planes, so that
-/// nothing in it is visible. Ignores the near and far planes. A box that touches an edge counts as visible, and so does
-/// an empty one.
+/// Returns whether a box lies entirely outside one side of the picture or entirely behind one of the pass's clip
+/// planes, so that nothing in it is visible. Ignores the near and far planes. A box that touches an edge counts as
+/// visible, and so does an empty one.
 bool is_out_of_sight(const Bounds& box_model, const Pass& pass, const glm::dmat4& world_from_model);
 
 /// Returns whether none of the pass's clip planes cuts anything off a mesh; points on a plane are kept, as in the

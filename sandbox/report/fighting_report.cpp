@@ -7,8 +7,8 @@
 namespace viewing {
 namespace {
 
-/// Returns the parts of a predicted gap, converted from eye distance to the surface's normal by `slant`; the total is
-/// null if no gap is wide enough.
+/// Returns the parts of a predicted gap; `slant` converts them from a difference in eye distance to a length along the
+/// surface's normal. The total is null if no gap is wide enough.
 Json onset_as_json(const FightingOnset& onset, double slant) {
     return {{"quantisation", onset.quantisation * slant},
             {"arithmetic", onset.arithmetic * slant},

@@ -72,7 +72,7 @@ bool has_equal_replay(const HandIn& a, const HandIn& b) {
     });
 }
 
-/// Returns whose variant this is: the first student in the class who got it, and how many others did.
+/// Returns whose variant this is: the first student in the class who has it, and how many others have it too.
 std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
     std::string first;
     int others = 0;

@@ -36,7 +36,7 @@ public:
             check_claims(step_.claims_before, "claims_before", before);
             if (step_.ask.kind != AskKind::goal) check_answers(before);
         }
-        // A reveal is filled at once, without measurements.
+        // A reveal's text is filled in immediately, without measurements.
         LessonNumbers at_once(step_.start.params, step_.start.params, *scene_, nullptr);
         const Result<LessonText> told = filled(step_.reveal.say, with_constants(step_.ask, at_once.surroundings()));
         if (!told) find("reveal.say: " + told.error());
@@ -65,7 +65,7 @@ private:
         return scene_ && revealed_scene_;
     }
 
-    /// Finds texts that the author of a saved step has not replaced.
+    /// Finds template texts that the author of a saved step has not replaced.
     void check_texts() {
         const auto check = [&](const LessonText& text, const char* placeholder, const std::string& where) {
             if (text.by_language[0] == placeholder)
@@ -82,7 +82,7 @@ private:
         check(step_.reveal.say, template_texts.reveal, "reveal.say");
     }
 
-    /// Finds a mark with the name that the followed point has in the picture.
+    /// Finds a mark whose name is the same as that of the followed point in the picture.
     void check_marks() {
         if (!step_.target || !step_.start.params.follow) return;
         const std::string label = step_.target->label.in_english();

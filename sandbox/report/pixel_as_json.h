@@ -10,8 +10,8 @@
 namespace viewing {
 
 /// Returns one object for each pixel. Pixels are counted from the top left of a picture without multisampling, and must
-/// be inside it. The color is that of the picture for view.shows; all other values are the surface's, whatever the
-/// colors show. The error comes from GL, or says that the scene is too large for its hidden-surface method.
+/// be inside it. The color is that of the picture for view.shows; all other values are those of the surface, regardless
+/// of what the colors show. The error comes from GL, or says that the scene is too large for its hidden-surface method.
 Result<Json> pixels_as_json(Renderer& renderer, const Params& params, const Scene& scene,
                             std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
 

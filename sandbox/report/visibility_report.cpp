@@ -134,7 +134,7 @@ private:
         return wrong;
     }
 
-    /// Counts the pixels that differ from the reference. The polygons of exact curves have their own numbers, so
+    /// Counts the pixels that differ from the reference. The polygons of exact curves are numbered differently, so
     /// objects are compared instead.
     std::int64_t wrong_pixels(const HiddenResult& result) {
         const IdImage image = or_refuse(polygon_ids_drawn(renderer_, params_, derived_, scene_, result));

@@ -15,7 +15,7 @@ namespace viewing {
 Result<std::vector<Why>> explained_pixels(Renderer& renderer, const Params& params, const Scene& scene,
                                           std::span<const glm::ivec2> pixels, glm::ivec2 size_px);
 
-/// "predicted" is the color computed from the chain and null if this picture's colors are not computed; "read_back" is
+/// "predicted" is the color computed from the chain, or null if this picture's colors are not computed; "read_back" is
 /// the color in the buffer. "surface" and "casters" are the names of the scene's objects, not translated.
 Json why_as_json(const Why& why);
 

@@ -10,7 +10,7 @@ namespace viewing {
 
 class FlightRecorder {
 public:
-    /// Makes the next noted frame the start.
+    /// Makes the next frame passed to note() the start.
     void begin();
     bool is_recording() const { return is_recording_; }
     /// Adds the time since the previous frame; does nothing before the start.

@@ -25,7 +25,7 @@ Flight flight_of(const Params& start, const std::vector<ReplayStep>& steps) {
     return flight;
 }
 
-/// Returns parameters with the user's own looks and layout.
+/// Returns parameters with the user's own appearance settings and layout.
 Params in_own_looks_and_layout(const Session& session, const Params& other) {
     Params own = session.in_own_looks(other);
     own.view.layout = session.params.view.layout;

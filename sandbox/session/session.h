@@ -69,8 +69,8 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Answers that question. If `may_read` is true, this session may read any file in that file's folder, no matter
-    /// what names the file.
+    /// Answers the question whether that file may be read. If `may_read` is true, this session may read any file in
+    /// that file's folder, no matter what names the file.
     void answer(bool may_read);
 
     /// Moves the camera, which keeps moving until it comes to rest.
@@ -109,9 +109,9 @@ public:
     /// Returns the most recently opened preset; null if a file was opened or the clipboard was pasted since. Undo and
     /// redo restore it.
     const OpenPreset* preset() const { return preset_.get(); }
-    /// Whether anything but looks and layout differs from that preset.
+    /// Whether anything but appearance and layout differs from that preset.
     bool departs_from_preset() const;
-    /// Restores the preset, except for looks and layout, as one step; does nothing without a preset.
+    /// Restores the preset, except for appearance and layout, as one step; does nothing without a preset.
     void return_to_preset();
 
     /// Returns the most recently opened flight, but only once, so that the caller can play it; its start is already in
@@ -162,7 +162,7 @@ private:
         std::string argument = {};             ///< as given to open(); "" if the state is known
         LoadedState state = {};                ///< not used if there is an argument
         bool is_whole = false;                 ///< otherwise, only the scene is read
-        bool may_be_silent = false;            ///< default looks and layout count as not set
+        bool may_be_silent = false;            ///< default appearance and layout count as not set
         bool is_first = false;                 ///< the session's first state
         std::optional<std::string> told = {};  ///< the message when it arrives
     };
@@ -186,9 +186,9 @@ private:
     void take_written();
     /// Returns the current step without the language, which is not undone.
     Step now() const;
-    /// Returns the user's own looks, even while an opened state shows others.
+    /// Returns the user's own appearance settings, even while those of an opened state are shown.
     UiParams own_looks() const;
-    /// Chooses the looks and layout of a newly opened state: its own, or the user's if it sets none.
+    /// Chooses the appearance and layout of a newly opened state: its own, or the user's if it sets none.
     void take_over_looks(Params& opened, bool may_be_silent);
 
     std::filesystem::path base_;
@@ -213,7 +213,7 @@ private:
     MovingFreedoms moving_, asked_;
     MotionTuning tuning_;
     std::shared_ptr<const OpenPreset> preset_;
-    /// The looks that an opened state sets, and the user's own, which return with the next state that sets none.
+    /// The appearance that an opened state sets, and the user's own, which returns with the next state that sets none.
     struct LentLooks {
         UiParams shown, own;
     };

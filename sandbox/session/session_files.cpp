@@ -147,7 +147,7 @@ UiParams Session::own_looks() const {
         looks.language = params.ui.language;
         return looks == params.ui;
     };
-    // Looks chosen since the state was opened are the user's own.
+    // Appearance settings chosen since the state was opened are the user's own.
     UiParams own = lent_looks_ && is_shown(lent_looks_->shown) ? lent_looks_->own : params.ui;
     own.language = params.ui.language;
     return own;

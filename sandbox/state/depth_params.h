@@ -32,7 +32,8 @@ struct DepthParams {
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
-    bool reversed_offset = true;       ///< off: with reversed depth, offsets keep their sign and push away from the eye
+    bool reversed_offset =
+        true;  ///< off: with reversed depth, offsets keep their sign and push surfaces away from the eye
     bool logarithm_per_vertex = false;
 
     /// Returns whether depth is compared; otherwise, GL does not write depth either.

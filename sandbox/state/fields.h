@@ -58,13 +58,13 @@ struct Field {
     double step = 0.01;             ///< natural step of a drag
     bool logarithmic = false;       ///< the range spans decades
     bool may_be_infinite = false;   ///< "infinite" is allowed above the range
-    double least_above_zero = 0.0;  ///< unless 0: values between 0, which is valid, and this are not allowed
+    double least_above_zero = 0.0;  ///< unless 0: 0 is allowed, but not the values between 0 and this
     std::string_view help;          ///< its effect, in a few sentences
     std::string_view formula = "";  ///< the formula that uses the field; "" if none
     std::string_view gl_call = "";  ///< the GL call that the field sets; "" if none
 
-    /// Returns the field's place in `params`. `element` selects the light or plane in the groups "light" and "plane";
-    /// it is 0 for other fields.
+    /// Returns a reference to the field in `params`. `element` selects the light or plane in the groups "light" and
+    /// "plane"; it is 0 for other fields.
     FieldRef in(Params& params, std::size_t element = 0) const { return place(params, element); }
     /// Returns "near" for "projection.near".
     std::string_view name() const { return path.substr(path.rfind('.') + 1); }
@@ -120,13 +120,14 @@ std::vector<std::string> allowed_names(const Field& field);
 /// Returns these names as a phrase that completes "must be".
 std::string allowed_name_text(const Field& field);
 
-/// Returns the least near that the state's projection and depth mapping allow: perspective divides by the distance, and
-/// logarithmic depth takes its logarithm; otherwise near may be negative, as in glOrtho.
+/// Returns the smallest value of near that the state's projection and depth mapping allow. It is positive if
+/// perspective divides by the distance or logarithmic depth takes its logarithm; otherwise near may be negative, as in
+/// glOrtho.
 double least_near(const Params& params);
 inline constexpr double least_positive_near = 1e-6;
 
-/// Returns whether the state's projection and depth mapping allow an infinite far: parallel view rays and a logarithm
-/// need a finite one.
+/// Returns whether the state's projection and depth mapping allow far to be infinite: parallel view rays and a
+/// logarithm need a finite value.
 bool may_have_infinite_far(const Params& params);
 
 /// Returns the minimum distance between two opposite edges of the picture's window.

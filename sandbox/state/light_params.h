@@ -56,9 +56,9 @@ struct ReflectionParams {
     bool flip_winding = true, reflect_light = true;
     int bounces = 1;
 
-    MirroredThing mirrored = MirroredThing::scene;  ///< the thing R mirrors; a mirrored camera's picture is flipped
+    MirroredThing mirrored = MirroredThing::scene;  ///< what R mirrors; a mirrored camera's picture is flipped
     bool same_projection = true;                    ///< off: the mirrored camera uses the aspect ratio of a square
-    double fovy = 0.0;             ///< of the picture in a mirror, in degrees, perspective only; 0: the camera's
+    double fovy = 0.0;  ///< of the picture in a mirror, in degrees, for perspective only; 0: the camera's fovy
     bool printed_by_rows = false;  ///< fills R by rows, like the lecture's code; GL reads them as columns
     bool mask_writes_depth = false;
     bool after_objects = false;  ///< draws the mirror last, and its mask without a depth test

@@ -35,7 +35,7 @@ struct CameraParams {
 
     Angles angles() const { return {yaw, pitch, roll}; }
     /// Returns eye, center and up of this camera; the center is at the depth of the target or, if the target is not at
-    /// least 0.1 in front of the eye, 1 away.
+    /// least 0.1 in front of the eye, at a distance of 1.
     LookAt look_at() const;
     /// Sets position, angles and target from eye, center and up. Returns the reason if these are degenerate.
     LookAtFault look(const LookAt& look_at);
@@ -46,7 +46,8 @@ struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
     double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: may_be_infinite()
     double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
-    double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window, at the near plane in a frustum
+    double left = -0.32, right = 0.32, bottom = -0.18,
+           top = 0.18;  ///< the window; for a frustum, it is in the near plane
 
     bool is_orthographic() const {
         return type == ProjectionType::orthographic || type == ProjectionType::orthographic_window;
@@ -56,7 +57,7 @@ struct ProjectionParams {
     void set_type(bool orthographic, bool window);
     Edges window() const { return {left, right, bottom, top}; }
     void set_window(const Edges& edges);
-    /// Enlarges an orthographic picture, window or height, about the view axis.
+    /// Enlarges an orthographic picture about the view axis, by changing its window or its height.
     void scale_picture(double factor);
     /// Returns the same projection with the view axis in the middle of the picture: no window, but the same height.
     ProjectionParams centered() const;
@@ -163,10 +164,10 @@ struct Params {
     /// which rotates the picture by 180°. It is kept away from 0° and ±180°, so that P has an inverse.
     Lens lens() const;
 
-    /// Returns the lens of the P entered by hand; none if there is no such P, or if no lens makes it.
+    /// Returns the lens of the P entered by hand; none if there is no such P, or if no lens produces it.
     std::optional<Lens> lens_by_hand() const;
 
-    /// Returns the state with a P entered by hand as its projection, if a lens makes that P: near, far and the edges
+    /// Returns the state with a P entered by hand as its projection, if a lens produces that P: near, far and the edges
     /// are then those of the picture. Its projection may have values beyond the fields' ranges.
     Params with_projection_by_hand() const;
 

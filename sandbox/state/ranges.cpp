@@ -75,7 +75,7 @@ void fix_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
-/// Replaces a number in the gap above 0 with the nearer end.
+/// Replaces a number in the gap above 0 with the nearer end of the gap.
 void fix_gap(double& value, double least_above_zero) {
     if (value > 0.0 && value < least_above_zero) value = value < least_above_zero / 2.0 ? 0.0 : least_above_zero;
 }

@@ -42,7 +42,7 @@ public:
         read_.push_back(resolved(file));
         return std::monostate{};
     }
-    /// Allows the files in the folder of a scene's file.
+    /// Permits reading the files in the folder of a scene's file.
     void open_folder_of(const fs::path& file) { reach_.add(file.has_parent_path() ? file.parent_path() : "."); }
 
     std::vector<fs::path> take_read() { return std::move(read_); }

@@ -1,4 +1,4 @@
-// A scene as its file describes it: objects, each with a shape and a place. scene.h makes meshes from it.
+// A scene as its file describes it: objects, each with a shape and a placement. scene.h makes meshes from it.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct MeshReading {
     bool operator==(const MeshReading&) const = default;
 };
 
-/// One object of a scene: its shape and place. world_from_model = T R S.
+/// One object of a scene: its shape and placement. world_from_model = T R S.
 struct ObjectDescription {
     std::string name;
     ShapeKind shape = ShapeKind::box;

@@ -186,7 +186,7 @@ std::optional<double> read_figures(std::string_view text) {
 std::string steady_figures(double value) {
     if (value == 0.0) return "0";
     if (!std::isfinite(value)) return number_text(value, 0);
-    // Round first: 9.999 has the decimals of 10.0.
+    // Round first: 9.999 gets as many decimals as 10.0.
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
     if (exponent >= -4 && exponent < 6) return number_text(value, std::max(2 - exponent, 0));

@@ -34,8 +34,8 @@ std::optional<double> read_figures(std::string_view text);
 /// end, so that a changing value does not jump: "4.00", "12.5", "12345", "1.20·10⁻⁷"; zero is "0".
 std::string steady_figures(double value);
 
-/// Returns a share as "12.5%". A positive share that would round to 0 becomes "< 0.1%", and a share below 1 that would
-/// round to 1 becomes "> 99.9%".
+/// Returns a fraction as "12.5%". A positive fraction that would round to 0 becomes "< 0.1%", and a fraction below 1
+/// that would round to 1 becomes "> 99.9%".
 std::string percent(double share, int decimals = 1);
 
 /// Returns a count with its digits in groups: "12,345".
@@ -59,14 +59,14 @@ std::string shortest_number(double value);
 /// Returns a color as "#e4572e".
 std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
-/// Returns a number with a fixed number of decimals and the keyboard's minus: "-0.500".
+/// Returns a number with a fixed number of decimals and an ASCII minus: "-0.500".
 std::string plain_decimals(double value, int decimals);
 
-/// Returns the initial content of a text field: the shortest digits that read back to the same value, in keyboard
-/// characters.
+/// Returns the initial content of a text field: the shortest digits that read back to the same value, in characters
+/// that a keyboard can type.
 std::string plain_number(double value);
 
-/// Parses a whole text as one finite number with a decimal point, in any locale: "1e-3", "-.5". Refuses blanks and a
+/// Parses a whole text as one finite number with a decimal point, in any locale: "1e-3", "-.5". Refuses spaces and a
 /// leading "+".
 std::optional<double> parse_double(std::string_view text);
 

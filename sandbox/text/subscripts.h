@@ -1,5 +1,5 @@
-// Subscripts in sentences: "ℓ_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as typed;
-// the code that draws them lowers the letters.
+// Subscripts in sentences: "ℓ_y" and "z_ndc" have one, "GL_LESS" has none. Sentences are stored as typed; the code that
+// draws them moves the subscript's letters down.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,8 @@ struct TextPart {
     bool operator==(const TextPart&) const = default;
 };
 
-/// Splits a text at its subscripts: a single letter, an underscore that is not shown, and one to four small letters.
+/// Splits a text at its subscripts: a single letter, an underscore that is not shown, and one to four lower-case
+/// letters.
 std::vector<TextPart> subscript_parts(std::string_view text);
 
 }  // namespace viewing

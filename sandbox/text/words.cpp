@@ -40,7 +40,7 @@ bool is_deceptive(char32_t c) {
            (c & 0xfffeU) == 0xfffeU;
 }
 
-/// Returns the start of the character at or before this place.
+/// Returns the start of the character at or before this position.
 std::size_t begin_of_character(std::string_view text, std::size_t at) {
     while (at > 0 && at < text.size() && continues_character(text[at])) {
         --at;

@@ -45,7 +45,7 @@ std::string excerpt(std::string_view text);
 /// first line begins with `first`, the others with `indent` spaces. Words are separated by single spaces.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
 
-/// Returns the start of a text that should stay on one line: a word, or a formula with spaces around its signs.
+/// Returns the start of a text that should stay on one line: a word, or a formula with spaces around its operators.
 std::string_view unbroken_start(std::string_view text);
 
 /// Converts ASCII letters to lower case and keeps everything else. Used for file extensions and searches.
@@ -67,8 +67,8 @@ std::string joined(std::span<const std::string> names);
 /// Returns a list such as "13, 15".
 std::string joined(std::span<const int> numbers);
 
-/// Returns the least number of insertions, deletions, substitutions and swaps of neighbors that turns one word into the
-/// other (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 bytes.
+/// Returns the smallest number of insertions, deletions, substitutions and swaps of neighbors that turns one word into
+/// the other (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 bytes.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// Returns the candidate nearest to a misspelled word, the first on a tie; none if no candidate is near enough.

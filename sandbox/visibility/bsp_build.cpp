@@ -10,7 +10,8 @@
 namespace viewing {
 namespace {
 
-/// The most planes tried per node, and the most polygons that each is tried on. Both limit how long a choice takes.
+/// The maximum number of planes tried per node, and the maximum number of polygons on which each plane is tried. Both
+/// limit how long a choice takes.
 constexpr std::size_t max_candidates = 12, max_tried_on = 192;
 
 struct Children {

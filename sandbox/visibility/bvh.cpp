@@ -55,7 +55,7 @@ struct Cut {
     int axis = -1, last_bin = 0;                          ///< the last bin of the left side
 };
 
-/// Bins along each axis. A cut never separates items in the same bin; few items need only few bins.
+/// Bins along each axis. A cut never separates items in the same bin; a small number of items needs only a few bins.
 struct Bins {
     Bins(std::size_t item_count, const Box& twice_centers)
         : count(static_cast<int>(std::min<std::size_t>(most_bins, 4 + item_count / 20))), first(twice_centers.least) {

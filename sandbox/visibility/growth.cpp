@@ -39,7 +39,7 @@ enum class TooMuch { nothing, polygons, time, missing_tree };
 /// A method's state between rows: whether another row is worthwhile.
 struct Candidate {
     TooMuch too_much = TooMuch::nothing;
-    int too_many = 0;  ///< polygon count at which it became too much
+    int too_many = 0;  ///< polygon count that was too much for the method
     bool is_over = false;
 };
 

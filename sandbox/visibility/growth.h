@@ -72,10 +72,10 @@ std::vector<Polygon> growth_polygons(const GrowthRequest& request, int count);
 
 /// Measures all methods at the lowest count, then at the next one, and so on; calls `on_row` with each row as it is
 /// added. Sorts the counts, drops those below 1 and duplicates, and limits them to a million random triangles or to the
-/// number of own polygons. Runs each method three times: more often if it is quick, less often if another run would
-/// exceed the budget. A method that a budget stopped, or that exceeded its time, is not tried again; it gets one more
-/// row, at the next count, with a `problem` that says so. A row's number of operations depends on time only if the time
-/// budget stopped the method. If canceled, returns the finished rows.
+/// number of own polygons. Runs each method three times, or more often if it is quick, or less often if another run
+/// would exceed the budget. A method that a budget stopped, or that exceeded its time, is not tried again; it gets one
+/// more row, at the next count, with a `problem` that says so. A row's number of operations depends on time only if the
+/// time budget stopped the method. If canceled, returns the finished rows.
 std::vector<GrowthRow> measure_growth(const GrowthRequest& request, WorkProgress* progress = nullptr,
                                       const std::function<void(const GrowthRow&)>& on_row = {});
 

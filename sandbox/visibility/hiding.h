@@ -23,8 +23,9 @@ struct HidingPair {
 
 /// Returns, sorted, all pairs in which one polygon hides a part of the other in this view. Clips polygons at the near
 /// plane. Two polygons that intersect appear in both orders; of coplanar polygons, the one with the lowest source
-/// counts as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it suits
-/// at most thousands of polygons. Stops soon after finding more than `most` pairs; the result is then incomplete.
+/// counts as in front. A polygon seen edge-on hides nothing. Compares every polygon with every other one, so it is
+/// suitable for thousands of polygons at most. Stops soon after finding more than `most` pairs; the result is then
+/// incomplete.
 std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                      std::optional<double> epsilon = std::nullopt,
                                      std::size_t most = std::numeric_limits<std::size_t>::max());

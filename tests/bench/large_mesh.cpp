@@ -16,7 +16,7 @@ enum class Moving { camera, light };
 constexpr int around_a_million = 1000, up_a_million = 501;  ///< segments of a ball
 constexpr Viewport viewport{{1280, 720}, true};
 
-/// Makes a ball so close to a sloping plane that the scene's bounding box cannot decide on which side the ball is.
+/// Makes a ball so close to a sloping plane that the scene's bounding box does not tell which side the ball is on.
 Scene scene_of(int around, int up) {
     Scene scene;
     if (around == 0) return scene;

@@ -27,7 +27,7 @@ protected:
         words.insert(words.end(), state.begin(), state.end());
         return without_note(expect(0, words).out);
     }
-    /// Returns the PNG file without its state, since the file paths in a bundle are different.
+    /// Returns the PNG file without the state inside it, since a bundle's state has different file paths.
     static std::string without_note(const std::string& png) {
         std::string rest = png.substr(0, 8);
         for (std::size_t at = 8; at + 12 <= png.size();) {

@@ -28,7 +28,7 @@ protected:
     void expect_nothing_unfinished() const {
         for (const std::string& name : names()) EXPECT_FALSE(has(name, ".viewing-sandbox-")) << name;
     }
-    /// Returns the number of processes whose working directory is this folder, of one program or of all.
+    /// Returns the number of processes, of one program or of all, whose working directory is this folder.
     int processes_in_it(const std::string& program = "") const {
         int count = 0;
         std::error_code gone;  // a process may end while we look

@@ -87,7 +87,7 @@ TEST_F(LessonCommand, ABrokenFileIsReportedInOneSentence) {
     expect(2, {"lesson", "--check", "--list"});
 }
 
-/// Decodes the QR codes in a picture with another library than the one that draws them.
+/// Decodes the QR codes in a picture with a different library from the one that draws them.
 TEST_F(LessonCommand, ThePhoneReadsTheStagesCode) {
     if (std::system("command -v zbarimg >/dev/null") != 0) GTEST_SKIP() << "no zbarimg (package zbar-tools)";
     const std::string address = "https://cg.example.edu/viewing/";

@@ -1,4 +1,4 @@
-// When the program reaches a limit of the system or a time limit, its exit status is still a documented one.
+// When the program hits a system limit or a time limit, it still exits with a documented status.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-/// Settings that make two planes and two lights, where the first light is behind the second plane.
+/// Settings that create two planes and two lights; the first light is behind the second plane.
 const Words two{"--set", R"(planes=[{"equation":[0,0,-2,-6]}])", "--set", R"(lights=[{"position":[1,4,2,0]}])"};
 
 class ChosenMatrices : public Program {
@@ -127,7 +127,7 @@ assert worst < 1e-12, worst
         << read("told") << read("compare.py");
 }
 
-/// Cameras whose matrices people have asked about in public, computed by hand from right, up and back.
+/// Cameras from public questions about their matrices, which are computed here by hand from right, up and back.
 TEST_F(ChosenMatrices, ViewMatricesOfPublicReportsAreRight) {
     const double a = std::sqrt(10.0), b = std::sqrt(110.0), c = std::sqrt(11.0);
     const double steep = 89.99 / 180.0 * std::acos(-1.0), sine = std::sin(steep), cosine = std::cos(steep);

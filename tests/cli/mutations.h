@@ -17,8 +17,8 @@ struct Area {
 
 Area all_of(const viewing::Image& image);
 
-/// Applies `change`, which takes a channel and its level, to each channel except alpha of the area's pixels; clamps the
-/// results to 0 … 255.
+/// Applies `change`, which takes a channel and its level, to every channel but alpha of each pixel in the area; clamps
+/// the results to 0 … 255.
 viewing::Image changed(viewing::Image image, const Area& area, const std::function<double(int, double)>& change);
 /// Moves the area's content one pixel to the right; its first column stays.
 viewing::Image shifted(viewing::Image image, const Area& area);

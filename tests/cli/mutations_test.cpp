@@ -1,5 +1,5 @@
-// Compares pictures with hundreds of deliberately changed pictures, which the comparison must all find different, and
-// with the same pictures in other kinds of PNG files, which it must all find equal.
+// Compares pictures with hundreds of deliberately changed pictures, all of which the comparison must find different,
+// and with the same pictures in other kinds of PNG files, all of which it must find equal.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -45,8 +45,8 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
     return sum / (4.0 * from.width * from.height);
 }
 
-/// Returns by how many levels the whole area can be darkened or brightened, whichever is more, and true if it can be
-/// brightened by more.
+/// Returns the number of levels by which the whole area can be darkened or brightened, whichever is larger, and true if
+/// that is the brightening.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)
@@ -58,7 +58,7 @@ std::pair<int, bool> room_in(const Image& image, const Area& area) {
     return {std::max(low, 255 - high), 255 - high > low};
 }
 
-/// Makes changes in memory. A seed decides their places and amounts.
+/// Makes changes in memory. A seed determines their positions and amounts.
 class Mutator {
 public:
     Mutator(const Image& image, unsigned seed) : image_(image), random_(seed) {}

@@ -1,4 +1,4 @@
-// Runs the real program as a person or a script would, and keeps its output. VIEWING_SANDBOX holds its path.
+// Runs the real program as a user or a script would, and keeps its output. VIEWING_SANDBOX holds its path.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// `sweep` draws the same pictures as `snapshot`, and its table has the numbers that are known beforehand.
+// `sweep` draws the same pictures as `snapshot`, and the numbers in its table are the ones known beforehand.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

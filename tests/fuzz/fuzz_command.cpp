@@ -1,5 +1,5 @@
-// libFuzzer: passes any lines as arguments to a command that neither draws nor runs other commands. The command must
-// end with a documented status other than that of an internal error, and write nothing outside the working folder.
+// libFuzzer: passes arbitrary lines as arguments to a command that neither draws nor runs other commands. The command
+// must end with a documented status other than that of an internal error, and write nothing outside the working folder.
 #include "cli/run.h"
 #include "fuzz.h"
 #include "ui/monkey/confined.h"

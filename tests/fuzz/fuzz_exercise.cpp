@@ -1,5 +1,5 @@
-// libFuzzer: reads any text as an exercise. The text must yield combinations or an error that says why it does not.
-// Each of the first two variants of an accepted exercise must become a step or report why it cannot. Nothing is
+// libFuzzer: reads arbitrary text as an exercise. The text must yield combinations or an error that says why it does
+// not. Each of the first two variants of an accepted exercise must become a step or report why it cannot. Nothing is
 // measured: every looked-up value is 1.5.
 #include "fuzz.h"
 #include "lesson/exercise.h"

@@ -1,5 +1,5 @@
-// libFuzzer: evaluates any text as an expression in a lesson from an untrusted author. Evaluation must end soon, with a
-// value that can be written or with a one-sentence error.
+// libFuzzer: evaluates arbitrary text as an expression in a lesson from an untrusted author. Evaluation must finish
+// quickly, with a value that can be written or with a one-sentence error.
 #include "fuzz.h"
 #include "lesson/expression.h"
 

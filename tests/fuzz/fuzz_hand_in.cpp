@@ -1,6 +1,6 @@
-// libFuzzer: reads any text as a student's hand-in. An accepted hand-in must read back after it is written, yield the
-// same text when it is written again, and merge with itself. Only the first write may change how a setting's number is
-// written.
+// libFuzzer: reads arbitrary text as a student's hand-in. An accepted hand-in must read back after it is written, yield
+// the same text when it is written again, and merge with itself. Only the first write may change how a setting's number
+// is written.
 #include "fuzz.h"
 #include "lesson/hand_in.h"
 

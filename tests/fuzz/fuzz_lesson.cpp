@@ -1,4 +1,4 @@
-// libFuzzer: reads any text as a lesson. An accepted lesson must have steps whose states round-trip exactly.
+// libFuzzer: reads arbitrary text as a lesson. An accepted lesson must have steps whose states round-trip exactly.
 #include "fuzz.h"
 #include "lesson/lesson.h"
 #include "state/file/json.h"

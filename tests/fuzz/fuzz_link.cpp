@@ -1,4 +1,4 @@
-// libFuzzer: reads any text as a link. A state accepted from a link must round-trip through its own link exactly.
+// libFuzzer: reads arbitrary text as a link. A state accepted from a link must round-trip through its own link exactly.
 #include <cstdlib>
 
 #include "platform/text_file.h"

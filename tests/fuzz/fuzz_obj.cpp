@@ -1,5 +1,5 @@
-// libFuzzer: reads any bytes as a Wavefront OBJ file. An accepted mesh must be valid: it must be finite and within its
-// box, its indices must refer to existing vertices, and its normals must have length 1.
+// libFuzzer: reads arbitrary bytes as a Wavefront OBJ file. An accepted mesh must be valid: it must be finite and
+// within its box, its indices must refer to existing vertices, and its normals must have length 1.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

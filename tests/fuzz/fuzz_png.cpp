@@ -1,5 +1,5 @@
-// libFuzzer: reads any bytes as a PNG file. Corrects the chunk checksums first, because libpng would otherwise reject
-// nearly all inputs at their first chunk. An accepted picture must round-trip exactly.
+// libFuzzer: reads arbitrary bytes as a PNG file. Corrects the chunk checksums first, because libpng would otherwise
+// reject nearly all inputs at their first chunk. An accepted picture must round-trip exactly.
 #include <zlib.h>
 
 #include "fuzz.h"

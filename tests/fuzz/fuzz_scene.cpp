@@ -1,4 +1,4 @@
-// libFuzzer: reads any text as a scene file. An accepted scene must round-trip exactly.
+// libFuzzer: reads arbitrary text as a scene file. An accepted scene must round-trip exactly.
 #include <cstdlib>
 
 #include "state/file/json.h"

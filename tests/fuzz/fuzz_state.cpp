@@ -1,5 +1,5 @@
-// libFuzzer: reads any text as a state file and as settings. An accepted state must round-trip exactly, and clamping
-// must leave it unchanged.
+// libFuzzer: reads arbitrary text as a state file and as settings. An accepted state must round-trip exactly, and
+// clamping must leave it unchanged.
 #include <cstdlib>
 
 #include "state/fields.h"

@@ -1,4 +1,4 @@
-// libFuzzer: reads any text as a suite. An accepted suite must have entries whose files have distinct names.
+// libFuzzer: reads arbitrary text as a suite. An accepted suite must have entries whose files have distinct names.
 #include <set>
 
 #include "fuzz.h"

@@ -110,9 +110,9 @@ struct Sample {
 
 /// The worst deviation for one kind of depth.
 struct Worst {
-    Exact off = 0.0;            ///< in codes, or in last places of float32
-    Exact by_arithmetic = 0.0;  ///< as a multiple of the arithmetic error, where that exceeds a last place
-    Exact places = 0.0;         ///< the same deviation in last places
+    Exact off = 0.0;            ///< in codes, or in ulps of float32
+    Exact by_arithmetic = 0.0;  ///< as a multiple of the arithmetic error, where that exceeds one ulp
+    Exact places = 0.0;         ///< the same deviation in ulps
 };
 
 TEST_F(DepthCodes, MatchTheFormula) {

@@ -80,7 +80,7 @@ TEST_F(DepthPicture, BandsAreInOrderOverTheRange) {
     for (const std::string mapping : {"standard", "reversed", "logarithmic"})
         for (const bool linear : {true, false})
             for (std::size_t band = 0; band < depth_bands.size(); ++band) {
-                // Bisection finds the distance in the middle of the band, since the share increases with distance.
+                // Bisection finds the distance in the middle of the band, since share() increases with distance.
                 const double middle = (static_cast<double>(band) + 0.5) / static_cast<double>(depth_bands.size());
                 double nearest = 2.0, farthest = 20.0;
                 for (int i = 0; i < 60; ++i) {

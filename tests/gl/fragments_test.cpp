@@ -23,7 +23,7 @@ using testing::trials;
 
 constexpr glm::ivec2 fragments_px(160, 90);
 
-/// Returns how far GL's depth may be from the exact one before it is stored: 4.5 codes of 24 bits, or 12 places of a
+/// Returns how far GL's depth, before it is stored, may be from the exact one: 4.5 codes of 24 bits, or 12 ulps of a
 /// float near 1.
 double arithmetic(const DepthPrecision& precision) {
     return (precision.is_float ? 12.0 : 4.5) / 16777216.0;
@@ -88,7 +88,7 @@ protected:
     struct Seen {
         int compared = 0, codes_compared = 0, at_edges = 0, undecided = 0;
         std::map<std::string, double> worst;  ///< difference between the computed and read-back depth, in codes
-        std::map<std::string, double> used;   ///< the same difference as a share of the stated bound
+        std::map<std::string, double> used;   ///< the same difference as a fraction of the stated bound
     };
 
     /// Compares the object and code of the last drawn fragment with those read back, at random pixels of one state.

@@ -199,7 +199,8 @@ protected:
                 SCOPED_TRACE(scene_name + " " + in_words(settings) + std::to_string(static_cast<int>(method)));
                 params.visibility.method = method;
                 const Compared found = compared(reference, picture(params, scene, picture_px, with));
-                // GL rounds each piece separately, so a single pixel may show through where a vertex meets an edge.
+                // GL rounds each piece separately, so what is behind may show through at a single pixel where a vertex
+                // meets an edge.
                 EXPECT_LE(found.in_faces, draws_pixels(params.visibility) ? 0 : 1);
                 EXPECT_LE(found.beyond, 6);
                 EXPECT_LT(found.outlines, picture_px.x * picture_px.y / 3) << "otherwise nothing is tested";

@@ -24,7 +24,7 @@ struct ShadowCount {
     int missing = 0, false_shadow = 0, shadow = 0;
 };
 
-/// Compares the floor's pixels with the rays from the floor to the light, except near the shadow's edge, and where the
+/// Compares the floor's pixels with the rays from the floor to the light, except near the shadow's edge and where the
 /// wall hides the floor.
 ShadowCount compared(const Image& picture, const Derived& derived, double distance) {
     const glm::dmat4 world_from_clip = glm::inverse(derived.clip_from_world);

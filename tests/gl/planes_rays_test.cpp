@@ -1,5 +1,5 @@
-// Compares pictures of rooms with several planes, lights and mirrors in mirrors with the oracle of ray_caster.h: which
-// object or patch each pixel shows, which lights are missing on it, and which stencil values remain at the end.
+// Compares pictures of rooms that have several planes, lights, and mirrors in mirrors with the oracle of ray_caster.h:
+// which object or patch each pixel shows, which lights are missing on it, and which stencil values remain at the end.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 

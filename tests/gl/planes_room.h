@@ -70,7 +70,7 @@ private:
         room_.scene = scene_of(std::move(objects));
     }
 
-    /// Adds one to four planes of a rotated room, usually tilted: a floor, a ceiling facing it, and two walls.
+    /// Adds one to four planes, usually tilted, of a rotated room: a floor, a ceiling facing it, and two walls.
     void add_planes() {
         const glm::dvec3 inwards[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
         const Angles turn = random_.angles();
@@ -102,7 +102,7 @@ private:
         });
     }
 
-    /// Places the camera usually inside the room and sometimes anywhere around it.
+    /// Usually places the camera inside the room, but sometimes anywhere around it.
     void place_camera() {
         OracleCamera& camera = room_.camera;
         camera.orthographic = number_ % 5 == 3;

@@ -102,7 +102,8 @@ public:
         for (OraclePlane& plane : scene_.planes) plane.equation /= glm::length(glm::dvec3(plane.equation));
     }
 
-    /// Traces the point (x, y) of a picture of width × height pixels, from its top left; pixel centers are at ½.
+    /// Traces the point (x, y), measured from the top left of a picture of width × height pixels; pixel centers are at
+    /// ½.
     Sight at(double x, double y, int width, int height) const {
         const Ray ray = line_of_sight(x, y, width, height);
         return seen(ray.origin, ray.direction);

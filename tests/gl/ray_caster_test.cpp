@@ -29,7 +29,7 @@ constexpr glm::ivec2 cast_px(160, 120);
 /// The content of a pixel: 0, 1, 2 … for a solid, or one of these.
 constexpr int shows_nothing = -1, shows_patch = -2, shows_shadow = -3, shows_unknown = -9;
 
-/// A random situation for the oracle, and the same situation as parameters and meshes.
+/// A random setup for the oracle, and the same setup as parameters and meshes.
 struct Situation {
     OracleScene oracle;
     OracleCamera camera;

@@ -73,7 +73,7 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithoutIt) {
               color_at(plain({}), box_scene(), in_light));
 }
 
-/// Returns the kind of caster_colors to which a shaded color belongs, found by its shares of red, green and blue.
+/// Returns the kind of caster_colors to which a shaded color belongs, judged by its proportions of red, green and blue.
 std::size_t caster_kind(const Rgb& shaded) {
     const auto shares = [](const glm::dvec3& color) { return color / (color.r + color.g + color.b); };
     std::size_t nearest = 0;

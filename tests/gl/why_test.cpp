@@ -167,7 +167,7 @@ TEST_F(WhyThisPixel, PredictsTheColorsOfRandomRooms) {
 }
 
 /// The explanation of surfaces, mirrors, lights, and casters agrees with an oracle that traces rays through rooms of
-/// spheres and boxes by closed formulas.
+/// spheres and boxes with closed-form formulas.
 TEST_F(WhyThisPixel, AgreesWithARayCaster) {
     int surfaces = 0, images = 0, shadows = 0;
     for (unsigned number = 0; number < testing::rooms(60); ++number) {

@@ -1,5 +1,5 @@
-// The second picture, drawn with other settings, equals pixel by pixel the picture of a state with those settings. This
-// holds for methods that GL draws and for methods that draw by themselves.
+// The second picture, drawn with other settings, is identical, pixel by pixel, to the picture of a state with those
+// settings. This holds for methods that GL draws and for methods that draw by themselves.
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "state/file/json.h"

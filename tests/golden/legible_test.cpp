@@ -1,7 +1,7 @@
 // Measures the stage in pixels: each letter of a lesson's steps is large enough, is really drawn, and contrasts with
 // its background, and no large part of the picture is empty. Letters come from Dear ImGui's vertices
-// (ui/letters.h), colors from the picture; neither knows the layout. VIEWING_LONG_TESTS=1 measures every step, asked
-// and revealed, in every room, and prints the distributions.
+// (ui/letters.h), colors from the picture; neither depends on the layout code. VIEWING_LONG_TESTS=1 measures every
+// step, asked and revealed, in every room, and prints the distributions.
 #include <array>
 #include <cctype>
 #include <iostream>
@@ -19,7 +19,7 @@ namespace {
 
 using test::Letter;
 
-/// Relative luminance of WCAG 2.1, of an sRGB color from 0 to 255.
+/// Relative luminance, as defined by WCAG 2.1, of an sRGB color with channels from 0 to 255.
 double luminance(const glm::dvec3& color) {
     const auto linear = [](double value) {
         value /= 255.0;
@@ -47,7 +47,7 @@ Box box_of(const Letter& letter, const Image& image) {
             inside(std::ceil(std::min(letter.max.y, letter.clip.w)), image.height)};
 }
 
-/// The color behind a letter: the most frequent one on the frame of one pixel around its ink.
+/// The color behind a letter: the most frequent one in the one-pixel frame around its ink.
 glm::dvec3 ground_of(const Box& box, const Image& image) {
     std::map<std::array<int, 3>, int> counts;
     for (int y = std::max(box.top - 1, 0); y < std::min(box.bottom + 1, image.height); ++y)
@@ -151,7 +151,7 @@ struct Measured {
     }
 };
 
-/// Returns the value below which `share` of the values are.
+/// Returns the value below which the fraction `share` of the values lies.
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -161,7 +161,7 @@ double quantile(std::vector<double> values, double share) {
 
 class LegibleSlowTest : public testing::GlTest {
 protected:
-    /// Draws a step in a hall and adds its letters and areas.
+    /// Draws a step in a hall and adds its letters and areas to `all`.
     static void measure(Measured& all, const Lesson& lesson, std::size_t step, bool is_revealed, const Hall& hall) {
         LoadedState start = lesson.steps[step].start;
         start.params.ui.theme = hall.theme;
@@ -187,7 +187,7 @@ protected:
     }
 
     static void expect_legible(const Measured& all) {
-        // Text fades where a list scrolls on, and a frame may cross a letter.
+        // Text fades where a list can scroll further, and a drawn frame may cross a letter.
         EXPECT_LE(all.pale.size(), all.contrasts.size() / 500) << all.pale.front();
         EXPECT_LE(all.missing.size(), all.contrasts.size() / 200) << all.missing.front();
         constexpr double least_size = 1.0 / 42.0, least_index = 0.77 / 41.0;

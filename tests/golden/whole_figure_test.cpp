@@ -24,7 +24,7 @@ struct Shown {
     std::vector<std::string> settings = {};
 };
 
-/// Lists every view once, and tables and the whole window also in the other looks.
+/// Lists every view once, and tables and the whole window also in other themes and in Korean.
 const std::vector<Shown>& shown_views() {
     static const std::vector<Shown> all = {
         {PictureView::window},
@@ -84,7 +84,7 @@ constexpr int side_px = 8;
 
 struct Place {
     int x = 0, y = 0;
-    double difference = 0.0;  ///< in the channel that differs most, in levels of 255
+    double difference = 0.0;  ///< in the channel that differs most, in levels from 0 to 255
 };
 
 Place worst_place(const Image& a, const Image& b) {

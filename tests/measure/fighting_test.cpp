@@ -93,7 +93,7 @@ TEST_F(Fighting, BeginsWithinAFactorOfThreeOfThePrediction) {
 }
 
 TEST_F(Fighting, DependsOnTheGapInCodes) {
-    // With 16 bits, arithmetic rounding is small, so the share of ties is the share of wrong pixels.
+    // With 16 bits, arithmetic rounding is small, so the fraction of ties equals the fraction of wrong pixels.
     const Scene scene = testing::scene_named("coplanar");
     const Result<LoadedState> state = load_state("fighting-16-bit");
     ASSERT_TRUE(state) << state.error();
@@ -142,7 +142,7 @@ TEST_F(Fighting, OnDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
     ASSERT_EQ(right.pairs.size(), 4U);
     EXPECT_EQ(right.wrong_fraction(), 0.0);
     EXPECT_EQ(right.wrong_elsewhere, 0);
-    // The offset is half a code, so rounding removes it at every second pixel.
+    // The offset is half a code, so rounding removes it at every other pixel.
     EXPECT_NEAR(count("fighting-offset-too-little").wrong_fraction(), 0.5, 0.06);
     EXPECT_EQ(count("fighting-offset-too-little").wrong_elsewhere, 0);
     const FightingCounts too_much = count("fighting-offset-too-much");

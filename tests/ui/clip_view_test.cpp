@@ -1,4 +1,5 @@
-// The lower view Clip space: its slider leads from eye space to NDC, and the rest of the picture turns.
+// The lower view Clip space: its slider leads from eye space to NDC, and dragging elsewhere in the picture rotates the
+// view.
 #include "desk.h"
 #include "frame/clip_space.h"
 #include "recorded_letters.h"

@@ -168,7 +168,7 @@ TEST_P(DerivationInALowWindow, HasAllItsLines) {
                      true);
     EXPECT_EQ(step_count(lines), 19);
     expect_whole(desk, lines);
-    // Going step by step moves nothing.
+    // Going from step to step moves nothing on the screen.
     const float top = desk.ui.find("lower/s = l + t (p − l)").min.y;
     desk.params().view.derivation_step = 3;
     desk.ui.frames(3);

@@ -38,8 +38,8 @@ protected:
     ExerciseSheetDesk desk{GetParam().size};
 };
 
-/// Checks each question before an answer and after each known wrong answer. Each screen checks only every second
-/// exercise.
+/// Checks each question before an answer and after each known wrong answer. At each screen size, only every other
+/// exercise is checked.
 TEST_P(ExerciseScreensSlowTest, EveryQuestionIsReadable) {
     std::map<std::string, std::string> wrong;
     std::size_t count = GetParam().size.x > 1100.0F ? 0 : 1;

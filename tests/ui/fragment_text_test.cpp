@@ -157,12 +157,13 @@ TEST(FragmentText, ChangesInTheCellDecideTheSentence) {
     before.stored = other_color.stored = 15;
     other_code.stored = other.stored = 14;
     other_color.color = other.color = {1, 2, 3};
-    // By computation the fragment fails, but the cell changes, so the code that is read back must have passed.
+    // According to the computation, the fragment fails, but the cell changes, so the code that is read back must have
+    // passed.
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
     EXPECT_EQ(cell_sentence(fragment(16, 15), before, other_code, bits_8),
               "box, triangle 3: 14 < 15, so color and depth are replaced.");
-    // By computation the fragment passes, but nothing changes.
+    // According to the computation, the fragment passes, but nothing changes.
     EXPECT_EQ(cell_sentence(fragment(13, 15), before, before, bits_8),
               "box, triangle 3: GL's rounding decides here, so the pixel is unchanged.");
     // The code stays the same, but the color changes.

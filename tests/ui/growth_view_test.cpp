@@ -58,7 +58,8 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndReported) {
     EXPECT_TRUE(rows().empty());
 }
 
-/// A stage has no buttons: counting starts once, with the step, and shows operations, which are equal on all machines.
+/// On stage there are no buttons: counting starts once, with the step, and shows operation counts, which are the same
+/// on all machines.
 TEST_F(GrowthView, OnStageItMeasuresByItself) {
     HiddenStatus status;
     status.shows_time = true;

@@ -17,7 +17,7 @@ bool is_english(ImWchar c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Returns whether a word is not text but a symbol of a formula, a name from GL, a function of the lecture, or the
+/// Returns whether a word is not text but a symbol of a formula, a name from GL, a function from the lecture, or the
 /// program's name.
 bool is_symbol(const std::string& word) {
     static const std::set<std::string> symbols{"GL",

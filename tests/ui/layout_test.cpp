@@ -151,7 +151,7 @@ TEST_P(LayoutTest, PresetsAreReadable) {
     expect_readable_presets(place, std::size(cases));
 }
 
-/// Takes long; run it by hand with --gtest_also_run_disabled_tests.
+/// Takes a long time; run it manually with --gtest_also_run_disabled_tests.
 TEST_P(LayoutTest, DISABLED_EveryPresetIsReadable) {
     expect_readable_presets(0, 1);
 }

@@ -97,7 +97,7 @@ TEST_P(StageSlowTest, TheWindowIsReadable) {
     expect_readable(place(), std::size(rooms), false);
 }
 
-/// Takes long; run it by hand with --gtest_also_run_disabled_tests.
+/// Takes a long time; run it manually with --gtest_also_run_disabled_tests.
 TEST_P(StageSlowTest, DISABLED_EveryStepIsReadable) {
     expect_readable(0, 1, true);
     expect_readable(0, 1, false);
@@ -133,7 +133,7 @@ bool is_all_seen(const Desk& desk) {
     return has_list || desk.workbench.widgets.seen_share == 1.0F;
 }
 
-/// Returns the views, matrices, controls, and highlighted parts that a step names and the window does not show.
+/// Returns the views, matrices, controls, and highlighted parts that a step names but the window does not show.
 std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step) {
     std::vector<std::string> missing;
     const Layout layout = desk.layout();
@@ -157,7 +157,7 @@ std::vector<std::string> missing_parts(const Desk& desk, const LessonStep& step)
                 "all of matrix " + matrix);
     }
     for (const std::string& name : desk.workbench.stage.highlight) {
-        if (name.starts_with("column:")) continue;  // of tables that GL fills, which this desk lacks
+        if (name.starts_with("column:")) continue;  // of tables that GL fills; this desk has no GL
         require(std::ranges::find(found, name, &widgets::Targets::Found::name) != found.end(), name);
     }
     return missing;
@@ -189,7 +189,7 @@ std::set<std::string> objects_below_plate(const Desk& desk) {
 /// The whole lecture, before and after each answer: everything that a step names is drawn whole and without switches,
 /// the main view is large, its objects are not below the controls, and nothing moves when the answer appears. The text
 /// begins at one height in all steps of a lesson; it is lower in the few steps that name more than fits above it.
-/// Records the shares of the main view and these steps for a report.
+/// For a report, records the fraction that the main view occupies and the number of steps with lower text.
 TEST_P(StageSlowTest, ShowsWholeStepsWithoutSwitches) {
     Desk desk(GetParam().size);
     desk.params().ui.theme = GetParam().theme;
@@ -251,7 +251,7 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
         begin(desk, lesson_of("depth-fighting"), 0, true);
         const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
         EXPECT_GE(fonts.caption->FontSize, std::floor(room.size.y / 36.0F)) << room;
-        // A font of 16 pixels gives type of 14 pixels.
+        // A 16-pixel font yields 14-pixel type.
         for (const ImFont* font : {fonts.number, fonts.small_number, fonts.note})
             EXPECT_GE(font->FontSize * 14.0F / 16.0F, std::floor(room.size.y / 48.0F)) << room;
     }

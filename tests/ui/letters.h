@@ -91,9 +91,9 @@ private:
     std::map<std::pair<float, float>, std::pair<const ImFontGlyph*, const ImFont*>> glyphs_;
 };
 
-/// Returns whether a letter continues the previous one's text, directly or after a blank.
+/// Returns whether a letter continues the previous one's text, directly or after a space.
 inline bool goes_on(const Letter& before, const Letter& letter) {
-    const float room = 0.5F * before.line_height;  // a blank between words of one text
+    const float room = 0.5F * before.line_height;  // a space between words of one text
     return std::abs(letter.pen.y - before.pen.y) < 0.5F && letter.pen.x > before.end - 1.5F &&
            letter.pen.x - before.end < room && std::abs(letter.line_height - before.line_height) < 0.5F;
 }

@@ -25,7 +25,7 @@ inline std::vector<Rect> main_view(const Layout& layout) {
                              [&](const auto& a, const auto& b) { return whole(a) < whole(b); });
 }
 
-/// Returns the share of the area above the lesson's text that the largest view has.
+/// Returns the fraction of the area above the lesson's text that the largest view occupies.
 inline float main_share(const Layout& layout) {
     float sum = 0.0F;
     for (const Rect& rect : main_view(layout)) sum += area_of(rect);

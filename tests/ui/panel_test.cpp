@@ -263,7 +263,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "visibility.exact_curves",
                     "visibility.compare_with",
                     "visibility.numbers"});
-    // There is only one version. A layout and a pin by object are written in files, without a control in the panel.
+    // There is only one version. A layout and a pin by object are set in files; the panel has no controls for them.
     const std::set<std::string> without = {
         "version", "view.pin", "view.layout.big", "view.layout.matrices", "view.layout.controls", "view.layout.folded"};
     for (const Field& field : fields()) {

@@ -23,7 +23,7 @@ bool is_recorded(const Desk& desk, const std::string& label) {
                        [&](const RecordedItem& item) { return item.label == label; });
 }
 
-/// Chooses Paste in the Copy menu of the matrix with this place in the column.
+/// Chooses Paste in the Copy menu of the matrix at this position in the column.
 void paste_into(Desk& desk, std::size_t place) {
     desk.click_one_of("matrices/Copy", place);
     desk.settle();
@@ -51,7 +51,7 @@ TEST(PasteMatrix, TheMenuOfEachMatrixKnowsItsLetter) {
     Desk desk;
     desk.click("matrices/Show C");
     desk.settle();
-    desk.clipboard = matrix_text("m", glm::inverse(pasted_view), MatrixFormat::numpy);  // no name: C by its place
+    desk.clipboard = matrix_text("m", glm::inverse(pasted_view), MatrixFormat::numpy);  // no name: C by its position
     paste_into(desk, 0);
     EXPECT_LT(worst_entry(desk.derived.view_from_world, pasted_view), 1e-9);
     desk.clipboard = "no matrix";
@@ -89,7 +89,7 @@ TEST(PasteMatrix, AWrongOneIsShownAsItIsUntilReleased) {
     struct Wrong {
         const char* name;
         glm::dmat4 matrix;
-        std::size_t edit;  ///< the place of its Edit button
+        std::size_t edit;  ///< the position of its Edit button
     };
     const glm::dmat4 p = glm::perspectiveRH_NO(1.0, 1.5, 0.5, 40.0);
     for (const Wrong& wrong :

@@ -1,4 +1,4 @@
-// The window's controls for the open preset: its caption, its title in the list, the button back, the searchable list,
+// The window's controls for the open preset: its caption, its title in the list, the back button, the searchable list,
 // and the next preset.
 #include <filesystem>
 
@@ -150,7 +150,7 @@ TEST_F(PresetsTest, NextAndPreviousSkipPresetsThatSetTheLooks) {
     EXPECT_FALSE(ui.find("top/next preset").enabled);
 }
 
-/// The looks of the preset `projector` last only while it is open.
+/// The appearance that the preset `projector` sets lasts only while it is open.
 TEST_F(PresetsTest, APresetsLooksEndWithIt) {
     desk.session.open("projector");
     desk.settle();

@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* window_switch = "projection/explicit window";
 
-/// Opens the panel's rarely used controls and switches the window on.
+/// Opens the panel's rarely used controls and enables the custom window.
 void give_window(Desk& desk) {
     desk.click("projection/Window, far, aspect, radians");
     desk.settle();

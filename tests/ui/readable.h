@@ -29,7 +29,7 @@ inline bool overlap(const Line& a, const Line& b) {
 }
 
 /// Returns whether a text ends with an ellipsis that is not its own. An ellipsis is the text's own if it follows a
-/// blank or if the catalog has it. Texts of the pseudo-language, which begin with "[", may be shortened.
+/// space or if the catalog has it. Texts of the pseudo-language, which begin with "[", may be shortened.
 inline bool is_shortened(const std::string& text) {
     if (!text.ends_with("…") || text.ends_with(" …") || text.starts_with('[')) return false;
     static const std::vector<PoEntry> all = catalogue();

@@ -1,6 +1,6 @@
-// Checks that each letter drawn by Dear ImGui appears in a figure exactly once, in its place and color, and that no
-// other letters do. The letters are read from the latest frame's vertices (letters.h), independently of the recorder's
-// own method.
+// Checks that each letter drawn by Dear ImGui appears in a figure exactly once, at its position and in its color, and
+// that no other letters appear. The letters are read from the latest frame's vertices (letters.h), independently of the
+// recorder's own method.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -181,7 +181,7 @@ protected:
         ui.key(ImGuiKey_Enter);
         desk.settle();
     }
-    /// Searches and chooses the first entry of a kind; `row` of them.
+    /// Searches for `query` and chooses the first entry whose text contains `text`.
     void choose(const char* query, const std::string& text) {
         search(query);
         for (int row = 1; row <= 12; ++row)

@@ -36,7 +36,7 @@ Named named(int bits) {
     return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
 }
 
-/// Every combination of parts, with few and more controls, in each room, with short and long texts below.
+/// Every combination of parts, with few and with more controls, in each room, with short and long texts below.
 template <typename Test>
 void for_every_stage(const Test& test) {
     for (const ImVec2 room : halls)
@@ -176,7 +176,8 @@ protected:
     }
 };
 
-/// The main view has half of a wide stage above the caption; matrices are whole, and no text is cut off.
+/// The main view takes up half of a wide stage's area above the caption; matrices are shown in full, and no text is cut
+/// off.
 TEST_F(FreeStage, EveryPresetFitsAWideStage) {
     expect_good_stages({1920, 1080}, Language::en);
 }
@@ -234,7 +235,7 @@ TEST_F(FreeStage, HasTheKeysOfALessonsStage) {
     EXPECT_TRUE(presenter.is_on());
 }
 
-/// X shows the state before the latest edit while it is held, and leaves no trace.
+/// While X is held, the state before the latest edit is shown; the key leaves no trace.
 TEST_F(FreeStage, XComparesWithTheStateBefore) {
     Desk desk({1280, 720}, "walk");
     desk.params().projection.fovy = 20.0;

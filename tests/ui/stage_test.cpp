@@ -76,7 +76,8 @@ protected:
     }
 };
 
-/// Before an audience, a wrong picture is explained only where the step offers a control of that group.
+/// Before an audience, a wrong picture is explained only where the step offers a control of the group that the mistake
+/// belongs to.
 TEST_F(StageTest, AStepTellsOnlyWhatItIsAbout) {
     params.shadow.stencil_once = false;
     desk.workbench.presenter.begin();

@@ -73,7 +73,7 @@ TEST_F(StepEditorTest, TypedTextsAreInTheFileAndOnTheScreen) {
     EXPECT_EQ(in_file().steps[0].ask.question.in_english(), template_texts.question);
 }
 
-/// A paragraph wraps in its field, is typed into at any place, and has no line ends in the file.
+/// A paragraph wraps in its field, accepts typing at any position, and has no newlines in the file.
 TEST_F(StepEditorTest, ALongTextWrapsAndStaysOneLineInTheFile) {
     std::string text = "Where is p?";
     const auto height = [this] {

@@ -566,7 +566,7 @@ TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
             const ImVec2 from = desk.in_observer_view(places().near[edge]);
             drag(places().near[edge], 0.4F * (from.x - middle.x), 0.4F * (from.y - middle.y));
             EXPECT_EQ(differing_fields(start, params), Paths{paths[edge]});
-            // 0.4 of half the window's size of 2.5, except for the perspective of the observer.
+            // 0.4 times half the window's size, which is 2.5, except for the effect of the observer's perspective.
             const double moved = params.projection.*edges[edge] - start.projection.*edges[edge];
             EXPECT_NEAR(std::abs(moved), 0.5, 0.15) << paths[edge];
             EXPECT_EQ(moved > 0.0, start.projection.*edges[edge] > 0.0) << "away from the middle";
@@ -622,7 +622,7 @@ TEST_F(ViewsTest, AClickOnTheFollowedVertexKeepsIt) {
     EXPECT_EQ(params.follow->object, "small box");
 }
 
-/// Returns the color drawn last over a place of the window; 0 if there is none.
+/// Returns the color drawn last at a position in the window; 0 if there is none.
 ImU32 color_at(ImVec2 at) {
     const auto side = [&](const ImVec2& a, const ImVec2& b) {
         return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);

@@ -1,5 +1,5 @@
 // Checks for any drawn diagram: its vertices are finite and not too many, and its boxes do not overlap. Also runs
-// checks in every look.
+// checks in every theme and at two scales.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The histogram, the pixel block and the divider under real input: ranges and shares stay in order, a click hits the
+// The histogram, the pixel block and the divider under real input: ranges and fractions stay in order, a click hits the
 // cell under it, text is readable on every color, and invalid input does no harm.
 #include <algorithm>
 #include <limits>

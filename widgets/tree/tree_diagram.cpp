@@ -22,7 +22,7 @@ int LevelOf(const TreeDiagramState& state, int node) {
     return Contains(state, node) ? state.layout.level[static_cast<std::size_t>(node)] : -1;
 }
 
-/// Computes a new layout if the links or folds changed. The pressed node keeps its place.
+/// Computes a new layout if the links or folds changed. The pressed node keeps its position.
 void Update(std::span<const TreeNode> nodes, std::uint64_t revision, TreeDiagramState& state) {
     const bool is_new =
         !state.is_laid_out || state.laid_out_revision != revision || state.layout.level.size() != nodes.size();

@@ -26,7 +26,7 @@ struct OpenPage {
     std::string returned;  ///< the latest text returned to the page
     int frames_due = 0;
     bool any = true;  ///< something has happened since the last frame
-    gl::Fence drawn;  ///< passes when the latest frame has been drawn
+    gl::Fence drawn;  ///< signaled once the latest frame has been drawn
     double drawn_s = 0.0;
 
     OpenPage(Renderer made, WindowMemory remembered, Session session)

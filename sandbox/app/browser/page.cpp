@@ -269,13 +269,13 @@ EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
     push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
 }
 
-/// Presses or releases a button: 0 is left, 1 right, 2 middle; 3, with 1, stands for two fingers.
+/// Presses or releases a button: 0 is left, 1 right, 2 middle; 3 together with 1 stands for two fingers.
 EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }
 
-/// Call when a finger has rested. In the camera's picture this asks "Why this pixel?", as a right click does; elsewhere
-/// it does nothing, because a right click there resets a slider.
+/// Call when a finger has been held still. In the camera's picture this asks "Why this pixel?", as a right click does;
+/// elsewhere it does nothing, because a right click there resets a slider.
 EMSCRIPTEN_KEEPALIVE void page_long_touch() {
     if (!page->studio.workbench.views.hovered_pixel) return;
     page_button(1, 1);
@@ -395,7 +395,7 @@ EMSCRIPTEN_KEEPALIVE void page_embed() {
     page->studio.workbench.arrangement.embedded = true;
 }
 
-/// Turns motion on (1), or off (0) for people whom it disturbs.
+/// Turns motion on (1), or off (0) for users who find it disturbing.
 EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     page->studio.workbench.guide.moves = moves != 0;
 }

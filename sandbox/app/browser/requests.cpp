@@ -53,7 +53,7 @@ std::optional<PictureView> asked_view(std::string_view name) {
     return at != asked_views.end() ? std::optional(*at) : std::nullopt;
 }
 
-/// Returns the longest side that this driver can draw.
+/// Returns the longest picture side that this driver can draw.
 int longest_side() {
     int longest = largest_image_side;
     for (const GLenum limit : {GL_MAX_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {

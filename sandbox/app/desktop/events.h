@@ -1,4 +1,4 @@
-// Queues a window's GLFW events in order; the end of background work wakes the window. Read ui/parts/input_queue.h for
+// Queues a window's GLFW events in order; the end of background work wakes the window. See ui/parts/input_queue.h for
 // how events are processed.
 #pragma once
 

@@ -33,7 +33,7 @@ constexpr std::pair<ImGuiKey, int> imgui_keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
                                                    {ImGuiKey_Y, GLFW_KEY_Y},
                                                    {ImGuiKey_Z, GLFW_KEY_Z}};
 
-/// Returns GLFW's standard shape for the cursor; 0: the arrow.
+/// Returns GLFW's standard shape for the cursor; 0 stands for the arrow.
 int shape_of(ImGuiMouseCursor cursor) {
     switch (cursor) {
         case ImGuiMouseCursor_TextInput:

@@ -75,7 +75,7 @@ std::vector<WindowPlace> screens() {
     return screens;
 }
 
-/// Restores the window's last place if it is still on a screen.
+/// Restores the window's last position if that is still on a screen.
 void restore_place(GLFWwindow* window, const std::optional<WindowPlace>& place) {
     if (!place || !is_reachable(*place, screens())) return;
     glfwSetWindowSize(window, place->size.x, place->size.y);

@@ -46,7 +46,7 @@ std::string person_line() {
     return line + "</p>\n";
 }
 
-/// Escapes a sentence, and makes the blanks in its formulas non-breaking.
+/// Escapes a sentence, and makes the spaces in its formulas non-breaking.
 std::string prose(const std::string& sentence) {
     std::string page;
     for (std::string_view rest = sentence; !rest.empty();) {

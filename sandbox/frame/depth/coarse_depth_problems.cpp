@@ -16,7 +16,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the largest gap that depth may fail to distinguish at an eye distance, as a share of the picture's height
+/// Returns the largest gap that depth may fail to resolve at an eye distance, as a fraction of the picture's height
 /// there.
 double unresolved_share(const Params& params, const Derived& derived, double distance) {
     return fighting_onset(depth_coding(params, derived), distance).gap() / picture_height(params.lens(), distance);
@@ -81,7 +81,7 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
 /// A pair of flat surfaces that fight or, since no prediction rules it out, may fight.
 struct FightingPair {
     const FlatPair* pair;
-    double needed, distance;  ///< gap along the normal that depth surely distinguishes; eye distance of that gap
+    double needed, distance;  ///< gap along the normal that depth reliably resolves; eye distance of that gap
 };
 
 /// Returns whether parts of both surfaces are in the picture and beyond near.
@@ -93,8 +93,8 @@ bool is_seen(const FlatPair& pair, const Derived& derived, const Scene& scene) {
            may_reach(scene.objects[static_cast<std::size_t>(pair.second)], forms);
 }
 
-/// Returns the pairs in view that fight. Decals that are moved by an offset fight only if the offset is surely too
-/// small.
+/// Returns the pairs in view that fight. Decals that are moved by an offset count as fighting only if the offset is
+/// certainly too small.
 std::vector<FightingPair> fighting_pairs(const Params& params, const Derived& derived, const Scene& scene,
                                          std::span<const FlatPair> pairs) {
     constexpr int height_px = 720;
@@ -176,7 +176,7 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                 fix);
 }
 
-/// Reports objects that lie in a plane, so that the two fight wherever both are in the picture.
+/// Reports objects that lie in a plane, so that object and plane fight wherever both are in the picture.
 void say_in_plane(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const Lens lens = params.lens();
     const std::array<glm::dvec4, 4> sides = forms_of_sides(derived.clip_from_world);

@@ -20,7 +20,7 @@ struct Cure {
 };
 
 /// Returns the cures in the order of CureKind, without those for decals if the scene has none. The cure that changes
-/// near uses largest_near(), even if near is already fine; it changes nothing if something reaches up to the eye.
+/// near uses largest_near(), even if near is already fine; it changes nothing if something reaches the eye.
 std::vector<Cure> cures(const Params& params, const Derived& derived, const Scene& scene);
 
 }  // namespace viewing

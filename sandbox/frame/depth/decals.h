@@ -1,5 +1,5 @@
-// Finds the object under each decal of a scene, and gives both the same mark for the stencil buffer. Read
-// plan_depth.cpp for the use of the marks.
+// Finds the object under each decal of a scene, and gives both the same mark for the stencil buffer. See plan_depth.cpp
+// for the use of the marks.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The bands of color that distinguish neighboring depths. Read ground.h for the other colors that belong to no object.
+// The bands of color that distinguish neighboring depths. See ground.h for the other colors that belong to no object.
 #pragma once
 
 #include <array>

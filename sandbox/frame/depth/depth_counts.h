@@ -1,5 +1,5 @@
-// The histogram of a depth buffer. Pure, and fast enough to run every frame. Read render/buffer_read.h for the source
-// of the depths.
+// The histogram of a depth buffer. Pure, and fast enough to run every frame. See render/buffer_read.h for the source of
+// the depths.
 #pragma once
 
 #include <cstdint>

@@ -27,8 +27,8 @@ struct PrecisionCurves {
     std::vector<StepCurve> others;        ///< 16 bit, 24 bit and float32 with each mapping, except the current one
 };
 
-/// Returns the curves for the state's near and far. Each curve begins at the first distance whose code surely differs
-/// from that of the near plane.
+/// Returns the curves for the state's near and far. Each curve begins at the first distance whose code is certain to
+/// differ from that of the near plane.
 PrecisionCurves precision_curves(const Params& params, const Derived& derived);
 
 /// Returns a curve's name: "24 bit", "24 rev", "float log".

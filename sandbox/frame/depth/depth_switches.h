@@ -63,7 +63,7 @@ inline bool rejects_previous_frame(const DepthParams& depth) {
            !(depth.clear && depth.write_while_clearing);
 }
 
-/// Returns whether the depth test compares which of two depths is nearer.
+/// Returns whether the depth test depends on which of two depths is nearer.
 inline bool compares_nearness(const DepthParams& depth) {
     return depth.tests() && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal ||
                              depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal);

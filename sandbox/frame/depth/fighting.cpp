@@ -162,8 +162,8 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
-/// Returns the distance of a float32 from the next larger one, in units of 2⁻²⁴: at least the value, less than twice
-/// it.
+/// Returns the distance from a float32 to the next larger one, in units of 2⁻²⁴: more than the value, and at most twice
+/// the value.
 double float_step(double value) {
     return value > 0.0 ? std::exp2(std::floor(std::log2(value)) + 1.0) : 0.0;
 }

@@ -32,12 +32,12 @@ struct FightingCounts {
     std::int64_t pixels_elsewhere = 0;
 
     std::int64_t vanished() const;  ///< in all pairs and elsewhere
-    /// Share of the pixels of all pairs; 0 without pixels.
+    /// Fraction of the pixels of all pairs; 0 if there are no pixels.
     double wrong_fraction() const;
 };
 
-/// The range and mean of a pair's share of wrong pixels, as seen by several cameras that jitter like animation.jiggle.
-/// The depth codes at the pixels are practically random, so a single picture says little.
+/// The range and mean of a pair's fraction of wrong pixels, as seen by several cameras that jitter like
+/// animation.jiggle. The depth codes at the pixels are practically random, so a single picture says little.
 struct ShareSpread {
     int cameras = 0;  ///< those that see pixels of the pair
     double sum = 0.0, least = 1.0, most = 0.0;

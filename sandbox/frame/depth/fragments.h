@@ -70,9 +70,10 @@ public:
     /// method finds one surface per pixel in software, only that surface passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
-    /// Returns the fragments of all passes: mirror images, shadows, masks and squares over the picture, too, and those
-    /// that a clip plane rejects. The stencil and the depth are those of the whole frame. `as_rounded` lists fragments,
-    /// by index in the result, whose depth comparison has the opposite outcome, because GL's rounding decides it.
+    /// Returns the fragments of all passes, including mirror images, shadows, masks and squares over the picture, and
+    /// also the fragments that a clip plane rejects. The stencil and the depth are those of the whole frame.
+    /// `as_rounded` lists fragments, by index in the result, whose depth comparison has the opposite outcome, because
+    /// GL's rounding decides it.
     std::vector<Fragment> everything_at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px,
                                         std::span<const std::size_t> as_rounded = {}) const;
 

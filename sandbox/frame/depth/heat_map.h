@@ -1,5 +1,5 @@
 // The heat map of depth fighting: the gap of each flat pair, and the gap that each eye distance needs. Pure; the shader
-// divides one by the other for every pixel. Read fighting.h for the formulas.
+// divides one by the other for every pixel. See fighting.h for the formulas.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double least_gain = 4.0;   // if less than this factor can be gained, near is fine
 constexpr double margin = 0.9;       // fraction of the nearest distance, so that a small camera move clips nothing
-constexpr double least_near = 1e-3;  // anything nearer reaches up to the eye
+constexpr double least_near = 1e-3;  // anything nearer counts as reaching the eye
 
 /// A range of eye distances; empty until something is added.
 struct Reach {
@@ -120,7 +120,7 @@ Reach reach_of(const PlanePatch& patch, const glm::dmat4& view_from_world, View&
 }
 
 struct Change {
-    double now = 0.0, then = 0.0;  ///< the smallest gap that depth surely resolves at `z`
+    double now = 0.0, then = 0.0;  ///< the smallest gap that depth reliably resolves at `z`
     double z = 0.0;
 };
 

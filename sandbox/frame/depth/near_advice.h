@@ -34,7 +34,7 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 /// A better near for the things in view.
 struct NearAdvice {
     bool cuts = false;           ///< near is too large and clips something; else it is wastefully small
-    std::optional<double> near;  ///< the proposed value; none if something reaches up to the eye
+    std::optional<double> near;  ///< the proposed value; none if something reaches the eye
     std::string sentence;
 };
 
@@ -46,7 +46,7 @@ std::optional<NearAdvice> near_advice(const Params& params, const Derived& deriv
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene);
 
 /// Returns the largest near, to two digits, that keeps everything in view, with a margin for a small camera move. None
-/// if nothing is in view or something reaches up to the eye.
+/// if nothing is in view or something reaches the eye.
 std::optional<double> largest_near(const std::vector<SeenThing>& seen);
 
 /// Rounds down to two significant digits; `value` is positive.

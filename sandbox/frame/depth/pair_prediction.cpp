@@ -11,7 +11,8 @@ namespace viewing {
 namespace {
 
 constexpr double says_nothing = 0.9;  ///< an interval of at least this width predicts nothing
-constexpr double fewest_codes = 2.0;  ///< surfaces must cross this many for their pixels to sample all phases of a code
+constexpr double fewest_codes =
+    2.0;  ///< surfaces must cross this many codes for their pixels to sample all phases of a code
 constexpr double most_codes_a_pixel = 0.5;
 
 ShareInterval certainly(double share) {
@@ -74,12 +75,12 @@ struct SeenCodes {
     glm::dvec2 least_ndc{1e300}, most_ndc{-1e300};
     glm::dvec2 size_px{1.0};
 
-    /// Returns whether both surfaces have one and the same code everywhere.
+    /// Returns whether both surfaces have the same single code everywhere.
     bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
 
-    /// Widens an interval for the share over all phases of a code into one for the share over the actual pixels. A
-    /// depth that is linear over a polygon has a density with one maximum, which is at most twice the mean, and is
-    /// sampled once per pixel.
+    /// Widens an interval for the wrong fraction over all phases of a code into one for the fraction over the actual
+    /// pixels. A depth that is linear over a polygon has a density with one maximum, which is at most twice the mean,
+    /// and is sampled once per pixel.
     ShareInterval widened(const ShareInterval& share) const {
         double deviation = 1e300;
         for (int axis = 0; axis < 2; ++axis) {
@@ -153,7 +154,7 @@ void set_onset_where_worst(PairPrediction& made, const FlatPair& pair, std::span
             }
 }
 
-/// Returns the share for a decal that is drawn only where the stencil shows its base.
+/// Returns the wrong fraction for a decal that is drawn only where the stencil shows its base.
 std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right,
                                                     const std::vector<int>& marks) {
     const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
@@ -163,10 +164,10 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
     return certainly(decal_is_right ? 0.0 : 1.0);
 }
 
-/// Returns the share if a polygon offset moves one of the two. GL does not define how many codes a unit spans, so the
-/// program measures it; it is exactly one if the shader adds the offset. Without a measurement, and for a float, a unit
-/// counts as at least one code. `lead` and `most_lead`: by how many codes, at least and at most, the surface that
-/// should be visible is nearer without the offset.
+/// Returns the wrong fraction if a polygon offset moves one of the two surfaces. GL does not define how many codes a
+/// unit spans, so the program measures it; it is exactly one if the shader adds the offset. Without a measurement, and
+/// for a float, a unit counts as at least one code. `lead` and `most_lead`: by how many codes, at least and at most,
+/// the surface that should be visible is nearer without the offset.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {

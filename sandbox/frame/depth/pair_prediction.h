@@ -1,5 +1,5 @@
-// Predicts how two surfaces fight: the share of their pixels that show the wrong surface, as an interval that holds for
-// any float32 arithmetic, or no prediction. Pure; measure/fighting_measure.h counts the wrong pixels that GL draws.
+// Predicts how two surfaces fight: the fraction of their pixels that show the wrong surface, as an interval that holds
+// for any float32 arithmetic, or no prediction. Pure; measure/fighting_measure.h counts the wrong pixels that GL draws.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace viewing {
 
-/// A share of a pair's pixels, from 0 to 1.
+/// A fraction of a pair's pixels, from 0 to 1.
 struct ShareInterval {
     double least = 0.0, most = 1.0;
     bool holds(double share) const { return least <= share && share <= most; }
 };
 
-/// Returns the share of wrong pixels of two surfaces whose codes fall on the pixels at random. The surfaces are
+/// Returns the fraction of wrong pixels for two surfaces whose codes fall on the pixels at random. The surfaces are
 /// `gap_codes` to `most_gap_codes` apart, where gap_codes ≤ most_gap_codes, and arithmetic moves them by at most
 /// `arithmetic_codes` relative to each other. `tie_is_wrong`: the wrong surface is visible if both have the same code.
 /// Without arithmetic errors, the probability of such a tie is 1 − gap, or 0 for gaps of at least one code.
@@ -26,14 +26,14 @@ struct PairPrediction {
     double distance = 0.0;  ///< eye distance of the overlap's center
     double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< as eye distance, where the visible part needs the widest gap
-    double slant = 1.0;     ///< at that place: gap along the normal ÷ gap in eye distance; 0: seen edge-on
-    /// The share of the pair's pixels that are wrong; none if it cannot be predicted to within nine tenths. There is no
-    /// prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
+    double slant = 1.0;     ///< at that point: gap along the normal ÷ gap in eye distance; 0: seen edge-on
+    /// The fraction of the pair's pixels that are wrong; none if it cannot be predicted to within nine tenths. There is
+    /// no prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
     /// nearness, a depth buffer that is not written or not cleared to the farthest depth, depths that may equal the
     /// cleared code, logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes
     /// (all of their pixels may have the same one) or more than one code in two pixels (pixel positions decide which
-    /// ones), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and does not surely exceed
-    /// one code.
+    /// ones), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and is not certain to
+    /// exceed one code.
     std::optional<ShareInterval> wrong_share;
 };
 

@@ -192,8 +192,8 @@ void tell_wrong_shadow(Sayer& tell, const glm::dmat4& s, const DerivedPlane& of,
                  "matrix"_a = matrix));
 }
 
-/// Reports the first property of R that a matrix lacks: R keeps the plane's points in place, and sends a point beside
-/// the plane to its mirror image.
+/// Reports the first property of R that a matrix lacks: R keeps the plane's points in place, and sends a point off the
+/// plane to its mirror image.
 void tell_wrong_mirror(Sayer& tell, const DerivedPlane& of, const std::string& matrix) {
     const PlanePatch& patch = of.patch;
     const glm::dvec3 normal(of.unit_plane), q = patch.center + normal;

@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// The fault of a matrix. `other_…` and `different` mean a right matrix, but of something else.
+/// The fault of a matrix. `other_…` and `different` mean a correct matrix, but one of something else.
 enum class MatrixFault {
     none,
     inverse,             ///< C where V belongs, or V where C belongs
@@ -29,7 +29,7 @@ enum class MatrixFault {
     other_plane,         ///< S, R of another plane
     not_unit_normal,     ///< R: filled from a normal that is not a unit vector
     plus_2ab,            ///< R: the slide's +2ab in row 2, column 1
-    different,           ///< a right V, C or P of another camera, or S of another plane and light
+    different,           ///< a correct V, C or P of another camera, or S of another plane and light
     unknown,             ///< none of the lecture's matrices
 };
 

@@ -43,7 +43,7 @@ std::optional<FoundLens> read_lens(const dmat4& m, bool zero_to_one, double tole
 
 namespace {
 
-/// Returns whether a person may have typed the number: it has at most two significant digits.
+/// Returns whether the number may have been typed by hand: it has at most two significant digits.
 bool is_round(double value) {
     if (value == 0.0) return true;
     const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);

@@ -35,7 +35,7 @@ std::string without_comments(std::string_view text) {
     return kept;
 }
 
-/// Returns the matrix's letter according to the words in front of the numbers; 0 if they give none.
+/// Returns the matrix's letter according to the words before the numbers; 0 if they give none.
 char letter_in(std::string_view front) {
     static constexpr std::pair<std::string_view, char> names[] = {{"view_from_world", 'V'},
                                                                   {"world_from_view", 'C'},
@@ -99,7 +99,7 @@ Syntax syntax_of(std::string_view text) {
 Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
     const std::string plain = without_comments(text);
     const Syntax syntax = syntax_of(plain);
-    // Digits in front of the numbers, as in "GLfloat m[16] =", are not entries.
+    // Digits before the numbers, as in "GLfloat m[16] =", are not entries.
     const std::size_t equals = plain.find('=');
     const std::string_view whole = plain, front = whole.substr(0, equals);
     const std::string_view body = equals == std::string::npos ? whole : whole.substr(equals + 1);

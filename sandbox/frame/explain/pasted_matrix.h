@@ -18,8 +18,8 @@ struct PastedMatrix {
 };
 
 /// Reads 16 numbers as GLM and C write them (columns first; nested or flat), or as NumPy, MATLAB, JSON, LaTeX and plain
-/// text do (rows; a flat JSON list by columns, like the arrays of WebGL). Allows comments and a name in front; refuses
-/// any other count of numbers.
+/// text do (rows; a flat JSON list by columns, like the arrays of WebGL). Allows comments and a name before the
+/// numbers; refuses any other count of numbers.
 Result<PastedMatrix> read_pasted_matrix(std::string_view text);
 
 }  // namespace viewing

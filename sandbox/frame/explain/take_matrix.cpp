@@ -136,7 +136,7 @@ std::optional<dmat4> fixed_matrix(const dmat4& pasted, const ExplainedMatrix& fo
 
 namespace {
 
-/// Takes over a changed state if all its values are in range; returns whether they are.
+/// Adopts a changed state if all its values are in range; returns whether they are.
 bool take_if_legal(Params& params, Params&& taken) {
     Params legal = taken;
     clamp_to_ranges(legal);
@@ -150,7 +150,8 @@ bool take_if_legal(Params& params, Params&& taken) {
 bool take_matrix(Params& params, char letter, const dmat4& matrix, double view_aspect, double tolerance) {
     if (letter == 'S' || letter == 'R') return enter_by_hand(params, letter, matrix);
     Params taken = params;
-    if (letter == 'V') take_camera(taken, view_from_world(matrix));  // the inverse of a rigid matrix, either way
+    if (letter == 'V')
+        take_camera(taken, view_from_world(matrix));  // the inverse of a rigid matrix, in either direction
     if (letter == 'C') take_camera(taken, matrix);
     if (letter == 'P' && !take_projection(taken, matrix, view_aspect, tolerance)) return false;
     return take_if_legal(params, std::move(taken));

@@ -7,8 +7,8 @@
 
 namespace viewing {
 
-/// Returns whether the matrix can be taken as it is: a right V, C, P, S or R, of this state or another. A P with near
-/// and far swapped is right too: depth is then reversed.
+/// Returns whether the matrix can be taken as it is: a correct V, C, P, S or R, of this state or another. A P with near
+/// and far swapped is correct, too: depth is then reversed.
 bool is_takeable(const ExplainedMatrix& found);
 
 /// Returns the pasted V, C or P without its fault; none for other matrices and unknown faults.

@@ -1,4 +1,4 @@
-// The limits of the hidden-surface methods. Read hidden_views.h for their input.
+// The limits of the hidden-surface methods. See hidden_views.h for their input.
 #pragma once
 
 #include <cstdint>

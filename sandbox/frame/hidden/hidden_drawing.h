@@ -39,7 +39,7 @@ struct HiddenDrawing {
     std::vector<OrderedVertex> triangles;  ///< three vertices per triangle, in drawing order
     std::vector<Run> runs;                 ///< the runs of all triangles, in order
     glm::ivec2 size_px{0};
-    glm::dvec2 share{1.0};                ///< the share of the view that the picture fills: HiddenRequest::share
+    glm::dvec2 share{1.0};                ///< the fraction of the view that the picture fills: HiddenRequest::share
     std::vector<SurfacePixel> pixels;     ///< rows from the top
     std::vector<std::uint32_t> overdraw;  ///< per pixel; filled if `pixels` is
     bool is_cut = false;                  ///< canceled before the last triangle
@@ -54,7 +54,7 @@ struct DifferenceDrawing {
     glm::ivec2 size_px{0};
     std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top
     std::int64_t compared = 0, different = 0;
-    glm::dvec2 share{1.0};  ///< the share of the view that the picture fills
+    glm::dvec2 share{1.0};  ///< the fraction of the view that the picture fills
 };
 /// `differs`: nonzero for each pixel that differs, rows from the top.
 DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px);

@@ -8,7 +8,7 @@ namespace viewing {
 
 namespace {
 
-/// Returns the share of the view that a picture with square pixels fills if the pixels are as large as possible.
+/// Returns the fraction of the view that a picture with square pixels fills if the pixels are as large as possible.
 glm::dvec2 share_of(glm::ivec2 raster, glm::ivec2 size_px) {
     const glm::dvec2 view(glm::max(size_px, glm::ivec2(1))), room = view / glm::dvec2(raster);
     return std::min(room.x, room.y) * glm::dvec2(raster) / view;

@@ -105,8 +105,8 @@ struct HiddenResult {
 /// Returns the sentence for a canceled method that has no sentence of its own.
 std::string sentence_of_canceled();
 
-/// Returns whether rays intersect the exact curved shapes. While culling is on, which distinguishes front and back
-/// faces, rays intersect the shapes' triangles instead.
+/// Returns whether rays intersect the exact curved shapes. Because culling distinguishes front and back faces, rays
+/// intersect the shapes' triangles instead while it is on.
 bool uses_exact_curves(const HiddenRequest& request);
 
 /// Returns whether software computes the picture's pixels, instead of GL drawing polygons in order.

@@ -1,5 +1,5 @@
 // The question that a picture asks of the hidden-surface methods, and the answer: the method for the camera, the same
-// method for the eye behind the mirror, and the method to compare with. Read hidden_surfaces.h for a single method.
+// method for the eye behind the mirror, and the method to compare with. See hidden_surfaces.h for a single method.
 #pragma once
 
 #include <optional>
@@ -39,8 +39,8 @@ Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question);
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,
                                     WorkProgress* progress = nullptr);
 
-/// Adds the difference of the two ID images, which GL may have drawn. Compares objects if one side has exact curves,
-/// otherwise polygons.
+/// Adds the difference of the two ID images, which GL may have drawn. Compares objects if one of the images has exact
+/// curves, otherwise polygons.
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other);
 
 /// Plans a frame that draws the IDs of a result's polygons, to be read back. It is needed if GL draws these polygons.

@@ -12,7 +12,7 @@ namespace viewing {
 
 struct SceneSurface {
     Scene scene;                                ///< shares the meshes
-    std::vector<Polygon> polygons;              ///< triangles with an area; `source` numbers all triangles, from 0
+    std::vector<Polygon> polygons;              ///< triangles with nonzero area; `source` numbers all triangles, from 0
     int dropped = 0;                            ///< triangles without area
     std::vector<int> first_source;              ///< per object: the source of its first triangle
     std::vector<CurvedShape> curved;            ///< objects with an exact shape; their sources follow the triangles'
@@ -31,7 +31,7 @@ struct SceneSurface {
 SceneSurface surface_of(const Scene& scene, const WorkProgress* progress = nullptr);
 
 /// Returns the normal at a point, not normalized: the normal that GL interpolates from the corners of the triangle
-/// `source`, or that of the curved shape. Extrapolates outside the triangle; a triangle without area has the normal of
+/// `source`, or that of the curved shape. Extrapolates outside the triangle; a triangle of zero area has the normal of
 /// its first corner.
 glm::dvec3 normal_at(const SceneSurface& surface, int source, const glm::dvec3& point_world);
 

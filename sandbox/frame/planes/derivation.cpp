@@ -1,5 +1,5 @@
-// Each formula is written as on its slide, not as the rest of the sandbox computes it, so that their agreement means
-// something.
+// Each formula is written as on its slide, not as the rest of the sandbox computes it, so that agreement between the
+// two means something.
 #include "frame/planes/derivation.h"
 
 #include <algorithm>

@@ -41,11 +41,12 @@ std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& deri
 /// always returns true, since the planes have images too.
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
-/// Returns whether a mirror's mask hides its image, which is beyond the mirror unless the wrong side is mirrored. If
-/// the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
+/// Returns whether a mirror's mask hides the mirror's image, which lies beyond the mirror unless the wrong side is
+/// mirrored. If the mirror is drawn after another plane, depth is cleared inside the mask, so the mask hides nothing.
 bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene);
 
-/// Adds errors of the masks, which keep the image inside the mirror and the mirror in its place among the objects.
+/// Adds the errors of the masks, which keep the image inside the mirror and the mirror correctly placed among the
+/// objects.
 void find_mask_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                         const std::vector<Mirror>& mirrors, const Scene& scene);
 

@@ -13,7 +13,7 @@ struct WayThroughMirrors {
     std::vector<std::size_t> mirrors;  ///< as the view ray meets them; never empty
     bool is_from_behind = false;       ///< the last mirror's normal points away from the side that is seen
     std::vector<glm::dvec4> inside;    ///< all positive where a point's image is seen in each mirror, beyond near
-    glm::dvec4 side{0.0};              ///< positive on the side of the last mirror that it should show
+    glm::dvec4 side{0.0};              ///< positive on the side of the last mirror whose points the mirror should show
     glm::dvec4 distance{0.0};          ///< the image's eye distance
     glm::dvec4 before_far{0.0};        ///< positive for images that far keeps
 
@@ -32,7 +32,7 @@ std::vector<WayThroughMirrors> ways_through_mirrors(const Params& params, const 
 struct SeenImage {
     std::string name;                           ///< of the object
     double nearest = 0.0, farthest = 0.0;       ///< eye distances of its vertices, over all its images
-    bool is_shown = false, is_cut_off = false;  ///< some vertices are before far; some are beyond it
+    bool is_shown = false, is_cut_off = false;  ///< some vertices are nearer than far; some are beyond it
 };
 
 /// Returns the objects that have such an image, in the order of the scene. Judges at most a few sampled vertices of

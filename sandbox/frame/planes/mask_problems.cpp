@@ -25,8 +25,8 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
 
 namespace {
 
-/// Returns the gap, along the mirror's normal, that depth surely distinguishes at an object's center, if the gap in eye
-/// distance is a visible part of the picture's height there; otherwise 0.
+/// Returns the smallest gap, along the mirror's normal, that depth reliably resolves at an object's center, if that gap
+/// in eye distance is a visible fraction of the picture's height there; otherwise 0.
 double coarse_gap(const Params& params, const Derived& derived, const Mirror& mirror, const SceneObject& object) {
     const Lens lens = params.lens();
     const glm::dvec3 center = object.world_from_model * glm::dvec4(glm::dvec3(bounds_of(*object.mesh).center()), 1.0);
@@ -65,7 +65,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
             forms.push_back(image_towards_eye);
             forms.back().w -= standing;
             const bool is_in_front = may_reach(object, forms);
-            // An object hides where it touches its image, unless the image is drawn elsewhere.
+            // An object hides the spot where it touches its image, unless the image is drawn elsewhere.
             const double gap = std::max(coarse_gap(params, derived, mirror, object), fits ? 0.0 : standing);
             forms.back().w += standing + gap;
             if (is_in_front || (gap > 0.0 && may_reach(object, forms)))
@@ -129,7 +129,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 "reflection.after_objects");
 }
 
-/// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
+/// Reports a mirror whose picture is cleared and drawn over earlier patches as well, because they share its stencil
 /// value.
 void say_shared_value(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.shadow.own_stencil || !params.reflection.stencil) return;

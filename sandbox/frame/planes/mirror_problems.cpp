@@ -18,7 +18,7 @@ namespace viewing {
 
 namespace {
 
-/// Returns whether the coarsest depth in an image is a visible part of the picture's height there.
+/// Returns whether the coarsest depth step in an image is a visible fraction of the picture's height there.
 bool is_visibly_coarse(const ObliqueDepth& depth, const Params& params, const Derived& derived) {
     const double z = depth.coarsest_distance,
                  step = resolvable_depth_step(params.lens(), params.depth.mapping, derived.stored_depth.precision, z);
@@ -283,7 +283,7 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, scene, frame);
     say_slips(tell, params, derived, mirrors, scene);
-    // An oblique near plane gives images other codes.
+    // An oblique near plane gives images different depth codes.
     const double start = params.reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
                                                                        : start_of_cleared_code(params);
     const bool is_usual =

@@ -1,5 +1,5 @@
 // Measures how depth in the image changes if the mirror is the near plane: along each view ray, codes are closer
-// together or farther apart than with the near plane of P. Read mirror_problems.cpp, which reports the result.
+// together or farther apart than with the near plane of P. See mirror_problems.cpp, which reports the result.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const DerivedPla
         clips.push_back(w_of_point);
     }
     if (cast.lands_far && ends_at_patch) {
-        // The stencil decides where exactly the shadow ends.
+        // The stencil decides exactly where the shadow ends.
         constexpr double margin = 1.25;
         PlanePatch around = plane.patch;
         around.extent *= margin;

@@ -50,7 +50,7 @@ bool may_be_seen(const Params& params, const Derived& derived, const Scene& scen
     return may_reach(scene, forms);
 }
 
-/// Returns the shadows that may be in the picture, directly or, with mirrors, in one.
+/// Returns the shadows that may be in the picture, either directly or in a mirror.
 std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived, const Scene& scene) {
     std::vector<Thrown> thrown;
     if (!params.shadow.enabled) return thrown;
@@ -173,7 +173,7 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         sentence("shadow.writes_depth",
                  "the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
         "shadow.write_depth");
-    // The least shift that shows in a large picture, as a share of its height.
+    // The smallest shift that shows in a large picture, as a fraction of its height.
     constexpr double least_shift = 2e-4;
     const auto is_seen_floating = [&](const Thrown& one) {
         const double z = -(derived.view_from_world * glm::dvec4(one.plane.patch.center, 1.0)).z;
@@ -242,7 +242,8 @@ void say_paint(Sayer& tell, const ShadowParams& shadow, const Derived& derived, 
 }
 
 /// Returns whether another plane's patch covers a point beyond the edge of a shadow's own patch, as the eye sees it. A
-/// patch that is drawn later covers it, since shadows write no depth; one that is drawn earlier, only if it is nearer.
+/// patch that is drawn later covers the point, since shadows write no depth; one that is drawn earlier does so only if
+/// it is nearer.
 bool is_under_patch(const Params& params, const Derived& derived, const DerivedPlane& receiver,
                     const glm::dvec3& point) {
     bool is_earlier = true;
@@ -259,8 +260,8 @@ bool is_under_patch(const Params& params, const Derived& derived, const DerivedP
     return false;
 }
 
-/// Returns whether part of a shadow that continues past its patch is in the picture. If the depths of the previous
-/// frame hide the patch, all of the shadow is beyond it, unless the patch is drawn without a depth test.
+/// Returns whether the picture shows a part of a shadow that is beyond its patch. If the depths of the previous frame
+/// hide the patch, the whole shadow counts as beyond it, unless the patch is drawn without a depth test.
 bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& one, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const bool is_untested = reflection.enabled && reflection.after_objects && reflection.stencil && one.plane.mirrors;
@@ -271,8 +272,8 @@ bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& 
     return lands_beyond(scene, landing);
 }
 
-/// Returns whether a shadow may fall on a patch that was drawn before its own and has the same stencil value: it lies
-/// in front of that patch's plane, as the eye sees it, and in the picture.
+/// Returns whether a shadow may fall on a patch that was drawn before its own and has the same stencil value: the
+/// shadow lies in front of that patch's plane, as the eye sees it, and in the picture.
 bool may_leak(const Params& params, const Derived& derived, const Thrown& shadow, const Scene& scene) {
     const glm::dmat4 landed = shadow.cast.sign * shadow.cast.shadowed_world_from_world;
     const glm::dmat4 clip_from_world = derived.clip_from_world * landed;

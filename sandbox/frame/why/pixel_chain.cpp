@@ -129,7 +129,7 @@ PixelChain chain_as_rounded(const FramePlan& plan, const FragmentFinder& finder,
         return color && is_same_color(*color, read_back);
     };
     if (!predicted_color(plan, exact) || explains(exact)) return exact;
-    // Tries one opposite outcome, then two, then three; later ones depend on earlier ones.
+    // Tries reversing one outcome, then two, then three; later outcomes depend on earlier ones.
     std::vector<std::pair<std::vector<std::size_t>, PixelChain>> tried;
     tried.emplace_back(std::vector<std::size_t>{}, exact);
     constexpr std::size_t most_tried = 64, most_opposite = 3;

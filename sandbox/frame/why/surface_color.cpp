@@ -136,7 +136,7 @@ ShadedPoint point_of_patch(const FramePlan& plan, const Pass& pass, const Fragme
     return {position, normal, glm::dvec3(0.0), patch_pattern(plan, patch.extent, here, width)};
 }
 
-/// Adds ambient light and each light's share.
+/// Adds ambient light and each light's contribution.
 void light(SurfaceColor& made, const Pass& pass, const ShadedPoint& point, bool has_highlight) {
     const glm::dvec3 eye = glm::dvec3(pass.eye_world) - pass.eye_world.w * point.position_world;
     glm::dvec3 normal = direction_of(point.normal_world);

@@ -1,5 +1,5 @@
-// Computes the color that a pass gives to a surface at one pixel, as the fragment shader does, with the share of each
-// light. Read shaders/surface.frag for the formula.
+// Computes the color that a pass gives to a surface at one pixel, as the fragment shader does, with the contribution of
+// each light. See shaders/surface.frag for the formula.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -17,7 +17,7 @@ std::string ended(const std::string& sentence) {
     return sentence.ends_with('.') ? sentence : sentence + ".";
 }
 
-/// Returns the picture's color at the pixel after a setting; none if the setting cannot be tried on this scene.
+/// Returns the picture's color at the pixel with a setting applied; none if the setting cannot be tried on this scene.
 std::optional<Color> color_with(const WhyQuestion& question, const std::string& setting) {
     const Result<Params> fixed = apply_settings(question.params, std::vector<std::string>{setting});
     if (!fixed || fixed->scene != question.params.scene || fixed->coplanar != question.params.coplanar)
@@ -30,8 +30,8 @@ std::optional<Color> color_with(const WhyQuestion& question, const std::string& 
     return predicted_color(frame, chain);
 }
 
-/// Adds a row for each problem whose fix changes this pixel. For the pair that fights here, the fight's row gets the
-/// fix.
+/// Adds a row for each problem whose fix changes this pixel. If the problem is depth fighting at this pixel, the row
+/// about the fight gets the fix.
 void add_fault_rows(Why& made, const WhyQuestion& question) {
     if (!made.predicted) return;
     for (const Problem& problem : question.problems) {
@@ -68,7 +68,7 @@ void find_names(Why& made, const WhyQuestion& question) {
     }
 }
 
-/// Names the visible surface, says whether light is missing, and names what shares the color.
+/// Names the visible surface, says whether light is missing, and names what else contributes to the color.
 std::string sentence_of(const Why& made, const WhyQuestion& question) {
     const Touch* surface = made.chain.surface(question.plan);
     const std::vector<const Touch*> images = images_of(made, question.plan);
@@ -125,7 +125,7 @@ Why why(const WhyQuestion& question) {
     add_fault_rows(made, question);
     add_sample_row(made, question);
     add_sum_row(made, question);
-    // Other pictures do not show the colors in the rows.
+    // Other kinds of picture do not show the colors in the rows.
     if (question.plan.shows != Shows::color && question.plan.shows != Shows::facing)
         for (WhyRow& row : made.rows)
             if (row.fix.empty() && row.kind != WhyRow::Kind::sum) row.after.reset();

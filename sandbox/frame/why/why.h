@@ -60,7 +60,7 @@ struct WhyQuestion {
 };
 Why why(const WhyQuestion& question);
 
-/// Returns a row's sentence, which may have several lines in a view, on one line.
+/// Returns a row's sentence, which may span several lines in a view, as a single line.
 std::string on_one_line(std::string sentence);
 
 /// Returns the sentence, then one line per row, then an empty line.
@@ -84,10 +84,10 @@ void add_fight_row(Why& made, const WhyQuestion& question);
 void add_sample_row(Why& made, const WhyQuestion& question);
 void add_sum_row(Why& made, const WhyQuestion& question);
 
-/// Shares of the color below this, about one level of 255, are not mentioned.
+/// Fractions of the color below this, about one level of 255, are not mentioned.
 inline constexpr double least_share = 0.004;
 
-/// Returns the surfaces in mirrors that are part of the color, the greatest share first.
+/// Returns the surfaces in mirrors that are part of the color, the largest contribution first.
 std::vector<const Touch*> images_of(const Why& made, const FramePlan& plan);
 
 }  // namespace viewing

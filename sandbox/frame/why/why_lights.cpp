@@ -1,5 +1,5 @@
-// The rows about lights: what each light adds to a surface, or what is in its way and how the shadow passes draw that.
-// Part of why.h.
+// The rows about lights: what each light adds to a surface, or what blocks the light and how the shadow passes draw
+// that. Part of why.h.
 #include <algorithm>
 
 #include "frame/say.h"
@@ -17,7 +17,7 @@ std::string name_of_light(const WhyQuestion& question, std::size_t light) {
     return light_name(light, question.derived.lights_world.size());
 }
 
-/// Returns a sentence that may begin with a name with a capital letter; "n·ℓ" stays as it is.
+/// Capitalizes the first letter of a sentence, which may begin with a name; "n·ℓ" stays as it is.
 std::string begun(std::string sentence) {
     const auto is_small = [&](std::size_t at) {
         return at < sentence.size() && sentence[at] >= 'a' && sentence[at] <= 'z';
@@ -79,7 +79,7 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
     return said;
 }
 
-/// Says why a pixel shows no shadow although a caster is in the light's way.
+/// Says why a pixel shows no shadow although a caster blocks the light.
 std::string no_shadow_sentence(const WhyQuestion& question, const std::string& caster, const ShadowAtPixel& shadow,
                                std::size_t plane, std::size_t light) {
     const std::string name = name_of_light(question, light);
@@ -104,7 +104,7 @@ glm::dvec4 eye_behind(const WhyQuestion& question, const Pass& pass) {
     return eye;
 }
 
-/// A light's row, and the caster in the light's way.
+/// A light's row, and the caster that blocks the light.
 struct LightRow {
     std::string sentence;
     std::optional<Color> after = {};

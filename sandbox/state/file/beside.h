@@ -7,8 +7,8 @@
 
 namespace viewing {
 
-/// Returns whether view.beside.set may change a path: a whole field or camera.look_at. The scene, the looks, the layout
-/// and the second picture itself are common to both pictures.
+/// Returns whether view.beside.set may change a path: a whole field or camera.look_at. The scene, the appearance, the
+/// layout and the second picture itself are common to both pictures.
 bool may_differ_beside(std::string_view path);
 
 /// Returns the parameters of the second picture: those of the first with its settings applied, moved into their ranges

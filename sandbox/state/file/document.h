@@ -44,7 +44,7 @@ struct Where {
     [[noreturn]] void refuse(const std::string& what) const;
 };
 
-/// Limits of a document. A report written by this program may be larger than a file written by a person.
+/// Limits of a document. A report written by this program may be larger than a file written by a user.
 struct DocumentLimits {
     std::size_t bytes = max_document_bytes, values = max_document_values;
 };

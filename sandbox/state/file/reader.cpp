@@ -62,7 +62,7 @@ Follow read_follow(const Json& value, const Field& field, const Where& where) {
     return follow;
 }
 
-/// Reads a place in a picture as fractions of its width and height.
+/// Reads a position in a picture as fractions of its width and height.
 glm::dvec2 read_fraction(const Json& value, const Field& field, const Where& where) {
     if (!value.is_array() || value.size() != 2) {
         refuse_value(value, where, "two numbers [u, v], each " + range_text({field.min, field.max}));
@@ -317,7 +317,7 @@ void refuse_unknown(const Where& where) {
     std::vector<std::string> known = known_paths();
     for (const char* part : {"", ".eye", ".center", ".up"}) known.push_back(std::string(look_at_path) + part);
     const std::string_view word = last_of(where.path);
-    // Covers a typo anywhere in the path, and a correct name in the wrong group.
+    // Handles both a typo anywhere in the path and a correct name in the wrong group.
     const auto distance = [&](const std::string& path) {
         return std::min(edit_distance(where.path, path), edit_distance(word, last_of(path)) + 1);
     };

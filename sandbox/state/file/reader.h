@@ -65,7 +65,7 @@ std::span<const std::string_view> fields_of_look_at();
 Json look_at_as_json(const LookAt& look_at);
 /// Reads {"eye", "center", "up"}; only up may be left out, and is then (0, 1, 0). Refuses a LookAt without a camera.
 LookAt read_look_at(const Json& value, const Where& where);
-/// Refuses an object of the camera that has both look_at and one of the fields that it replaces.
+/// Refuses a camera object that has both look_at and one of the fields that look_at replaces.
 void require_one_camera(const Json& camera, const Where& where);
 
 /// Refuses an unknown path or key, and names the nearest known one.

@@ -9,7 +9,7 @@ namespace viewing {
 
 namespace {
 
-/// Parses VALUE as JSON; takes anything else as a string.
+/// Parses VALUE as JSON; treats it as a string if it is not JSON.
 Json value_of(const std::string& text, const Where& where) {
     try {
         return parse_document(text, where.prefix + where.path + ": ");
@@ -79,8 +79,8 @@ void set_part(Json& whole, std::string_view path, std::string_view rest, const J
     *part = value;
 }
 
-/// Applies settings one by one. Parts of camera.look_at are gathered until the end, since a camera with only some of
-/// them may be degenerate.
+/// Applies settings one by one. Parts of camera.look_at are collected and applied at the end, since a camera with only
+/// some of them may be degenerate.
 class Applier {
 public:
     Applier(Params params, const std::string& prefix) : params_(std::move(params)), prefix_(prefix) {}

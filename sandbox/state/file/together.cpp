@@ -14,7 +14,7 @@ void check_light(const glm::dvec4& position, const Where& where) {
     }
 }
 
-/// Returns the place of a list's element in the file: "light" for the first one, then "lights[0]".
+/// Returns where an element of a list is in the file: "light" for the first one, then "lights[0]".
 Where element(const Where& root, const std::string& group, std::size_t index) {
     return index == 0 ? root.key(group) : root.key(group + "s").at(index - 1);
 }

@@ -12,7 +12,8 @@ namespace viewing {
 inline constexpr std::uint64_t max_obj_bytes = 4ULL << 30U;
 inline constexpr std::uint64_t max_obj_triangles = 50'000'000;
 
-/// Works like load_obj(). `name` starts every message; `size_bytes` scales only the progress and the reserved memory.
+/// Works like load_obj(). `name` starts every message; `size_bytes` affects only the reported progress and the amount
+/// of memory reserved.
 Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name,
                          const MeshReading& reading, WorkProgress* progress);
 

@@ -159,7 +159,8 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        if (statement_of(next_word(rest)) != Statement::names) {  // a name may contain \#, of which only the \ is left
+        if (statement_of(next_word(rest)) !=
+            Statement::names) {  // a name may contain \#, whose # has been removed as a comment
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
             return;
@@ -346,7 +347,7 @@ void ObjLines::note_what_is_left_out() {
     if (!left_out.empty()) content_.notes.push_back("only faces are drawn; left out: " + left_out);
 }
 
-/// Sets the error, even if there is an earlier one: a malformed line is reported rather than the indices that it names.
+/// Sets the error, replacing any earlier one: a malformed line is reported rather than an error in its indices.
 void ObjLines::refuse(const std::string& what, std::string_view token) {
     trouble_ = at_line(statement_line_) + what + (token.empty() ? "" : ": " + excerpt(token));
 }

@@ -43,7 +43,8 @@ struct ObjContent {
 
 /// Reads until the end, the first invalid line, or cancellation, in time proportional to the file's length. Lines end
 /// with LF, CR or both; a \ at the end continues the line. Data that no face uses may be invalid. Errors and notes name
-/// the line: "line 3: not a number: 1.2.3". `size_bytes` scales the progress and the reserved memory.
+/// the line: "line 3: not a number: 1.2.3". `size_bytes` determines the scale of the progress and the amount of memory
+/// reserved.
 Result<ObjContent> read_obj_lines(std::istream& stream, std::uint64_t size_bytes, WorkProgress* progress);
 
 }  // namespace viewing

@@ -29,8 +29,8 @@ public:
     /// the same way becomes a fan around its first corner, so a quad is cut from the first to the third corner. A
     /// polygon that is not flat is treated as its projection along the mean normal. A concave polygon is cut by
     /// clipping ears. A grid finds the inward-turning corners that each ear must be tested against, so that the time is
-    /// usually proportional to the number of corners, and at worst to its square. Source: Meisters 1975 for ear
-    /// clipping; Eberly 2002 for the lists that it uses.
+    /// usually proportional to the number of corners, and in the worst case to its square. Source: Meisters 1975 for
+    /// ear clipping; Eberly 2002 for the lists that it uses.
     [[nodiscard]] Outcome cut(std::span<const glm::dvec3> corners, std::vector<std::uint32_t>& triangles);
 
     std::uint64_t tests() const { return tests_; }  ///< the number of tests so far

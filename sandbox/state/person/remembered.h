@@ -1,5 +1,5 @@
 // Settings that the window remembers for a user between runs: the theme, the scale, the language, the window's size and
-// place, the mouse habits, the progress in lessons, the recent files and the student, but never the state. Only the
+// position, the mouse habits, the progress in lessons, the recent files and the student, but never the state. Only the
 // window reads and writes them; a headless command uses only the files that it is given.
 #pragma once
 
@@ -15,7 +15,8 @@
 
 namespace viewing {
 
-/// The place of a window or a screen, in units of the window system, which need not be pixels; y points down.
+/// The position and size of a window or a screen, in units of the window system, which need not be pixels; y points
+/// down.
 struct WindowPlace {
     glm::ivec2 position{0}, size{0};
     bool maximized = false;
@@ -47,9 +48,9 @@ Result<Remembered> read_remembered(const std::filesystem::path& file);
 Status write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 
 /// Merges the content of a file that other windows write too. `kept` is the file's content, `known` is what this window
-/// last read or wrote, and `now` is what it has now. Theme, scale, language, place, mouse, student and a lesson's step
-/// come from this window if it changed them since then, otherwise from the file. The completed steps are the union of
-/// both lists; files that this window has opened since then come first. Merging again changes nothing.
+/// last read or wrote, and `now` is what it has now. The theme, scale, language, position, mouse habits, student and a
+/// lesson's step come from this window if it changed them since then, otherwise from the file. The completed steps are
+/// the union of both lists; files that this window has opened since then come first. Merging again changes nothing.
 Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
 
 /// Merges into the file under a lock, and returns its new content. Renames a file that cannot be read (set_aside);

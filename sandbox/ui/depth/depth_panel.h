@@ -7,7 +7,7 @@
 
 namespace viewing {
 
-/// The formats and mappings as controls name them.
+/// The names of the formats and mappings in controls.
 inline constexpr const char* depth_format_names[] = {
     marked("4 bit"),  marked("5 bit"),  marked("6 bit"),  marked("7 bit"),  marked("8 bit"),  marked("9 bit"),
     marked("10 bit"), marked("11 bit"), marked("12 bit"), marked("16 bit"), marked("24 bit"), marked("32 bit float")};

@@ -20,8 +20,8 @@ int step_of(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 /// before the first triangle; a negative step draws the whole frame.
 DrawLimit limit_of(int step, const std::vector<DrawCall>& calls);
 
-/// Returns the limit a whole call later or earlier. Going back from the whole frame leads to the last call; going back
-/// from the first call leaves nothing drawn.
+/// Returns the limit moved forward or back by a whole call. Going back from the whole frame leads to the last call;
+/// going back from the first call leaves nothing drawn.
 DrawLimit next_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 DrawLimit previous_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 

@@ -58,7 +58,7 @@ struct PairRow {
     bool is_below_onset = false, fights = false;
 };
 
-/// Joins two names, writing the part that they share just once: "back / front quad at 4".
+/// Joins two names, writing their common part only once: "back / front quad at 4".
 std::string pair_name(const std::string& first, const std::string& second) {
     const std::size_t at = first.find(' '), other = second.find(' ');
     if (at != std::string::npos && other != std::string::npos && first.substr(at) == second.substr(other))
@@ -131,8 +131,8 @@ bool is_named(FightingColumn column) {
     return widgets::IsHighlighted(columns[column].target) || is_covered(column);
 }
 
-/// Returns the column widths. If space is short, drops columns: the names first, because the distance still identifies
-/// the row, and those that a lesson names last.
+/// Returns the column widths. If space is short, drops columns: first the names, because the distance still identifies
+/// the row; last, those that a lesson names.
 FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     FightingWidths widths{};
@@ -149,7 +149,7 @@ FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     return widths;
 }
 
-/// Draws the share as a bar in front of its number.
+/// Draws the fraction as a bar in front of its number.
 void draw_bar(float share, ImU32 color) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight(), width = px(bar_room - 6.0F);
@@ -303,7 +303,7 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     if (!report.problem.empty()) draw_parts({told(report.problem, true)});
 }
 
-/// Draws a cure's button and, below it, the counts with that cure: the share of wrong pixels in the pairs, and the
+/// Draws a cure's button and, below it, the counts with that cure: the fraction of wrong pixels in the pairs, and the
 /// number of wrong pixels elsewhere.
 void draw_cure(Session& session, const FightingReport::Cured& cured, float width, bool is_behind) {
     const Cure& cure = cured.cure;

@@ -1,4 +1,4 @@
-// The view of depth fighting: for each pair of surfaces, the predicted share of wrong pixels beside the counted one.
+// The view of depth fighting: for each pair of surfaces, the predicted fraction of wrong pixels beside the counted one.
 #pragma once
 
 #include "frame/depth/fighting_report.h"

@@ -21,7 +21,8 @@ int decimals_of(const DepthPrecision& precision) {
     return precision.is_float ? 9 : static_cast<int>(std::ceil(precision.bits * 0.30103)) + 1;
 }
 
-/// Returns a number of decimals, from 3 to 6, such that a step of this size changes one of the last two, if possible.
+/// Returns how many decimals to show, from 3 to 6, so that a step of this size changes one of the last two, if
+/// possible.
 int decimals_for_step(double step) {
     if (!(step > 0.0) || !std::isfinite(step)) return 3;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 3, 6);

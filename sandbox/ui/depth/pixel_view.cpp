@@ -71,7 +71,7 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
-/// Draws the surfaces along the pixel's ray. While the cell view is visible, the draw calls are known, and a click on a
+/// Draws the surfaces along the pixel's ray. While the cell view is visible, the draw calls are known, so a click on a
 /// fragment goes to the step that draws it.
 void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     if (data.fragments.empty()) return widgets::Note("This pixel's ray hits no surface.");

@@ -42,7 +42,7 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
             .max = std::max({usual_max, decade(finite(now.far), true), decade(finite(before.far), true)})};
 }
 
-/// How many curves there are besides the one of the current format.
+/// How many curves there are besides the one for the current format.
 enum class OtherCurves { none, few, all };
 
 /// Twelve names are illegible from the back row. On stage, shows other curves only for a step that changes the format,
@@ -186,7 +186,7 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
         return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
     // If the chart and the sentence do not both fit, the chart fills the view, and the user can scroll down to the
-    // sentence. When presenting, the sentence is then omitted.
+    // sentence. In a presentation, the sentence is omitted instead.
     const bool has_room = room - line.height() >= px(120.0F);
     const float height = has_room ? room - line.height() : std::max(room, px(120.0F));
     draw_chart(session, derived, seen, height, cursor_z);

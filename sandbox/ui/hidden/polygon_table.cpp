@@ -39,7 +39,7 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     if (has_detail_) ImGui::TableSetupColumn(widgets::LabelText(detail).c_str(), ImGuiTableColumnFlags_WidthFixed);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     // Do not use TableHeadersRow(): it clips a title that is a fraction of a pixel wider than its column. Do not use a
-    // row with that flag either: its texts do not widen columns.
+    // row with ImGuiTableRowFlags_Headers either: its texts do not widen columns.
     ImGui::TableNextRow(0, row_height());
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, palette().view_ground);
     ImGui::TableSetColumnIndex(1);

@@ -15,7 +15,7 @@ void draw_raster_row(Params& params);
 /// method's steps have only one level.
 void draw_step_rows(Params& params, const HiddenResult& result);
 
-/// Draws, in one line, the same buttons, the buttons for single steps, and the step's progress. This line is for a view
+/// Draws one line with the same buttons, the buttons for single steps, and the step's progress. The line is for a view
 /// beside the picture, where it stays visible however far the panel is scrolled.
 void draw_step_line(Params& params, const HiddenResult& result);
 

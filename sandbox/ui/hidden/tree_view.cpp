@@ -87,7 +87,7 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
         recorded_note(sentence);
         room -= above;
     }
-    // On stage, omit the node's sentence: it is only for the person who points at the node, and the tree needs the
+    // On stage, omit the node's sentence: it is only for the user who is pointing at the node, and the tree needs the
     // space.
     const bool tells_node = room - below >= least && !widgets::CurrentContext().is_on_stage;
     draw_diagram(state, links, *result, tells_node ? room - below : room);

@@ -219,7 +219,7 @@ bool draw_numbers(LessonRun& run, const AnswerStyle& style, const AnswerSizes& s
     const bool are_whole = std::all_of(before.begin(), before.end(), [](double one) { return one == std::round(one); });
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix = matrix_of_rows(answer.numbers);
-        // Fields are taller than numbers: keep the fields after the answer, as for a vector.
+        // Fields are taller than plain numbers: keep the fields after the answer is given, as for a vector.
         widgets::Matrix("answer", matrix, {.editable = !style.presents, .read = typed_number, .unread = unread},
                         std::min(room, widest_matrix * sizes.enlarged));
         if (shows_model) frame_right_answer();

@@ -35,7 +35,7 @@ void draw_ground(ImVec2 min, ImVec2 max, ImVec2 picture_max, ImTextureID texture
                           IM_COL32_WHITE, rounding, corners);
 }
 
-/// Draws a card's title from `text` on, its note and its sign at the lower edge, and its frame.
+/// Draws a card's title starting at `text`, its note and check mark at the lower edge, and its frame.
 void draw_text(const Card& card, ImVec2 min, ImVec2 max, ImVec2 text, bool is_chosen) {
     const widgets::Context& context = widgets::CurrentContext();
     ImDrawList* draw = ImGui::GetWindowDrawList();

@@ -22,7 +22,8 @@ public:
     Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
     /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
     static CardPicture wanted_picture(const LessonRun& run);
-    /// Returns the card's texts that are in no lesson's steps, for the fonts.
+    /// Returns those of the card's texts that occur in no lesson's steps, so that the fonts can be loaded with their
+    /// characters.
     std::vector<std::string> texts(const LessonRun& run);
 
 private:

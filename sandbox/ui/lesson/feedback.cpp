@@ -43,7 +43,7 @@ std::string numbers_in_words(std::vector<double> numbers, bool is_light) {
     return figures_of(numbers, 3);
 }
 
-/// Returns a sentence about the row of another plane or light; "" if there is none.
+/// Returns a sentence about the row that belongs to another plane or light; "" if there is none.
 std::string other_row_in_words(const Verdict& verdict) {
     if (verdict.other_row == 0) return "";
     if (!verdict.other_plane.empty())
@@ -53,7 +53,8 @@ std::string other_row_in_words(const Verdict& verdict) {
                "light"_a = numbers_in_words(verdict.other_light, true));
 }
 
-/// Returns feedback on an answer that matches no known mistake: what is right about it, but no number of the answer.
+/// Returns feedback on an answer that matches no known mistake: what is right about it, but none of the right answer's
+/// numbers.
 std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
     const std::string places = places_in_words(ask, verdict.places);
     const bool is_matrix = ask.kind == AskKind::matrix;
@@ -101,7 +102,7 @@ std::string not_yet(const Ask& ask, const Verdict& verdict, int hints_shown) {
     return hints > 0 ? tr("Not yet. Look at the hints again.") : tr("Not yet. Try again.");
 }
 
-/// Returns not_yet() with the row of another plane or light, if there is one.
+/// Returns not_yet(), plus the sentence about the row that belongs to another plane or light, if there is one.
 std::string feedback_on(const LessonRun& run, const Verdict& verdict) {
     const Ask& ask = run.step().ask;
     const Answer& answer = run.answer();

@@ -52,7 +52,8 @@ std::ptrdiff_t done_in(const LessonFile& file, const LessonsProgress& progress) 
                          [&](std::size_t step) { return std::cmp_less(step, file.steps); });
 }
 
-/// Returns the places, counted from 1, of the lessons that this one builds on: "10, 14"; "" if there are none.
+/// Returns the positions in the list, counted from 1, of the lessons that this one builds on: "10, 14"; "" if there are
+/// none.
 std::string needed_places(const LessonFile& file, const std::vector<LessonFile>& all) {
     std::string places;
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -73,7 +74,7 @@ Card card_of(const std::vector<LessonFile>& all, std::size_t place, const Lesson
             done > 0 && done == file.steps, false};
 }
 
-/// A topic with its lessons, as places in the list.
+/// A topic with its lessons, as indices into the list.
 struct LessonGroup {
     std::string name;
     std::vector<std::size_t> places;

@@ -1,5 +1,6 @@
 // The first page: what the program is, where to begin, and the lessons in groups by topic, each with its progress.
-// Buttons lead past them to a recent file, the exercises, or the free view. Also the page that shows a lesson's steps.
+// Buttons bypass the lessons and lead to a recent file, the exercises, or the free view. Also the page that shows a
+// lesson's steps.
 #pragma once
 
 #include <functional>
@@ -41,8 +42,8 @@ public:
         const std::string& last_lesson;          ///< the id of the lesson that was open last; "" for none
         const std::vector<std::string>& recent;  ///< opened files, latest first
     };
-    /// Draws the page over the whole window and opens the lesson that the user chooses, on stage for a lecture. Returns
-    /// true if the caller should open the exercises.
+    /// Draws the page over the whole window and opens the lesson that the user chooses; for a lecture, opens it on
+    /// stage. Returns true if the caller should open the exercises.
     bool draw(Guide& guide, PresenterMode& presenter, Session& session, const Past& past, const Pictures& pictures);
     /// Returns true once if the user has just chosen this lesson and had already done all of its steps.
     bool is_finished(const std::string& id) {
@@ -54,7 +55,7 @@ public:
     std::vector<CardPicture> wanted_pictures();
 
 private:
-    /// Draws the buttons that lead directly to a lesson. Returns the chosen place in lessons(), or none.
+    /// Draws the buttons that lead directly to a lesson. Returns the chosen lesson's index in lessons(), or none.
     std::optional<std::size_t> draw_beginnings(const Past& past);
     std::optional<std::size_t> draw_groups(const Past& past, const Pictures& pictures);
 

@@ -20,7 +20,7 @@ public:
     bool is_open() const { return is_open_; }
     /// Draws the editor over `area`, unless no lesson of the user's own is shown.
     void draw(Guide& guide, Session& session, const Rect& area);
-    /// Returns the texts that the editor shows, for the fonts.
+    /// Returns the texts that the editor shows, so that the fonts can be loaded with their characters.
     std::vector<std::string> texts() const;
 
 private:

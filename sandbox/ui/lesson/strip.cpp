@@ -186,7 +186,7 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
             is_revealed
                 ? button(!run.is_last() || run.end(), marked("this is the last step"), marked("The next step."))
                 : button(true, "", marked("Shows the result and explains it. You learn more if you answer first."));
-        // The second click of a double-click was not meant for the button that has just taken this place.
+        // The second click of a double-click was not meant for the button that has just appeared here.
         wishes.next = is_next && ImGui::GetIO().MouseClickedLastCount[0] < 2;
     }
     if (place + 2 + (look.departs ? 1U : 0U) + (look.can_edit ? 1U : 0U) < labels.size() &&
@@ -267,7 +267,7 @@ float strip_height(const LessonRun& run, float width, const widgets::Context& co
 
 float tallest_strip(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look) {
     struct Key {
-        std::shared_ptr<const Lesson> lesson;  ///< kept, so that no other lesson takes its address
+        std::shared_ptr<const Lesson> lesson;  ///< kept alive, so that no other lesson can get its address
         std::size_t first = 0;
         float width = 0.0F, scale = 0.0F;
         Language language{};

@@ -28,8 +28,8 @@ struct StripWishes {
 /// jumps. Also works outside a frame.
 float strip_height(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look);
 
-/// Returns the height of the tallest step of the lesson, or of the lecture's part, so that the strip stays in place
-/// from step to step.
+/// Returns the height of the tallest step in the lesson or, for a lecture, in its current part, so that the strip stays
+/// in place from step to step.
 float tallest_strip(const LessonRun& run, float width, const widgets::Context& context, const StripLook& look);
 
 /// Draws the strip and edits the run's answer. If the user presses Hint, shows the next hint.

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// The sign that a key types into the counts; 0: none.
+/// The character that a key types into the counts; 0: none.
 char typed_sign(Key key) {
     constexpr Key letters[] = {Key::a, Key::b, Key::c, Key::d, Key::e, Key::f, Key::g, Key::h, Key::i};
     for (std::size_t i = 0; i < std::size(letters); ++i)

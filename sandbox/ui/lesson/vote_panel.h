@@ -16,7 +16,7 @@ int digit_of(Key key);
 class VotePanel {
 public:
     bool is_shown() const { return is_shown_; }
-    /// Whether letters and digits are counts rather than other keys.
+    /// Whether letters and digits are typed into the counts rather than acting as other keys.
     bool is_typing() const { return is_typing_; }
     void close();
 

@@ -277,7 +277,7 @@ bool folded_heading(std::size_t number) {
     return is_clicked;
 }
 
-/// Returns the factor that lets the listed matrices fill the column.
+/// Returns the scale factor at which the listed matrices fill the column.
 float growth_of(std::span<const std::string> listed, bool has_symbols, float padding, const Session& session) {
     float fixed = 0.0F, matrices = 0.0F;
     const float matrix = widgets::MatrixHeight(has_symbols);

@@ -14,7 +14,7 @@ namespace viewing {
 /// The choice of matrices in the column; kept between frames.
 struct MatrixChoice {
     bool shows_camera = false;  ///< C instead of V
-    char pastes = 0;            ///< the letter of the matrix that one from the clipboard replaces; 0: none
+    char pastes = 0;            ///< the letter of the matrix to replace with one from the clipboard; 0: none
     std::string opened = "";    ///< the matrix whose folded heading was clicked last: it is shown before all others
 };
 

@@ -31,7 +31,7 @@ struct ShownMatrix {
     std::span<const widgets::LetterRole> roles;
     glm::dmat4 derived{1.0};    ///< the computed value, which applies unless one is entered by hand
     std::string heading = "";   ///< replaces the letter unless it is empty
-    std::string property = "";  ///< S, R: says how far the matrix, entered by hand, moves points on the plane
+    std::string property = "";  ///< for an S or R entered by hand: says how far it moves points on the plane
     std::span<const char* const> facts = {};  ///< the lessons' names for the facts in the note
 };
 
@@ -40,8 +40,8 @@ struct ShownMatrix {
 const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons, char& pastes,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 
-/// Draws V, P, S or R with a button that starts or ends editing by hand, and perhaps another one; returns whether that
-/// was pressed.
+/// Draws V, P, S or R with a button that starts or ends editing by hand and, if given, another button; returns whether
+/// the latter was pressed.
 bool show_overridable(const ShownMatrix& shown, const std::string& fact, std::optional<glm::dmat4>& by_hand,
                       char& pastes, const char* other_button = nullptr);
 

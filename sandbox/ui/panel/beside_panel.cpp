@@ -29,7 +29,7 @@ void difference_rows(Params& params) {
     if (removed < all.size()) all.erase(all.begin() + static_cast<std::ptrdiff_t>(removed));
 }
 
-/// Exchanges the two pictures.
+/// Swaps the two pictures.
 void swap_pictures(Params& params) {
     Params other = beside_params(params);
     other.view.beside = params.view.beside;

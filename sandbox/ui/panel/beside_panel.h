@@ -8,11 +8,11 @@
 
 namespace viewing {
 
-/// The states that can be shown beside the present one.
+/// The states that can be shown beside the current one.
 enum class OtherState { before_edit, preset, fixed };
 
-/// Returns the state: before the latest edit, of the open preset, or with the first problem fixed. nullopt if there is
-/// none or if nothing that the second picture can show is different.
+/// Returns the state before the latest edit, the state of the open preset, or the state with the first problem fixed;
+/// nullopt if there is none or if nothing that the second picture can show is different.
 std::optional<Params> other_state(OtherState which, const Session& session, const std::vector<Problem>& problems);
 
 /// Says in the current language why there is no such state.

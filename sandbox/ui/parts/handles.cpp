@@ -24,7 +24,7 @@ float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place)
     return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
 }
 
-/// The distance from which the pointer reaches a handle.
+/// The distance within which the pointer reaches a handle.
 float reach_px() {
     return 14.0F * widgets::CurrentContext().scale;
 }
@@ -53,7 +53,7 @@ void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived
     overlay.label(place, name, color);
 }
 
-/// Returns the index of an edge's handle among the near plane's.
+/// Returns the index of an edge handle among the handles of the near plane's edges.
 std::size_t edge_of(Handle handle) {
     return static_cast<std::size_t>(handle) - static_cast<std::size_t>(Handle::bottom);
 }
@@ -217,8 +217,8 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 
 namespace {
 
-/// Returns how far the pointer has dragged a handle along a line through `origin`, in lengths of `along`. Measures from
-/// where it grabbed the handle, so that the handle does not jump. nullopt if the line points at the eye.
+/// Returns how far the pointer has dragged a handle along a line through `origin`, in multiples of `along`. Measures
+/// from where the pointer grabbed the handle, so that the handle does not jump. nullopt if the line points at the eye.
 std::optional<double> pulled(const Overlay& overlay, const Grip& grip, ImVec2 place, const glm::dvec3& origin,
                              const glm::dvec3& along) {
     const Ray now = overlay.ray_at(place);
@@ -242,7 +242,7 @@ std::optional<double> pulled_distance(const Params& params, const Overlay& overl
     return by ? std::optional(distance + *by) : std::nullopt;
 }
 
-/// Moves an edge of the near window across it; it does not pass the opposite edge.
+/// Moves an edge of the near window across the window; the edge does not pass the opposite one.
 void drag_edge(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
     ProjectionParams& projection = params.projection;
     const bool is_across = grip.handle == Handle::left || grip.handle == Handle::right;

@@ -1,4 +1,4 @@
-// The handles that the mouse can drag in a view: the chosen light, the chosen plane, which moves along its normal, the
+// The handles that the mouse can drag in a view: the chosen light, the chosen plane (which moves along its normal), the
 // tip of that normal, and the followed point. Views from outside also have handles for the camera, its direction, its
 // near and far planes, and, if the projection has an explicit window, the window's edges at the near plane.
 #pragma once
@@ -44,7 +44,8 @@ struct HandlePlaces {
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
         bool drags_near = true;               ///< false: P is entered by hand
         bool drags_far = true;                ///< false: by hand, or infinite; `far` is then where the frustum ends
-        bool has_window = false;              ///< then near's first four are the edge handles, from Handle::bottom on
+        bool has_window =
+            false;  ///< if so, the first four of `near` are the edge handles, starting with Handle::bottom
     };
     std::optional<Camera> camera;
 };
@@ -79,7 +80,7 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 /// planes along that direction. Preserves the length and sign of the plane's normal, near < far, and the camera's roll.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
-/// Draws the handles of the plane and of the camera, if it has some, with their labels.
+/// Draws the handles of the plane and of the camera, if it has any, with their labels.
 void draw_plane_handles(Overlay& overlay, const HandlePlaces& places, Handle hovered);
 
 /// Draws the chosen light's handle, and lamps without handles for the other lights, all with labels. A lamp outside the

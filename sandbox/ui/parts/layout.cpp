@@ -96,8 +96,8 @@ bool place_column(const std::vector<StagePart>& parts, const Rect& column, float
     return least <= available;
 }
 
-/// A few controls are on a plate over the lower right corner of the picture: a column would be nearly empty. The plate
-/// of more controls would cover objects.
+/// If there are only a few controls, they are on a plate over the lower right corner of the picture, since a column
+/// would be nearly empty. A plate with more controls would cover objects.
 constexpr int most_rows_on_plate = 2;
 
 Rect plate_over(const Rect& picture, const Telling& telling, float scale) {

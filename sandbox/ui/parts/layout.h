@@ -24,7 +24,7 @@ enum class ViewName { none, camera, lower_left, lower_right, matrices };
 /// The small parts that the state lists. Beside a maximized view they form a column at the right, with the matrices
 /// above the controls; otherwise they are in the usual columns. Unlisted parts are hidden.
 struct Telling {
-    int matrices = 0;                             ///< their number, with the followed point and display()
+    int matrices = 0;                             ///< their number, including the followed point and display()
     float short_matrices = 0, tall_matrices = 0;  ///< height without and with symbols, design pixels
     int control_rows = 0;                         ///< 0: no controls
     bool has_vectors = false;                     ///< several numbers in a row, which need a wider column
@@ -57,8 +57,8 @@ struct Arrangement {
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
-    float least_camera = 0.55F;  ///< the least share of the height that the lower views leave to the camera view
-    float lower_split = 0.5F;    ///< the left view's share of the width
+    float least_camera = 0.55F;  ///< the smallest fraction of the height that the lower views leave for the camera view
+    float lower_split = 0.5F;    ///< the left view's fraction of the width
     float caption_px = 0.0F;     ///< height of the caption below the camera's picture, in pixels
     float strip_px = 0.0F;       ///< height of the lesson's strip below everything, in pixels
     bool has_strip = true;       ///< shows a lesson's strip; false for pictures without the lesson's text
@@ -97,7 +97,7 @@ struct TypeSizes {
 
     bool operator==(const TypeSizes&) const = default;
 };
-/// On stage, a lesson's sentences are 1/30 of the window's height, and no number is smaller than 1/40.
+/// On stage, the type of a lesson's sentences is 1/30 of the window's height, and no number is smaller than 1/40.
 constexpr TypeSizes stage_type{15.5F, 20.0F, 20.4F};
 TypeSizes type_sizes(const Arrangement& arrangement);
 

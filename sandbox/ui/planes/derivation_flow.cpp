@@ -15,7 +15,7 @@ using Lines = std::vector<DerivationLine>;
 constexpr float least_column = 236.0F;  ///< width, in design pixels
 constexpr float least_figure = 60.0F;   ///< height, in design pixels
 
-/// Measures lines at a scale of the fonts. Closes at the end of its scope.
+/// Measures lines at a given font scale. Restores the style at the end of its scope.
 class Measure {
 public:
     Measure(float font_scale, float line_gap_px) {
@@ -85,7 +85,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
     const widgets::Context& context = widgets::CurrentContext();
     const bool is_stage = widgets::HasPlainTitles();
     DerivationFlow flow;
-    // Lines are longer on stage: there, text beside the figure is cut off unless the view is very short.
+    // On stage, lines are longer, so text beside the figure would be cut off unless the view is very short.
     const float least_aspect = is_stage && room.x < px(520.0F) ? 2.0F : 1.3F;
     flow.is_wide = room.x >= px(420.0F) && room.x >= least_aspect * room.y;
     const float width = flow.is_wide ? std::floor(room.x * 0.43F) : std::max(room.x, 1.0F);
@@ -109,7 +109,7 @@ DerivationFlow flow_of(const Lines& lines, ImVec2 room, int control_rows, bool m
     }
     if (Measure(1.0F, 3.0F).of(lines, text, false) <= height) return flow;
 
-    // In the small number font, an em of 9 pixels means a line of 12 pixels, without the theme's type scale.
+    // In the small number font, an em of 9 pixels makes a line 12 pixels high, without the theme's type scale.
     const float least_scale =
         std::min(1.0F, 12.0F * context.scale / (context.palette.type_scale * context.fonts.small_number->FontSize));
     constexpr float step = 0.04F;

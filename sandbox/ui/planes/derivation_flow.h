@@ -29,8 +29,8 @@ struct DerivationFlow {
 /// Returns how these lines fill a view of this size in pixels. The result depends on all lines, not only on those
 /// written so far, so that nothing moves from step to step. Needs a current ImGui window. If space is short, first
 /// keeps only two rows of controls, since the panel has the others, and then omits the figure, which the camera view
-/// also has. `may_be_short`: no step is chosen, so that the controls, too, may be omitted and, if that is not enough,
-/// every line that is not a result.
+/// also has. `may_be_short`: no step is chosen, so the controls, too, may be omitted and, if that is not enough, every
+/// line that is not a result.
 DerivationFlow flow_of(const std::vector<DerivationLine>& lines, ImVec2 room, int control_rows);
 
 /// Draws one line in the current window's font scale, small if the flow has columns.

@@ -72,7 +72,7 @@ void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDeriva
     height(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
 }
 
-/// Returns the place where a matrix sends a point, unless it is `correct` or at infinity.
+/// Returns the position to which a matrix maps a point, unless that position is `correct` or at infinity.
 std::optional<glm::dvec3> sent_elsewhere(const glm::dmat4& matrix, const glm::dvec3& point, const glm::dvec3& correct) {
     const glm::dvec4 sent = matrix * glm::dvec4(point, 1.0);
     if (std::abs(sent.w) < 1e-9) return std::nullopt;

@@ -20,9 +20,9 @@ std::string derivation_number(double value);
 std::string derivation_vector(const glm::dvec3& value);
 
 /// Draws the parts of one equation in a row: {"t", "= l_y/(l_y - p_y)", "= 5.200/3.900", "= 1.333"}, each a
-/// widgets::Formula. Parts that do not fit wrap to the next line, aligned with the second part. Uses the number font if
-/// the line is wide, otherwise, or if `is_small`, the small one. Translates marked() parts, but records them in
-/// English. A `width_px` of 0 means the available width.
+/// widgets::Formula. Parts that do not fit wrap to the next line, aligned with the second part. Uses the small number
+/// font if `is_small` is set or the line is narrow, otherwise the number font. Translates marked() parts, but records
+/// them in English. A `width_px` of 0 means the available width.
 void equation(const std::vector<std::string>& parts, float width_px = 0.0F, bool is_small = false);
 
 /// Returns the height in pixels of equation() in this width, without the space below it; infinity if a part is wider.

@@ -160,7 +160,7 @@ struct Derivation {
     std::function<void()> form = {};         ///< draws what is below the last line
 };
 
-/// The lines that are written by the state's step. write() draws those in a range of indices.
+/// The lines that are written once the state's step is reached. write() draws those in a range of indices.
 struct WrittenLines {
     const Lines& all;
     std::size_t counted, written, behind;  ///< end indices: lines before, written lines, all counted lines

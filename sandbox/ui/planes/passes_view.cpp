@@ -27,7 +27,7 @@ bool is_wide(const Rect& rect) {
     return rect.width() >= 1.4F * rect.height();
 }
 
-/// Places of the list, which includes the step bar, and of the three buffers' pictures.
+/// The rectangles of the list, which includes the step bar, and of the three buffers' pictures.
 struct Places {
     Rect list;
     std::array<Rect, 3> pictures;

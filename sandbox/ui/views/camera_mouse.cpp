@@ -31,7 +31,8 @@ std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, I
     return found;
 }
 
-/// Finds the frontmost triangle at a screen position. Returns its vertex that is nearest to this position on screen.
+/// Finds the frontmost triangle at a screen position. Returns whichever of its vertices is nearest to this position on
+/// screen.
 std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
     const std::optional<ObjectHit> under = object_at(overlay, scene, place);
     if (!under) return std::nullopt;
@@ -78,7 +79,7 @@ double world_per_px(const Lens& lens, double distance, float height_px) {
 
 enum class DragAction { look, pan, orbit };
 
-constexpr ImGuiMouseButton two_fingers = 3;  ///< held with the right button while two fingers drag on the page
+constexpr ImGuiMouseButton two_fingers = 3;  ///< held along with the right button while two fingers drag on the page
 
 /// Returns what a drag with the right or the middle button does; none if neither is held. In orbit mode, where looking
 /// around means orbiting, the right button pans.
@@ -112,7 +113,7 @@ void move_by_drag(DragAction action, const ViewState& state, const Lens& lens, f
 /// Handles a turn of the wheel: it moves the camera, zooms in orbit mode, or scales an orthographic picture. With Ctrl,
 /// it changes the speed.
 void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
-    constexpr double seconds_a_line = 0.15;  // of flight per line of the wheel
+    constexpr double seconds_a_line = 0.15;  // of flight per line that the wheel scrolls
     Params& params = session.params;
     const bool has_speed = params.camera.navigation != Navigation::orbit;
     if (has_speed && input.is_down(Key::ctrl)) {

@@ -96,7 +96,7 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const bool tells = !widgets::IsCovered("sentences");  // whether to say what happens to them
+        const bool tells = !widgets::IsCovered("sentences");  // whether to say what happens to these points
         const LegendEntry entries[] = {{caster_colors[0], tells ? marked("w > 0: projected") : "w > 0"},
                                        {caster_colors[1], marked("w > 0 behind the plane")},
                                        {caster_colors[2], tells ? marked("w ≤ 0: clipped away") : "w ≤ 0"}};
@@ -176,7 +176,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     return next;
 }
 
-/// Whether the problem or its fix belongs to the same group of settings as a control that is offered, such as "depth".
+/// Whether the problem or its fix belongs to the same group of settings, such as "depth", as a control that is offered.
 /// True for all problems if the controls are not limited.
 bool is_about(const Problem& problem, const std::vector<std::string>& controls) {
     const auto group_of = [](std::string_view path) { return path.substr(0, path.find_first_of(".=[")); };
@@ -186,7 +186,7 @@ bool is_about(const Problem& problem, const std::vector<std::string>& controls) 
 }
 
 /// Returns the problems to describe over the picture: the worst kind first and, within a kind, those that a button
-/// fixes first. On stage, sentences would compete with the lesson's own. Therefore, describes only errors in the
+/// fixes first. On stage, where the sentences would compete with the lesson's own, describes only errors in the
 /// picture, and only those about settings that the step lets the audience change.
 std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, const Params& params) {
     std::vector<const Problem*> told;

@@ -118,7 +118,8 @@ Rect slider_row(const Rect& rect, const char* path) {
 void draw_clip_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect, ImTextureID picture) {
     const widgets::Group group("clip");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
-    // The slider is an item before the picture, so that it gets the mouse, but it is drawn above.
+    // The slider is submitted before the picture, so that it gets the mouse input, but it is drawn on top of the
+    // picture.
     draw->ChannelsSplit(2);
     draw->ChannelsSetCurrent(1);
     const Rect row = slider_row(rect, "view.division");

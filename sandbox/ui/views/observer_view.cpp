@@ -1,5 +1,5 @@
-// The observer's view, which shows the camera from outside; and the lecture's second reading of camera movement: the
-// camera stays fixed, and the world moves.
+// The observer's view, which shows the camera from outside, and the lecture's second interpretation of camera movement:
+// the camera stays fixed, and the world moves.
 #include <algorithm>
 #include <cmath>
 

@@ -29,7 +29,7 @@ struct Run {
 };
 using Row = std::vector<Run>;
 
-/// Returns the numbers with the same number of characters, for a column.
+/// Returns the numbers as texts of equal length, for a column.
 std::array<std::string, 4> column_text(const glm::dvec4& column, int decimals) {
     std::array<std::string, 4> texts;
     std::size_t longest = 0;
@@ -41,7 +41,7 @@ std::array<std::string, 4> column_text(const glm::dvec4& column, int decimals) {
     return texts;
 }
 
-/// Adds "[a b c d]" to the four rows, for the columns of a matrix or one vector.
+/// Adds the columns of a matrix, or a single vector, to the four rows, in brackets: "[a b c d]".
 void add_columns(std::array<Row, 4>& rows, std::span<const glm::dvec4> columns, widgets::Role role, int decimals) {
     std::array<std::string, 4> texts{"[", "[", "[", "["};
     for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -262,7 +262,8 @@ void play_way(double& way, widgets::StepPlayer& player, double dt_s, bool moves)
 void draw_way_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
     const widgets::Group group("way");
     ImDrawList* const draw = ImGui::GetWindowDrawList();
-    // The slider and the button are items before the picture, so that they get the mouse, but are drawn above it.
+    // The slider and the button are submitted before the picture, so that they get the mouse input, but are drawn on
+    // top of it.
     draw->ChannelsSplit(2);
     draw->ChannelsSetCurrent(1);
     Params& params = session.params;

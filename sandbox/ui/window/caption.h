@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-/// Whether the user has folded the caption. If empty, it is folded whenever its sentence would take up too much of the
-/// picture.
+/// Whether the user has folded the caption. If nullopt, the caption is folded whenever its sentence would take up too
+/// much of the picture.
 using CaptionFold = std::optional<bool>;
 
 struct Caption {

@@ -18,7 +18,7 @@ bool begin_dialog(const char* name, ImVec2 size);
 /// Draws the dialog's heading.
 void dialog_title(const char* text);
 
-/// Chooses a file to open or a name to save under. Reads or writes no file until the user confirms the choice.
+/// Chooses a file to open or a name to save under. Does not read or write any file until the user confirms the choice.
 class FileDialog {
 public:
     enum class Purpose { open, save, save_step, open_answers, save_answers };

@@ -48,7 +48,8 @@ bool is_any(const std::vector<std::string>& names, std::initializer_list<std::st
 /// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
 void Workbench::show_only_named(const LessonStep& step) {
     views.marks_lights = views.marks_plane = !presenter.is_on();
-    views.marks_derivation = !presenter.is_on() && !step.target;  // if a step has its own mark, that is its only p or q
+    views.marks_derivation =
+        !presenter.is_on() && !step.target;  // if a step has its own mark, that mark is its only p or q
     if (!presenter.is_on()) return;
     const std::vector<std::string> names = named_in(step);
     const bool follows = step.start.params.follow.has_value();
@@ -96,7 +97,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     if (!lesson.sheet && !lesson.lecture) {
         LessonProgress& known = progress[lesson.id];
         last_lesson = lesson.id;
-        for (const std::size_t step : known.done)  // another window may have added some
+        for (const std::size_t step : known.done)  // another window may have added some steps
             if (step < lesson.steps.size()) run->set_done(step);
         known.step = run->index();
         for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
@@ -116,7 +117,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     show_only_named(step);
     arrangement.stage.left = step.names_lower_left;
     arrangement.stage.right = step.names_lower_right;
-    // A point that the answer begins to follow has its own mark.
+    // A point that is followed only once the answer is shown already has its own mark.
     const bool is_followed_now = !stage.asks && step.revealed.follow && !step.start.params.follow;
     if (step.target && !is_followed_now)
         stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};

@@ -31,7 +31,7 @@ private:
         PastedMatrix pasted;
         ExplainedMatrix found;
         std::optional<glm::dmat4> fixed;
-        char letter;  ///< the matrix as which it can be entered; 0: none
+        char letter;  ///< the matrix that it can be entered as; 0: none
     };
     void take(const Paste& paste, Session& session, const Derived& derived);
 

@@ -31,7 +31,8 @@ std::vector<const NamedFile*> found_by(std::span<const NamedFile> presets, const
     return found;
 }
 
-/// Returns the first preset that matches by its title alone, otherwise the first of all. `found` must not be empty.
+/// Returns the first preset whose title alone matches or, if there is none, the first preset. `found` must not be
+/// empty.
 const NamedFile& best_of(const std::vector<const NamedFile*>& found, const std::string& search) {
     const auto best = std::find_if(found.begin(), found.end(), [&](const NamedFile* preset) {
         return is_found({"", preset->title, "", "", "", {}}, search);

@@ -31,7 +31,7 @@ struct DrawnGlyph {
     float advance = 0.0F, blank = 0.0F;  ///< distance to the next character, and width of a space; in pixels
 };
 
-/// Finds characters by their place in the font atlas.
+/// Finds characters by their position in the font atlas.
 class Glyphs {
 public:
     Glyphs() {
@@ -164,7 +164,8 @@ public:
     std::optional<Shade> shade() const {
         if (places_.size() != 4) return std::nullopt;
         const DrawingBox box = this->box();
-        std::map<std::pair<bool, bool>, ImU32> corners;  // key: at the right, at the bottom
+        std::map<std::pair<bool, bool>, ImU32>
+            corners;  // key: whether the corner is at the right, and whether it is at the bottom
         for (const auto& [index, place] : places_) {
             if ((place.x != box.min.x && place.x != box.max.x) || (place.y != box.min.y && place.y != box.max.y))
                 return std::nullopt;

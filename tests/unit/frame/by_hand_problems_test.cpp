@@ -1,4 +1,4 @@
-// For an S or R entered by hand, a sentence appears exactly if the matrix lacks a property of the correct one. The
+// For an S or R entered by hand, a sentence appears if and only if the matrix lacks a property of the correct one. The
 // matrices are the slides' formulas written out, and the properties are checked on points.
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
@@ -112,7 +112,7 @@ TEST(ByHand, WorkedSentences) {
 }
 
 // The properties: S p is in the plane for all p, S L = 0, and S leaves points of the plane fixed. R leaves the plane's
-// points fixed and maps a point off the plane to its image. A sentence appears exactly if a property is missing.
+// points fixed and maps a point off the plane to its image. A sentence appears if and only if a property is missing.
 TEST(ByHand, ASentenceExactlyWhereAPropertyIsMissing) {
     Random random(seed + 1);
     int right = 0, wrong = 0;

@@ -1,4 +1,4 @@
-// Checks the followed point's way into the picture against GLM's projection and the definition of the clip volume.
+// Checks the followed point's path into the picture against GLM's projection and the definition of the clip volume.
 #include "frame/camera_way.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(CameraWay, FollowsAPointOfItsOwn) {
     const Derived derived = derive(params, scene, {});
     ASSERT_TRUE(derived.followed);
     EXPECT_EQ(derived.followed->point_world, glm::dvec3(1, 2.5, -3));
-    // The light at height 5 casts p at height 2.5 twice as far: s = l + 2 (p − l).
+    // The light, at height 5, projects p, at height 2.5, to twice p's distance from the light: s = l + 2 (p − l).
     EXPECT_LT(glm::distance(*derived.followed->shadow_world, glm::dvec3(0, 0, -7)), 1e-12);
     EXPECT_TRUE(find_problems(params, derived, scene, plan(params, derived)).empty());
 }

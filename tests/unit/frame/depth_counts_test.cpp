@@ -61,7 +61,7 @@ TEST(DepthCounts, MatchEveryDepthByItself) {
         const double levels = std::exp2(each.read_as.bits) - 1.0;
         std::vector<std::uint32_t> stored;
         std::uint64_t unwritten = 0;
-        // The number of depths that are surely in each bin, and the number that may be in it because they are within
+        // The number of depths that are certainly in each bin, and the number that may be in it because they are within
         // float32's precision of an edge.
         std::vector<std::uint32_t> least(bins, 0), most(bins, 0);
         for (int i = 0; i < 5000; ++i) {

@@ -15,7 +15,7 @@ glm::dvec2 range_of(const std::vector<std::string>& settings, const Scene& scene
 }
 
 TEST(ContrastRange, SpansPatchAndObjects) {
-    // The box reaches from z = −1 to 1, and the ground patch reaches to its extent.
+    // The box reaches from z = −1 to 1, and the ground patch from −plane.extent to plane.extent.
     EXPECT_EQ(range_of({"plane.extent=4"}, box_scene()), glm::dvec2(6.0, 14.0));
     EXPECT_EQ(range_of({"plane.extent=0.5"}, box_scene()), glm::dvec2(9.0, 11.0));
     EXPECT_EQ(range_of({"plane.extent=4"}, Scene{}), glm::dvec2(6.0, 14.0)) << "only the patch";

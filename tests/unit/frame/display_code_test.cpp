@@ -17,7 +17,7 @@ std::string code_of(const Params& params, const Derived& derived) {
     return code;
 }
 
-/// Returns the numbers in a function's call, after converting those inside radians() to radians.
+/// Returns the numbers in a function call, with those inside radians() converted to radians.
 std::vector<double> arguments(const std::string& code, const std::string& function) {
     const std::size_t at = code.find(function + "(");
     EXPECT_NE(at, std::string::npos) << function << " in\n" << code;

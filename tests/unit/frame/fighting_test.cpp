@@ -164,8 +164,8 @@ TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
     expect(share_of_random_codes(0.5, 0.5, 3.0, true), 0.0, 1.0);
 }
 
-/// Compares the share with a simulation of rounding. The farther depths fall on every phase within a code; the nearer
-/// ones are `gap` in front of them and shifted by a random bias, which represents the arithmetic error.
+/// Compares the predicted fraction with a simulation of rounding. The farther depths fall on every phase within a code;
+/// the nearer ones are `gap` in front of them and shifted by a random bias, which represents the arithmetic error.
 TEST(FightingShare, BoundsAnyArithmetic) {
     Random random(seed);
     for (int trial = 0; trial < 300; ++trial) {
@@ -208,7 +208,7 @@ TEST(FightingPrediction, CountsTiesAsWrongIfTheWrongSurfaceWins) {
         EXPECT_FALSE(share_with(back_first, undecided)) << undecided;
 }
 
-/// Returns the share of wrong pixels of a poster on a wall, seen from 20 units above unless the settings change the
+/// Returns the fraction of wrong pixels of a poster on a wall, seen from 20 units above unless the settings change the
 /// camera, at 8 bits by default. Returns −1 if there is no prediction, and −2 if its interval is wider than 0.2.
 double share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
     std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",

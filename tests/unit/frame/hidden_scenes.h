@@ -36,8 +36,8 @@ inline Scene random_scene(Random& random) {
     return scene;
 }
 
-/// Returns a state whose camera looks at a point near the origin from a random place, in one case of five from inside
-/// the scene.
+/// Returns a state whose camera looks at a point near the origin from a random place, in one case out of five from
+/// inside the scene.
 inline Params random_view(Random& random) {
     Params params;
     const double distance = random.number(0, 1) < 0.2 ? random.number(0.2, 1.5) : random.number(4.0, 9.0);

@@ -26,7 +26,7 @@ double factor_of(const std::string& word, const Arguments& arguments) {
     return word.substr(0, bracket) == "plane" ? arguments.plane[index] : arguments.light[index];
 }
 
-/// Evaluates a sum of products, given as words separated by blanks.
+/// Evaluates a sum of products, given as words separated by spaces.
 double evaluate(const std::string& expression, const Arguments& arguments) {
     std::istringstream words(expression);
     double sum = 0.0, product = 1.0, sign = 1.0;

@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-/// Returns a matrix whose entry in row r and column c (from 1) is 10 r + c + 1 / 2, so that a transpose shows.
+/// Returns a matrix whose entry in row r and column c (from 1) is 10 r + c + 1 / 2, so that a transposition is noticed.
 glm::dmat4 numbered() {
     glm::dmat4 matrix;
     for (int row = 0; row < 4; ++row)

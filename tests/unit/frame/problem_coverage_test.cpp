@@ -1,5 +1,5 @@
-// Each sentence about problems in the sources is shown by at least one state: a preset, or one of the states below.
-// Each sentence has its values and an id, which is the same in every language.
+// Each sentence in the sources that reports a problem is shown by at least one state: a preset, or one of the states
+// below. Each sentence has its values and an id, which is the same in every language.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

@@ -70,7 +70,7 @@ TEST(Projection, AWindowsEdgesAreThePicturesEdges) {
     }
 }
 
-// A centered window shows what an angle or a height shows.
+// A centered window shows what the corresponding angle or height shows.
 TEST(Projection, ACenteredWindowIsAnAngleOrAHeight) {
     for (const bool orthographic : {false, true}) {
         Lens lens{.orthographic = orthographic, .fovy_deg = 90.0, .height = 6.0, .near = 0.5, .far = 40.0};
@@ -109,7 +109,7 @@ TEST(WindowDepth, WorkedValues) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// An infinite far is the limit of larger and larger ones, and directions are its far plane.
+// An infinite far is the limit of ever larger far values, and its far plane consists of the directions.
 TEST(Projection, AnInfiniteFarIsTheLimit) {
     for (const bool has_window : {false, true}) {
         Lens lens{.near = 0.25, .far = infinity};
@@ -255,7 +255,7 @@ TEST(DepthStep, IsPositiveAndFiniteForAnyTarget) {
 TEST(Projection, AnOrthographicNearMayBeZeroOrNegative) {
     for (const double near : {0.0, -1.0, -50.0}) {
         const Lens lens{.orthographic = true, .height = 4.0, .near = near, .far = 20.0};
-        // glOrtho(−4, 4, −2, 2, near, 20), as its manual page writes it.
+        // glOrtho(−4, 4, −2, 2, near, 20), as on its manual page.
         const glm::dmat4 p = clip_from_view(lens, 2.0);
         EXPECT_DOUBLE_EQ(p[2][2], -2.0 / (20.0 - near));
         EXPECT_DOUBLE_EQ(p[3][2], -(20.0 + near) / (20.0 - near));

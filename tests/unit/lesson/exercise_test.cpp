@@ -51,7 +51,7 @@ const char* const goal_exercise = R"({
                    "wrong": [{"when": "camera.yaw < 0", "try": {"camera.yaw": "=-k"}, "say": "The other way."}]}}
 })";
 
-/// Returns surroundings that know only the start state's camera, and a P that the exercise's constant P must hide.
+/// Returns surroundings that know only the start state's camera and a P, which the exercise's constant P must hide.
 Result<Surroundings> camera_alone(const LoadedState& start) {
     const CameraParams camera = start.params.camera;
     Surroundings surroundings;
@@ -80,7 +80,8 @@ Result<LessonStep> step_of(const std::string& json, const std::string& variant =
     return Error{"no variant has " + variant};
 }
 
-/// Returns the error: one sentence that begins with the file name and is fit for a terminal; "" if there is none.
+/// Returns the error: one sentence that begins with the file name and is safe to print in a terminal; "" if there is
+/// none.
 std::string trouble_with(const std::string& json) {
     const Result<LessonStep> step = step_of(json);
     EXPECT_FALSE(step) << "the file is accepted";

@@ -33,7 +33,7 @@ bool truth(const std::string& expression) {
     return value && *value;
 }
 
-/// Allows functions and loops, which the check of words would otherwise refuse first.
+/// Allows functions and loops, which the word check would otherwise refuse first.
 constexpr ExpressionLimits anything{.closed_list = false};
 
 std::string trouble(const std::string& expression, const ExpressionLimits& limits = anything) {

@@ -1,5 +1,5 @@
-// Hand-ins: a written file reads back, and a foreign file does no harm. Also tests the settings that lead from one
-// state to another, which store the answer to a goal.
+// Hand-ins: a written file reads back, and a foreign file does no harm. Also tests the settings that turn one state
+// into another; they store the answer to a goal.
 #include "lesson/hand_in.h"
 
 #include <gtest/gtest.h>

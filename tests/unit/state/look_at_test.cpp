@@ -74,7 +74,7 @@ TEST(LookAtFile, RefusesWhatIsNotOneCamera) {
 }
 
 TEST(LookAtSettings, PartsCountTogether) {
-    // Alone, the first setting would put the eye into the center of the opening view.
+    // Alone, the first setting would put the eye at the look-at center of the opening view.
     const CameraParams whole = looking({"camera.look_at={\"eye\":[0,0.75,0],\"center\":[0,0.75,-1]}"});
     EXPECT_EQ(looking({"camera.look_at.eye=[0,0.75,0]", "camera.look_at.center=[0,0.75,-1]"}), whole);
     EXPECT_EQ(looking({"camera.look_at.center=[0,0.75,-1]", "camera.look_at.eye=[0,0.75,0]"}), whole);

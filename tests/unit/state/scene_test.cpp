@@ -209,7 +209,7 @@ TEST_F(SceneFiles, MeshIsPlacedOnTheFloor) {
     EXPECT_EQ(load_scene(path, "", {}, {.origin = "--mesh"}).error(), "--mesh: " + path + ": no such file");
 }
 
-/// Returns all corners of an object in the world.
+/// Returns all corners of an object in world space.
 std::vector<glm::dvec3> corners_world(const Scene& scene, std::size_t object) {
     std::vector<glm::dvec3> corners;
     for (const glm::vec3& position : scene.objects[object].mesh->positions)

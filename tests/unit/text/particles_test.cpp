@@ -1,4 +1,4 @@
-// Korean particles, chosen by the last sound before them. The expected forms are written by hand, as they are said.
+// Korean particles, chosen by the last sound before them. The expected forms are written by hand, as they are spoken.
 #include "text/particles.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The functions with which Newell's cheap tests decide whether two projections are apart on an axis, or apart at all.
+// The functions with which Newell's cheap tests decide whether two projections are separated along an axis, or do not
+// overlap at all.
 #include "visibility/projected.h"
 
 #include <gtest/gtest.h>

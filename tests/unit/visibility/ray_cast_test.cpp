@@ -61,7 +61,7 @@ TEST(Bvh, MatchesBruteForce) {
     EXPECT_GT(hit_count, 2000);
 }
 
-/// Bundles must match single rays whatever the scene's size and place, because only the boxes use single precision.
+/// Bundles must match single rays whatever the scene's size and position, because only the boxes use single precision.
 TEST(Bvh, RayBundlesMatchSingleRays) {
     SCOPED_TRACE(seed);
     Random random(seed);
