@@ -342,8 +342,7 @@ HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant)
     hand_in_.student = owner_.number;
     hand_in_.name = owner_.name;
     HandInItem* item = hand_in_.find(exercise);
-    if (item && item->variant != variant)
-        *item = {exercise, variant, {}, {}, {}, {}};  // drop answers that were given for other numbers
+    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // drop answers to other numbers
     if (item) return *item;
     return hand_in_.items.emplace_back(HandInItem{exercise, variant, {}, {}, {}, {}});
 }

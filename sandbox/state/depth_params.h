@@ -25,15 +25,13 @@ struct DepthParams {
     DepthOffset offset;
     DecalMethod decals = DecalMethod::offset;  ///< keeps objects marked "decal" from fighting with the surface below
 
-    double clear_value =
-        1.0;  ///< for glClearDepth with standard depth: 0 near, 1 far; reversed depth clears to 1 minus this
+    double clear_value = 1.0;  ///< for glClearDepth with standard depth; reversed depth clears to 1 minus this
 
     // These are correct by default; changing one shows the error that its default prevents.
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, so depth is not cleared
     bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
-    bool reversed_offset =
-        true;  ///< off: with reversed depth, offsets keep their sign and push surfaces away from the eye
+    bool reversed_offset = true;       ///< off: with reversed depth, offsets keep their sign and push away from the eye
     bool logarithm_per_vertex = false;
 
     /// Returns whether depth is compared; otherwise, GL does not write depth either.

@@ -46,8 +46,7 @@ struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
     double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: may_be_infinite()
     double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
-    double left = -0.32, right = 0.32, bottom = -0.18,
-           top = 0.18;  ///< the window; for a frustum, it is in the near plane
+    double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window; a frustum's is in the near plane
 
     bool is_orthographic() const {
         return type == ProjectionType::orthographic || type == ProjectionType::orthographic_window;

@@ -47,8 +47,7 @@ struct SuiteEntry {
     MaskSource mask;                           ///< parts of the picture that are not compared
     std::optional<double> matrices_tolerance;  ///< empty: matrices are not checked
     std::vector<SuiteMeasure> measures;
-    std::vector<std::string>
-        wanted_problems;  ///< ids or parts of sentences; for each, a problem with that id or text must be reported
+    std::vector<std::string> wanted_problems;  ///< ids or parts of sentences; each must be in a reported problem
     std::vector<std::string> unwanted_problems;
     bool allows_no_problem = false;
 };

@@ -159,8 +159,8 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     std::string_view rest = statement_.empty() ? line : statement_;
     if (line.ends_with('\\')) {
-        if (statement_of(next_word(rest)) !=
-            Statement::names) {  // a name may contain \#, whose # has been removed as a comment
+        // A name may contain \#, whose # has been removed as a comment.
+        if (statement_of(next_word(rest)) != Statement::names) {
             statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
             if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
             return;
