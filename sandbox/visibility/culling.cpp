@@ -62,7 +62,9 @@ private:
     const FrontFace front_;
 };
 
-/// Decides by the sign of a polygon's area on the screen.
+/// Decides by the sign of the screen area of the part beyond the near plane. The result is `neither` if all of the
+/// polygon is clipped, or if twice its screen area is at most 1e−12 times the square of its size on the screen. A
+/// mirrored view swaps clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
 class ScreenFacing {
 public:
     ScreenFacing(const Viewpoint& viewpoint, FrontFace front)
@@ -77,22 +79,14 @@ private:
     const FrontFace front_;
 };
 
-template <typename Way>
-std::vector<Facing> facing_of_each(std::span<const Polygon> polygons, const Way& way) {
-    std::vector<Facing> result;
-    result.reserve(polygons.size());
-    for (const Polygon& polygon : polygons) result.push_back(way.of(polygon));
-    return result;
-}
-
 }  // namespace
 
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
-    return facing_of_each(polygons, PlaneFacing(polygons, viewpoint, front));
-}
-
-std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
-    return facing_of_each(polygons, ScreenFacing(viewpoint, front));
+    const PlaneFacing facing(polygons, viewpoint, front);
+    std::vector<Facing> result;
+    result.reserve(polygons.size());
+    for (const Polygon& polygon : polygons) result.push_back(facing.of(polygon));
+    return result;
 }
 
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front,

@@ -21,12 +21,6 @@ enum class Facing : char { towards, away, neither };
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
                                     FrontFace front = FrontFace::ccw);
 
-/// Decides by the sign of the screen area of the part beyond the near plane. The result is `neither` if all of the
-/// polygon is clipped, or if twice its screen area is at most 1e−12 times the square of its size on the screen. A
-/// mirrored view swaps clockwise and counterclockwise on the screen, so pass the other winding for it, as for GL.
-std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                     FrontFace front = FrontFace::ccw);
-
 /// Counts of polygons by facing, decided once by the plane and once as in GL; each group of three adds up to `input`.
 struct CullCounts {
     int input = 0;
