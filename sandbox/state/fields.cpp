@@ -385,7 +385,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 85,
      .step = 0.5,
-     .help = "Angle by which the pairs of the scene `coplanar` are turned out of the picture plane. The larger the "
+     .help = "Angle by which the pairs of the scene `coplanar` are rotated out of the picture plane. The larger the "
              "angle, the more depth codes each quad spans and the narrower the stripes."},
     {.path = "coplanar.distance",
      .place = IN(coplanar.distance),
