@@ -9,7 +9,7 @@ namespace viewing {
 /// Returns the projective map from eye space to the space of the view Clip space, in homogeneous coordinates. With
 /// view.division = 0 it is eye space, moved and scaled to the size of a cube from −1 to 1 around the origin; with 1 it
 /// is NDC, centered, with near toward +z. In between, the two matrices are blended entry by entry, so straight lines
-/// stay straight, and each point is divided by a blend of its clip w and a constant.
+/// stay straight, and each point is divided by a blend of a constant and its clip w.
 glm::dmat4 division_from_view(const Params& params, const Derived& derived);
 
 /// Derives the view of that space from outside, at the observer's angles. Its matrices up to view space are the

@@ -204,7 +204,7 @@ std::span<const Reason> reasons() {
          marked("The second picture has the same settings."),
          {"view.beside.set"}},
         {[](const State& s) { return s.params.view.beside.layout != BesideLayout::divider; },
-         marked("Each picture takes one half."),
+         marked("Each picture takes up one half."),
          {"view.beside.share"}},
         {[](const State& s) { return !s.params.animation.light_orbit; },
          marked("No light orbits."),

@@ -117,8 +117,8 @@ void say_too_small(std::vector<Problem>& problems, const Params& params, const D
         }
         tell(is_too_thin(object, derived),
              sentence("view.too_thin",
-                      "{object} is less than 1/2000 of the picture's height across: it is thinner than a pixel, so "
-                      "little or nothing of it is drawn",
+                      "{object} spans less than 1/2000 of the picture's height: it is thinner than a pixel, so little "
+                      "or nothing of it is drawn",
                       "object"_a = name));
     }
 }
@@ -143,7 +143,7 @@ void say_cut(std::vector<Problem>& problems, const Params& params, const std::ve
                  "near"_a = figures(near, 3), "objects"_a = viewing::joined(before), "z"_a = figures(nearest, 3)),
         nearer ? "projection.near=" + plain_number(*nearer) : "");
     tell(!before.empty() && !nearer,
-         sentence("view.near_cuts", "near = {near} cuts into {objects}, which reach up to the eye",
+         sentence("view.near_cuts", "near = {near} cuts into {objects}, which extend as far as the eye",
                   "near"_a = figures(near, 3), "objects"_a = viewing::joined(before)));
     tell.broken(
         !beyond.empty(),

@@ -112,7 +112,7 @@ const Field all_fields[] = {
      .max = 180,
      .step = 0.5,
      .help = "Looking up (positive) or down (negative): the rotation about the camera's own x axis, after yaw. Beyond "
-             "±90° the camera is upside down.",
+             "±90°, the camera is upside down.",
      .formula = camera_formula},
     {.path = "camera.roll",
      .place = IN(camera.roll),
@@ -131,8 +131,8 @@ const Field all_fields[] = {
      .min = -position_limit,
      .max = position_limit,
      .step = 0.05,
-     .help = "The point about which the camera orbits, and at whose distance the depth step is reported. Changing this "
-             "point does not move anything by itself."},
+     .help = "The point that the camera orbits about; the depth step is reported at its distance. Changing this point "
+             "does not move anything by itself."},
     {.path = "camera.navigation",
      .place = IN(camera.navigation),
      .label = "navigation",
@@ -385,7 +385,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 85,
      .step = 0.5,
-     .help = "Angle by which the pairs of the scene `coplanar` are turned out of the picture plane. The larger the "
+     .help = "Angle by which the pairs of the scene `coplanar` are rotated out of the picture plane. The larger the "
              "angle, the more depth codes each quad spans and the narrower the stripes."},
     {.path = "coplanar.distance",
      .place = IN(coplanar.distance),
@@ -833,16 +833,15 @@ const Field all_fields[] = {
      .min = 1,
      .max = most_planes,
      .step = 1,
-     .help = "The plane that is used by derivations, the followed point, the lecture's code, S and R entered by hand, "
-             "the handles and the light's view: 1 is `plane`, 2 is the first of `planes`."},
+     .help = "The plane used by derivations, the followed point, the lecture's code, S and R entered by hand, the "
+             "handles and the light's view: 1 is `plane`, 2 is the first of `planes`."},
     {.path = "view.light",
      .place = IN(view.light),
      .label = "chosen light",
      .min = 1,
      .max = most_lights,
      .step = 1,
-     .help =
-         "The light that is used in derivations and code, and that orbits: 1 is `light`, 2 is the first of `lights`."},
+     .help = "The light that derivations and code use and that can orbit: 1 is `light`, 2 is the first of `lights`."},
     {.path = "view.beside.shows",
      .place = IN(view.beside.shows),
      .label = "2nd picture",
@@ -859,7 +858,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 1,
      .step = 0.01,
-     .help = "The share of the camera view to the left of the divider."},
+     .help = "The fraction of the camera view to the left of the divider."},
     {.path = "view.beside.format",
      .place = IN(view.beside.format),
      .label = "other format",
@@ -939,8 +938,8 @@ const Field all_fields[] = {
      .max = 1,
      .step = 0.01,
      .help =
-         "What the view Clip space shows: 0 is eye space with the frustum as a pyramid, 1 is NDC, where the division "
-         "by w has made it a box. In between, each point is divided by a share of w.",
+         "What the view 'Clip space' shows: 0 is eye space with the frustum as a pyramid, 1 is NDC, where the division "
+         "by w has made it a box. In between, each point is divided by a blend of a constant and w.",
      .formula = "p = ((1 − t) c E + t P) p_eye, then ÷ its w",
      .gl_call = "gl_Position / gl_Position.w"},
     {.path = "view.way",
@@ -950,7 +949,7 @@ const Field all_fields[] = {
      .max = 4,
      .step = 0.01,
      .help =
-         "The space that the view The path of a point has reached: 0 is the world, 1 eye space after V, 2 clip space "
+         "The space that the view 'The path of a point' has reached: 0 is the world, 1 eye space after V, 2 clip space "
          "after P, 3 NDC after the division by w, 4 the window. In between, the point is on its way.",
      .formula = "p → V p → P V p → ÷ w → window",
      .gl_call = "glViewport"},

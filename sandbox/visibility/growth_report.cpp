@@ -64,7 +64,7 @@ std::string reign_text(const Reign& reign, std::span<const Reign> all) {
         return say_count(reign.last, "{method} up to {count} polygon", "{method} up to {count} polygons",
                          "method"_a = name);
     if (all.size() > 1 && &reign == &all.back())
-        return say("{method} from {first} on", "method"_a = name, "first"_a = first);
+        return say("{method} for {first} or more", "method"_a = name, "first"_a = first);
     if (reign.first == reign.last)
         return say_count(reign.last, "{method} with {count} polygon", "{method} with {count} polygons",
                          "method"_a = name);

@@ -74,7 +74,7 @@ struct Row {
 };
 
 void print_head() {
-    std::printf("%-46s %9s %9s %-5s %6s %6s  %s\n", "", "floor", "sandbox", "", "ratio", "by CPU", "wanted");
+    std::printf("%-46s %9s %9s %-5s %6s %6s  %s\n", "", "floor", "sandbox", "", "ratio", "CPU", "target");
 }
 
 void keep(const Row& row) {
@@ -268,13 +268,13 @@ void compare_large_mesh(const Programs& programs, const fs::path& scratch, int r
     }
     for (int round = 0; round < std::min(rounds, 3); ++round)
         rate_once({programs.pictures, state, "30", "1600x900", "flight"}, flight);
-    print({"a million triangles: reading, by tinyobjloader", tinyobj.wall_ms.median(), ours.wall_ms.median(), "ms",
+    print({"a million triangles: reading, vs. tinyobjloader", tinyobj.wall_ms.median(), ours.wall_ms.median(), "ms",
            ours.cpu_ms.median() / tinyobj.cpu_ms.median(), Bound{Wanted::at_most, 1.2}});
-    print({"… memory of reading, by the arrays' own", ours.arrays_mb.median(), ours.grown_mb.median(), "MB",
+    print({"… memory for reading, relative to the arrays", ours.arrays_mb.median(), ours.grown_mb.median(), "MB",
            std::nullopt, Bound{Wanted::at_most, 3.0}});
     print({"… start to PNG, warm shader cache", floor.wall_ms.median(), sandbox.wall_ms.median(), "ms",
            sandbox.cpu_ms.median() / floor.cpu_ms.median(), Bound{Wanted::at_most, 1.5}});
-    print_value("… windows per second in flight at 1600×900", flight.per_second.median(), "/s",
+    print_value("… windows per second while flying at 1600×900", flight.per_second.median(), "/s",
                 Bound{Wanted::at_least, 10.0});
 }
 
@@ -305,14 +305,14 @@ void report_frame(const Programs& programs, int rounds) {
     print_value("CPU per frame at 1600×900: derive and plan", opening.numbers.median(), "ms", std::nullopt);
     print_value("… user interface", opening.ui.median(), "ms", std::nullopt);
     print_value("… these two and our GL calls", opening.calls.median(), "ms", Bound{Wanted::at_most, 1.0});
-    print_value("… with the driver's vertices, nothing rasterized", opening.submitted.median(), "ms",
+    print_value("… with the driver's vertex work, not rasterized", opening.submitted.median(), "ms",
                 Bound{Wanted::at_most, 1.0});
-    print_value("… our thread in all (sorts into tiles)", opening.whole.median(), "ms", std::nullopt);
+    print_value("… our thread in total (with sorting into tiles)", opening.whole.median(), "ms", std::nullopt);
     for (const std::string full : {"room", "shadow-derivation", "passes"}) {
         const FrameCost cost = frame_cost(programs, full, std::min(rounds, 3));
-        print_value("preset " + full + ": ours with its GL calls", cost.calls.median(), "ms",
+        print_value("preset " + full + ": our code with its GL calls", cost.calls.median(), "ms",
                     Bound{Wanted::at_most, 3.0});
-        print_value("… with the driver's vertices", cost.submitted.median(), "ms", Bound{Wanted::at_most, 3.0});
+        print_value("… with the driver's vertex work", cost.submitted.median(), "ms", Bound{Wanted::at_most, 3.0});
     }
 }
 
@@ -330,7 +330,7 @@ int main(int argc, char** argv) {
     const fs::path scratch = fs::temp_directory_path() / ("viewing-bench-" + std::to_string(getpid()));
     fs::create_directories(scratch);
 
-    std::printf("1280×720 unless said, medians of %d rounds, floor and sandbox in turn\n", rounds);
+    std::printf("1280×720 unless stated otherwise, medians of %d rounds, floor and sandbox in turn\n", rounds);
     print_head();
     compare_starts(programs, scratch, rounds);
     compare_rates(programs, rounds);

@@ -172,7 +172,7 @@ TEST_F(GradeCommand, MisconceptionsAreSharesOfStudentsWhoTried) {
     write("hand-ins/1.json", hand_in("1", item("N01-far", variant_of("1"), answer("10") + "," + answer("40"))));
     write("hand-ins/2.json", hand_in("2", item("N01-far", variant_of("2"), answer("40"))));
     write("hand-ins/3.json", hand_in("3", ""));
-    const std::string said = "T10 ten, not forty: 50% of 2 students, 0% at the last attempt\n";
+    const std::string said = "T10 ten, not forty: 50% of 2 students, 0% on the last attempt\n";
     EXPECT_TRUE(has(grade(1, {"hand-ins", "--tags"}).out, "\n\n" + said));
     const std::string csv = grade(1, {"hand-ins", "--tags", "--format", "csv"}).out;
     EXPECT_EQ(csv, "tag,text,students,at_last,students_of\r\nT10,\"ten, not forty\",1,0,2\r\n");

@@ -39,7 +39,7 @@ TEST(ClipSpaceView, SaysWhatTheSpaceIs) {
     desk.params().view.division = 0.0;
     EXPECT_TRUE(says("crowd at the near plane"));
     desk.params().view.division = 0.5;
-    EXPECT_TRUE(says("a share of its w"));
+    EXPECT_TRUE(says("a blend of a constant and w"));
     desk.params().view.division = 1.0;
     desk.params().depth.format = DepthFormat::d32f;
     EXPECT_TRUE(says("NDC: after ÷ w, the frustum is a box"));

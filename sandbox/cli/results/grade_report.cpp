@@ -143,7 +143,7 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
     if (tags.empty()) return "<p>" + std::string(tr("No misconceptions were found.")) + "</p>\n";
     std::string table =
         fmt::format("<table>\n<tr><th></th><th>{}</th><th>{}</th><th>{}</th><th class=\"number\">{}</th></tr>\n",
-                    tr("misconception"), tr("shown by"), tr("at the last attempt"), tr("of students"));
+                    tr("misconception"), tr("shown by"), tr("on the last attempt"), tr("of students"));
     for (const TagCount& tag : tags)
         table += "<tr><td>" + escaped(tag.tag) + "</td><td>" + escaped(tag.text.shown()) + "</td>" +
                  share_cell(tag.students, tag.students_of) + share_cell(tag.at_last, tag.students_of) +
@@ -399,7 +399,7 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
                       say_count(std::ssize(givers.students), "{exercise}, variant {variant}: entered by 1 student",
                                 "{exercise}, variant {variant}: entered by {count} students",
                                 "exercise"_a = escaped(exercise.short_id()), "variant"_a = wrong.variant)) +
-            captioned(answer_picture(headless, with_right_matrix(step)), tr("the right matrix")) + "<div>" +
+            captioned(answer_picture(headless, with_right_matrix(step)), tr("the correct matrix")) + "<div>" +
             matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
     return section.empty() ? "" : heading(marked("Effects of wrong matrices")) + section;

@@ -191,7 +191,7 @@ std::string tags_as_text(const std::vector<TagCount>& tags) {
     for (const TagCount& tag : tags)
         text += tag.tag + " " + tag.text.in_english() + ": " + percent(share(tag.students, tag.students_of), 0) +
                 " of " + counted(tag.students_of, "student") + ", " + percent(share(tag.at_last, tag.students_of), 0) +
-                " at the last attempt\n";
+                " on the last attempt\n";
     return text;
 }
 

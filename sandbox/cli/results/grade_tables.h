@@ -13,7 +13,7 @@ namespace viewing {
 /// Returns a line for each student, with a column for each exercise under its short id. If a file cannot be read, its
 /// line is the error.
 std::string grades_as_text(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades);
-/// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% at the last attempt".
+/// Returns a line for each tag: "M04 last column of V taken for the eye: 41% of 87 students, 12% on the last attempt".
 std::string tags_as_text(const std::vector<TagCount>& tags);
 
 /// Return comma-separated values (RFC 4180); an apostrophe precedes text that a spreadsheet would take for a formula.

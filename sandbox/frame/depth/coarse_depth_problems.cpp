@@ -71,8 +71,8 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(
         true,
         sentence("depth.too_coarse",
-                 "at {object} (z = {z}), depths less than {gap} apart, {percent} of the picture's height there, are "
-                 "not distinguished: where surfaces meet, the wrong one may win",
+                 "at {object} (z = {z}), depth does not resolve gaps below {gap}, {percent} of the picture's height "
+                 "there: where surfaces meet, the wrong one may win",
                  "object"_a = worst->name, "z"_a = figures(worst->farthest, 3), "gap"_a = figures(gap, 2),
                  "percent"_a = percent(share)),
         finer_depth(params, derived, seen, worst->farthest));
@@ -128,8 +128,8 @@ void say_small_offset(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(
         is_there && depth.offset.factor == 0.0 && codes > 0.0 && codes < 1.0,
         sentence("depth.offset_too_small",
-                 "{units} offset units are {codes} of a depth code on this driver: where rounding removes the offset, "
-                 "a decal fights with the surface below",
+                 "{units} offset units amount to {codes} of a depth code on this driver: where rounding removes the "
+                 "offset, a decal fights with the surface below",
                  "units"_a = figures(depth.offset.units, 3), "codes"_a = figures(codes, 2)),
         "depth.offset.units=" + plain_number(std::copysign(1.0, depth.offset.units) / *unit * 1.5));
 }
@@ -164,13 +164,13 @@ void say_pairs(Sayer& tell, const Params& params, const Derived& derived, const 
                                              : "";
     tell.broken(worst.pair->gap() == 0.0,
                 sentence("depth.coplanar",
-                         "{object} and {other} lie in one plane: rounding decides which of the two is visible",
+                         "{object} and {other} lie in the same plane: rounding decides which of the two is visible",
                          "object"_a = first, "other"_a = second),
                 fix);
     tell.broken(worst.pair->gap() > 0.0,
                 sentence("depth.fighting",
-                         "{object} and {other} are {gap} apart, but at z = {z}, depth reliably distinguishes only gaps "
-                         "of {needed} or more: where their codes are equal, the two fight",
+                         "{object} and {other} are {gap} apart, but at z = {z}, depth reliably resolves only gaps of "
+                         "{needed} or more: where their codes are equal, the two fight",
                          "object"_a = first, "other"_a = second, "gap"_a = figures(worst.pair->gap(), 2),
                          "z"_a = figures(worst.distance, 3), "needed"_a = figures(worst.needed, 2)),
                 fix);

@@ -195,8 +195,8 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
     tell.broken(
         !names.empty(),
         sentence("depth.code_of_cleared",
-                 "from z = {z} on, depth has the same code as the cleared buffer: GL_LESS rejects every fragment of "
-                 "{objects} there",
+                 "at z = {z} and beyond, depth has the same code as the cleared buffer: GL_LESS rejects every fragment "
+                 "of {objects} there",
                  "z"_a = figures(start, 3), "objects"_a = joined(names)),
         "depth.format");
 }

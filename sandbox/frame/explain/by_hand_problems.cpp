@@ -123,10 +123,10 @@ std::optional<Sentence> recognized(const ExplainedMatrix& found, const glm::dmat
     if (is_right_transposed(found, entries))
         return is_shadow
                    ? sentence("by_hand.shadow_transposed",
-                              "{matrix} entered by hand is the transpose of the right S: OpenGL reads columns",
+                              "{matrix} entered by hand is the transpose of the correct S: OpenGL reads columns",
                               "matrix"_a = matrix)
                    : sentence("by_hand.mirror_transposed",
-                              "{matrix} entered by hand is Rᵀ, the transpose of the right R: OpenGL reads columns",
+                              "{matrix} entered by hand is Rᵀ, the transpose of the correct R: OpenGL reads columns",
                               "matrix"_a = matrix);
     switch (found.fault) {
         case MatrixFault::transposed:

@@ -62,8 +62,8 @@ void find_cull_problems(std::vector<Problem>& problems, const Params& params, co
     tell.broken(
         !removes_fronts && !mirrored.empty(),
         sentence("cull.negative_scale",
-                 "the scale of {objects} is negative, which turns the winding around: the fronts are clockwise and "
-                 "are culled as backs",
+                 "the scale of {objects} is negative, which reverses the winding: front faces are clockwise and are "
+                 "culled as back faces",
                  "objects"_a = joined(mirrored)),
         "cull.enabled");
 }

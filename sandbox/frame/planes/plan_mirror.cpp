@@ -109,7 +109,7 @@ Level world_inside(const Level& outside, std::size_t mirror) {
 /// something has been drawn there.
 Pass fresh_picture(const Level& level, std::size_t plane) {
     Pass pass =
-        level.pass(tr("Fresh picture"),
+        level.pass(tr("Clear mirror"),
                    tr("clears color and depth inside the mask: everything drawn there so far lies behind the mirror"),
                    Subject::backdrop);
     const Color background = ground_of(level.params.ui.theme).background;

@@ -63,8 +63,8 @@ std::string shadow_sentence(const WhyQuestion& question, const ShadowAtPixel& sh
                        "caster"_a = caster, "light"_a = name, "p"_a = point_text(p));
             break;
         case CasterPlace::between:
-            said = say("{light} does not arrive: {caster} is in its way at p = {p}.", "light"_a = name,
-                       "caster"_a = caster, "p"_a = point_text(p));
+            said = say("{light} does not arrive: {caster} blocks it at p = {p}.", "light"_a = name, "caster"_a = caster,
+                       "p"_a = point_text(p));
     }
     if (s.w != 0.0)
         said +=
@@ -84,16 +84,14 @@ std::string no_shadow_sentence(const WhyQuestion& question, const std::string& c
                                std::size_t plane, std::size_t light) {
     const std::string name = name_of_light(question, light);
     if (shadow.rejected)
-        return say("{caster} is in the way of {light}, but its shadow fails the depth test here: {test}.",
-                   "caster"_a = caster, "light"_a = name, "test"_a = test_phrase(question, shadow.rejected->fragment));
+        return say("{caster} blocks {light}, but its shadow fails the depth test here: {test}.", "caster"_a = caster,
+                   "light"_a = name, "test"_a = test_phrase(question, shadow.rejected->fragment));
     if (!question.params.shadow.enabled)
-        return say("{caster} is in the way of {light}, but no shadows are drawn.", "caster"_a = caster,
-                   "light"_a = name);
+        return say("{caster} blocks {light}, but no shadows are drawn.", "caster"_a = caster, "light"_a = name);
     if (!question.derived.planes[plane].receives_shadow)
-        return say("{caster} is in the way of {light}, but this plane receives no shadow.", "caster"_a = caster,
+        return say("{caster} blocks {light}, but this plane receives no shadow.", "caster"_a = caster,
                    "light"_a = name);
-    return say("{caster} is in the way of {light}, but no pass draws its shadow here.", "caster"_a = caster,
-               "light"_a = name);
+    return say("{caster} blocks {light}, but no pass draws its shadow here.", "caster"_a = caster, "light"_a = name);
 }
 
 /// Returns the eye as the world behind the pass's mirrors sees it.
@@ -140,8 +138,8 @@ LightRow row_of_object(const WhyQuestion& question, const Touch& surface, std::s
     row.caster_world = in_way->point_world;
     row.caster = surface_name(question, in_way->object_index);
     if (question.params.shadow.enabled)
-        row.sentence += " " + say("{caster} is in the light's way, but planar shadows fall on planes only.",
-                                  "caster"_a = row.caster);
+        row.sentence +=
+            " " + say("{caster} blocks the light, but planar shadows fall on planes only.", "caster"_a = row.caster);
     return row;
 }
 

@@ -247,7 +247,7 @@ void add_mirror_row(Why& made, const WhyQuestion& question, const Touch* image) 
     const std::string sentence =
         elsewhere
             ? say("Drawn here: {object} at q = {q}. Its image {product} q = {image} belongs at pixel ({x}, {y}): the "
-                  "picture in the mirror has a different lens than the camera.",
+                  "picture in the mirror uses a different lens than the camera.",
                   "object"_a = object, "q"_a = point_text(q), "product"_a = product,
                   "image"_a = point_text(image_world), "x"_a = elsewhere->x, "y"_a = elsewhere->y)
             : say("The line of sight goes to {way}{object} at q = {q}; {product} q = {image}.", "way"_a = way,

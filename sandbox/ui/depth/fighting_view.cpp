@@ -35,17 +35,17 @@ constexpr std::array<ColumnText, fighting_columns> columns = {{
             "arithmetic error. Red if the pair's gap is narrower."),
      "column:fighting.safe_gap"},
     {marked("predicted"),
-     marked("The predicted range for the pair's share of wrong pixels, whatever errors float32 arithmetic makes before "
-            "the depth is stored. – means no prediction: with 24 bits or a float, the arithmetic is as coarse as the "
-            "codes."),
+     marked("The predicted range for the pair's fraction of wrong pixels, whatever errors float32 arithmetic makes "
+            "before the depth is stored. – means no prediction: with 24 bits or a float, the arithmetic is as coarse "
+            "as the codes."),
      "column:fighting.predicted"},
     {marked("jittered"),
-     marked("The mean and the range of the share of wrong pixels over 12 cameras, each jittered by a thousandth of the "
-            "target's distance. One camera says little, since pixels hit codes at random."),
+     marked("The mean and the range of the fraction of wrong pixels over 12 cameras, each jittered by a thousandth of "
+            "the target's distance. One camera says little, since pixels hit codes at random."),
      "column:fighting.trembling"},
     {marked("counted"),
-     marked("The share of the pair's pixels that show the wrong surface. The slide calls the wrong pixels random, but "
-            "they are not: the same frame rounds to the same codes, and only motion changes them."),
+     marked("The fraction of the pair's pixels that show the wrong surface. The slide calls the wrong pixels random, "
+            "but they are not: the same frame rounds to the same codes, and only motion changes them."),
      "column:fighting.counted"},
     {marked("wrong pixels"),
      marked("Pixels that show the wrong surface, out of all the pixels that the pair covers, not counting its edges."),

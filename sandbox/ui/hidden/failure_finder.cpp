@@ -36,8 +36,8 @@ void draw_failure_finder(FailureFinder& finder, const Session& session, const Hi
     ImGui::BeginDisabled(session.params.cull.enabled);
     if (widgets::SmallButton("Find a view where this key fails")) start(finder, session, result);
     widgets::Tooltip("Find a view where this key fails",
-                     "Orbits the camera about its target to the view where the painter's picture differs from ray "
-                     "casting in the most pixels. All faces count, so culling must be off.");
+                     "Orbits the camera about its target to the view where the painter's picture differs from that of "
+                     "ray casting in the most pixels. All faces count, so culling must be off.");
     ImGui::EndDisabled();
 }
 

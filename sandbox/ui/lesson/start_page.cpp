@@ -157,7 +157,8 @@ std::optional<std::size_t> StartPage::draw_beginnings(const Past& past) {
     }
     ImGui::SameLine(0.0F, px(12.0F));
     if (large_button("Give a lecture",
-                     marked("Choose a lesson below; it opens on stage: full screen, large type, a clicker's keys."),
+                     marked("Choose a lesson below; it opens on stage: full screen, large type, and keys for a "
+                            "clicker."),
                      gives_lecture_))
         gives_lecture_ = !gives_lecture_;
     const auto last = std::find_if(lessons().begin(), lessons().end(),

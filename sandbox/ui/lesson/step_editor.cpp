@@ -42,7 +42,7 @@ std::string label_of(const StepPart& part) {
         case StepPart::Kind::hint:
             return say("Hint {number}", "number"_a = number);
         case StepPart::Kind::wrong_when:
-            return say("Wrong answer {number}, if", "number"_a = number);
+            return say("Wrong answer {number}: when", "number"_a = number);
         case StepPart::Kind::wrong_say:
             return say("Wrong answer {number}", "number"_a = number);
         case StepPart::Kind::reveal:

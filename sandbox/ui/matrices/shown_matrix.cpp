@@ -88,7 +88,7 @@ void copy_menu(const ShownMatrix& shown, bool is_covered, char& pastes) {
         if (ImGui::MenuItem(widgets::LabelText(paste_label).c_str())) pastes = *shown.letter;
         widgets::Record(paste_label);
         widgets::Tooltip("Paste from the clipboard",
-                         "Reads GLM, NumPy, MATLAB, C, JSON, LaTeX or plain text. A right matrix is used; for any "
+                         "Reads GLM, NumPy, MATLAB, C, JSON, LaTeX or plain text. A correct matrix is used; for any "
                          "other, a dialog says what it is. Ctrl+V does the same.");
         ImGui::EndPopup();
     }

@@ -248,7 +248,7 @@ void mirror_form(const MirrorDerivation& found) {
     widgets::MarkTarget("text:mirror_derivation.matrix", from, ImGui::GetItemRectMax());
     widgets::Note(
         "The slide divides n·q + d by |n| once. That makes k a distance, but the n that k multiplies must also have "
-        "length 1. For a plane as typed, divide by |n|² instead.");
+        "length 1. If the plane is used as typed, divide by |n|² instead.");
     if (found.plane == MirrorPlane::general)
         widgets::Note("The presets mirror-yz, mirror-xz and mirror-xy show the three cases on the slide.");
 }

@@ -50,7 +50,7 @@ ClipWords clip_words(const Params& params) {
         return {are_even ? tr("NDC: after ÷ w, a box; its depth codes are equally spaced")
                          : tr("NDC: after ÷ w, the frustum is a box"),
                 tr("NDC: a box")};
-    return {tr("between: each point is divided by a share of its w"), tr("between: ÷ a share of w")};
+    return {tr("between: points are divided by a blend of a constant and w"), tr("between: ÷ (constant + part of w)")};
 }
 
 }  // namespace

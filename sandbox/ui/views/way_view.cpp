@@ -170,7 +170,7 @@ Said said(int step, const Derived& derived, const CameraWay& way, bool is_logari
         case 0:
             return {tr("world space: where the scene puts p"), tr("world space"), false};
         case 1:
-            return {tr("V maps p to eye space: the camera is the origin"), tr("V maps p to eye space"), false};
+            return {tr("V maps p to eye space: the camera is at the origin"), tr("V maps p to eye space"), false};
         case 2:
             return {say("P maps it to clip space, inside if {condition}",
                         "condition"_a = condition_of(FrustumPlane::none, derived.clip_zero_to_one)),

@@ -262,8 +262,8 @@ void draw_permission(Session& session) {
     ImGui::PopTextWrapPos();
     widgets::Record("file");
     widgets::Note(
-        tr("Yes allows every file in that folder until the window is closed. Choose No if you do not know where this "
-           "state came from."));
+        tr("'Yes' allows every file in that folder until the window is closed. Choose 'No' if you do not know where "
+           "this state came from."));
     ImGui::EndChild();
     const bool yes = widgets::Button("Yes, read it");
     ImGui::SameLine();

@@ -83,7 +83,7 @@ void MatrixDialog::draw(Session& session, const Derived& derived) {
     const bool enters = letter != 0 && widgets::Button("Show it as it is");
     if (letter != 0) {
         widgets::Tooltip("Show it as it is",
-                         "Enters the matrix by hand, with its fault: the picture shows what it does until you press "
+                         "Enters the matrix by hand, fault included: the picture shows its effect until you press "
                          "Release.");
         ImGui::SameLine();
     }

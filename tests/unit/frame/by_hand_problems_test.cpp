@@ -77,14 +77,14 @@ TEST(ByHand, AMatrixIsCalledWhatItIs) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         HandSample x(random);
         EXPECT_TRUE(
-            first_says(x.of_shadow(glm::transpose(slides_shadow(x.plane, x.light))), "the transpose of the right S"));
+            first_says(x.of_shadow(glm::transpose(slides_shadow(x.plane, x.light))), "the transpose of the correct S"));
         EXPECT_TRUE(
             first_says(x.of_shadow(slides_shadow(x.plane, x.other_light)), "is the shadow matrix for the light ("));
         EXPECT_TRUE(
             first_says(x.of_shadow(slides_shadow(x.other_plane, x.light)), "is the shadow matrix for the plane "));
         EXPECT_TRUE(first_says(x.of_shadow(slides_mirror(x.plane)), "is the reflection matrix for the plane "));
         EXPECT_TRUE(
-            first_says(x.of_mirror(glm::transpose(slides_mirror(x.plane))), "Rᵀ, the transpose of the right R"));
+            first_says(x.of_mirror(glm::transpose(slides_mirror(x.plane))), "Rᵀ, the transpose of the correct R"));
         EXPECT_TRUE(first_says(x.of_mirror(slides_mirror(x.other_plane)), "is the reflection matrix for the plane "));
         EXPECT_TRUE(first_says(x.of_mirror(slides_mirror(1.7 * x.plane)), "a normal that is not a unit vector"));
         dmat4 slip = slides_mirror(x.plane);

@@ -429,7 +429,7 @@ TEST(GrowthReport, SummaryNamesTheWinners) {
     EXPECT_EQ(
         growth_summary(rows),
         "Methods with the fewest operations, painting included, among those that are always correct: walking the BSP "
-        "tree up to 30 polygons, the software z-buffer from 300 to 1,000 polygons, ray casting from 10,000 on. One "
+        "tree up to 30 polygons, the software z-buffer from 300 to 1,000 polygons, ray casting for 10,000 or more. One "
         "tree, built in advance, serves every eye position. At the end of the curves, ten times as many polygons "
         "multiply the number of operations by a factor of 5 for walking the BSP tree, by 4 for the software z-buffer, "
         "by 2 for ray casting.");
