@@ -62,8 +62,8 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
 // ---- counts ----------------------------------------------------------------------------------------
 
 struct HistogramStyle {
-    const char* title = "depth";     ///< names the counted values
-    const char* counted = "pixels";  ///< names what is counted
+    const char* title = "depth";     ///< names the values along the axis
+    const char* counted = "pixels";  ///< names what the bars count
     bool logarithmic = false;        ///< bar heights show log(1 + count)
     std::uint64_t unwritten = 0;     ///< counted separately, in an extra bar at the right; 0: none
     const char* unwritten_name = "not written";

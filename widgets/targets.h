@@ -1,7 +1,7 @@
 // Names of parts on screen, such as "matrix:V[2][3]", for covering or highlighting them from outside. Code that draws a
 // part first checks whether its name is covered. If so, it draws a plate instead; otherwise it marks the part's area. A
-// name contains longer names that continue with '.', '[' or, after a kind, ':' ("matrix:V" contains "matrix:V[2][3]").
-// Nothing happens while Targets holds no names.
+// name contains every longer name that continues it with '.', '[' or, after a kind, ':' ("matrix:V" contains
+// "matrix:V[2][3]"). Nothing happens while Targets holds no names.
 #pragma once
 
 #include <imgui.h>
@@ -68,7 +68,7 @@ bool HasPlainTitles();
 void MarkTarget(std::string_view name);
 void MarkTarget(std::string_view name, ImVec2 min, ImVec2 max);
 
-/// Does the same for a line of text among others, whose frame does not reach into its neighbors.
+/// Does the same for one of several lines of text; its frame does not extend into the neighboring lines.
 void MarkLine(std::string_view name);
 void MarkLine(std::string_view name, ImVec2 min, ImVec2 max);
 

@@ -203,12 +203,12 @@ std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& fon
 /// was cut.
 std::string Shortened(std::string text, float width);
 void Note(const char* text);  ///< small, quiet, wraps
-/// The topic of a sentence. Each tone has its own sign and color: a red triangle with an exclamation mark if the
+/// The topic of a sentence. Each tone has its own icon and color: a red triangle with an exclamation mark if the
 /// picture is wrong, a letter i in a circle for something worth knowing, and a frame for something about the window.
 enum class Tone { wrong, note, window };
 ImU32 ColorOf(Tone tone);
 void DrawSign(ImDrawList* draw, ImVec2 min, float size, Tone tone);  ///< 0.95 × `size` wide
-void Trouble(const char* sentence);                        ///< one sentence in the trouble color with a sign, wraps
+void Trouble(const char* sentence);                        ///< one sentence in the trouble color with an icon, wraps
 float TroubleHeight(const char* sentence, float width);    ///< height of a Trouble of this width in the current font
 void ValueText(const char* text, Role role = Role::none);  ///< monospaced
 
@@ -315,8 +315,8 @@ float SmallButtonWidth(const char* label);  ///< width on one line, in pixels
 bool OffersButton(const char* label);       ///< whether a Button or SmallButton with this label is drawn at all
 
 /// Draws a header that folds the content below it; ImGui keeps the state. Returns whether it is open. `note`: quiet
-/// text at its right end. `trouble`: a problem inside, shown by the sign of its tone with a tooltip, so that nothing
-/// below moves when it appears.
+/// text at its right end. `trouble`: a problem inside, shown by its tone's icon with a tooltip, so that nothing below
+/// moves when it appears.
 bool Section(const char* label, bool open_by_default = true, const char* note = "", const char* trouble = "",
              Tone tone = Tone::wrong);
 

@@ -134,7 +134,7 @@ bool AnswerJudge::show_model(LessonRun& run, Session& session, bool may_wait) {
         run.model() = right(question, renderer_);
         return true;
     }
-    // The result may belong to a step that the user has left meanwhile.
+    // The result may belong to a step that the user has since left.
     if (const std::optional<Result<Answer>> done = model_task_.take(); done && model_of_.is_at(run)) {
         run.model() = *done ? **done : Answer{};
         return true;

@@ -39,8 +39,8 @@ private:
         bool is_at(const LessonRun& run) const;
         bool is_of(const LessonRun& run, const Params& now) const;
     };
-    /// Computes the right answer of a typed question that has been revealed, in the background if it is measured.
-    /// Returns whether it has just become known.
+    /// Computes the right answer to a typed question that has been revealed, in the background if the answer must be
+    /// measured. Returns whether the answer has just become known.
     bool show_model(LessonRun& run, Session& session, bool may_wait);
     /// Computes the products of a question's tiles for the current state.
     static void show_products(LessonRun& run, const Session& session);

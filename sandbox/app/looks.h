@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// Uploads the fonts from load_fonts() for a scale to the GL backend of the current ImGui context.
+/// Uploads the fonts from load_fonts(), at this scale, to the GL backend of the current ImGui context.
 widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 
 class Looks {

@@ -42,8 +42,8 @@ Status WindowMemory::take_written() {
     const std::optional<Result<Remembered>> ended = writing_.take();
     if (!ended) return std::monostate{};
     if (!*ended) return Error{ended->error()};
-    // Adopt changes by other windows, but not their appearance or their student. If both windows have a step in a
-    // lesson, keep this window's step. If two windows copied each other's step, they would never settle.
+    // Adopt changes by other windows, but not their appearance or their student. If both windows remember a step of the
+    // same lesson, keep this window's step: two windows that copied each other's step would never settle.
     Remembered written = **ended;
     for (auto& [id, progress] : written.lessons)
         if (const auto own = sent_.lessons.find(id); own != sent_.lessons.end()) progress.step = own->second.step;

@@ -49,7 +49,7 @@ private:
     Remembered remembered_;   ///< current values in this window
     Remembered known_;        ///< the content of the file as last read or written
     Remembered sent_;         ///< values being written
-    bool is_written_ = true;  ///< `remembered_` is written, or is being written
+    bool is_written_ = true;  ///< `remembered_` has been written, or is being written
     bool has_news_ = false;   ///< other windows added something that the workbench does not have yet
     BackgroundTask<Remembered> writing_;
     std::string trouble_;

@@ -135,7 +135,7 @@ std::string pace(std::size_t done, std::size_t of, double seconds) {
     return figures(rate) + "/s, " + left + " left";
 }
 
-/// Prints the progress: on a terminal, in one line that is redrawn; elsewhere, if there are more than 20 entries, in a
+/// Prints the progress: on a terminal, on one line that is redrawn; elsewhere, if there are more than 20 entries, on a
 /// new line after each tenth of them. Each entry that did not pass also gets a line.
 class Progress {
 public:

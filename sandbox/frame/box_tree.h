@@ -47,7 +47,7 @@ private:
     template <typename BoundsOf>
     static BoxTree made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item);
 
-    /// Visits the indices of the boxes below a box or, on level 0, the indices of a run's items.
+    /// Visits the indices of the boxes below a box or, at level 0, the indices of a run's items.
     template <typename Each>
     void each_below(std::size_t level, std::size_t index, Each each) const {
         const std::size_t length = level == 0 ? run_length : fan;

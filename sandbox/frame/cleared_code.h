@@ -1,4 +1,4 @@
-// The distance from which surfaces get the depth code of the cleared buffer, so that GL_LESS rejects them. Pure.
+// The distance beyond which surfaces get the depth code of the cleared buffer, so that GL_LESS rejects them. Pure.
 #pragma once
 
 #include "frame/derive.h"

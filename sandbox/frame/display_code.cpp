@@ -13,7 +13,7 @@ struct Factor {
     std::string code, comment, part;
 };
 
-/// Returns, from left to right, the factors of W, which takes the place of this state's V. To undo the camera's motion,
+/// Returns, from left to right, the factors of W, the matrix that replaces this state's V. To undo the camera's motion,
 /// their numbers are negated, unless C itself is uploaded.
 std::vector<Factor> factors_of(const Params& params) {
     const bool is_camera_itself = params.slips.camera_as_view;

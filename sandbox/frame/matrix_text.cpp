@@ -64,7 +64,7 @@ Entries entries_of(const Notation& notation, const Entry& entry) {
     return entries;
 }
 
-/// Right-aligns all entries to their column's width.
+/// Right-aligns the entries of each column.
 void align(Entries& entries) {
     for (std::size_t place = 0; place < 4; ++place) {
         std::size_t width = 0;
@@ -88,7 +88,7 @@ std::string constructor_text(std::string_view opening, const Entries& entries) {
     return "// columns first\n" + std::string(opening) + "(\n    " + joined(entries, ", ", ",\n    ") + ");\n";
 }
 
-/// Writes "S[2,1]" as S_{2,1}, and a word in upright letters.
+/// Writes "S[2,1]" as S_{2,1}, and a word in upright type.
 std::string latex_name(std::string_view name) {
     const std::size_t bracket = name.find('[');
     std::string letters, index;

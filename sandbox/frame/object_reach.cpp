@@ -52,9 +52,9 @@ bool reaches_each(const SceneObject& object, std::span<const glm::dvec4> forms) 
     return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
 }
 
-/// Returns whether is_so(points) holds for any vertex, or for the corners of any part of a triangle, where all forms
-/// are positive. Points are in the model's space. Judges at most 32 forms. A large mesh counts as having such a part
-/// unless one of the forms is positive at none of its vertices.
+/// Returns whether is_so(points) holds for any vertex at which all forms are positive, or for the corners of any part
+/// of a triangle on which they are. Points are in the model's space. Judges at most 32 forms. A large mesh counts as
+/// having such a part unless one of the forms is positive at none of its vertices.
 template <typename Predicate>
 bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so) {
     constexpr std::size_t most_triangles = 20'000;
@@ -98,13 +98,13 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// Returns whether the scene's bounds rule out that one of the forms is positive anywhere.
+/// Returns whether at least one of the forms is negative everywhere within the scene's bounds.
 bool is_clear_of_any(const Scene& scene, std::span<const glm::dvec4> forms) {
     return std::any_of(forms.begin(), forms.end(),
                        [&](const glm::dvec4& form) { return is_clear_of(scene, -form, 0.0); });
 }
 
-/// Returns forms_of_edges() over boxes in a model's space.
+/// Returns forms_of_edges() as forms over boxes in a model's space.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);
@@ -135,9 +135,9 @@ bool holds(const Landing& landing, const glm::dvec4& sent) {
     return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
 }
 
-/// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands outside
-/// the patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
-/// picture.
+/// Returns whether any vertex of an object lands inside the patch or, if `inside` is false, whether any vertex does
+/// not: it lands outside the patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, the
+/// vertex must also land in the picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {
         if (glm::dot(landing.side, point) < -standing) return false;
@@ -172,7 +172,7 @@ struct Drawn {
     double thickness() const { return length > 0.0 ? area / length : 0.0; }
 };
 
-/// Returns nothing if part of the mesh is behind the eye: it is not small then.
+/// Returns nothing if part of the mesh is behind the eye: the mesh is not small then.
 std::optional<Drawn> drawn_size(const Mesh& mesh, const glm::dmat4& clip_from_model, double aspect) {
     Drawn drawn;
     std::vector<glm::dvec2> points;

@@ -57,10 +57,11 @@ bool lands_inside(const Scene& scene, const Landing& landing);
 glm::dmat4 seen_on_plane(const glm::dvec4& unit_plane, const glm::dvec4& eye_world);
 
 /// Returns four linear forms: the distances of a point's image from the patch's edges, times the image's w. If w > 0,
-/// the image is in the patch exactly where all four are nonnegative.
+/// the image is in the patch if and only if all four are nonnegative.
 std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch);
 
-/// Returns four linear forms that are positive inside the picture's left, right, lower and upper side.
+/// Returns four linear forms, positive on the inner side of the picture's left, right, lower and upper edge,
+/// respectively.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
 /// Returns whether all forms, at most 32, are positive on part of some triangle of an object. For a mesh of more than
@@ -71,14 +72,15 @@ bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
 /// this out.
 bool may_reach(const Scene& scene, std::span<const glm::dvec4> forms);
 
-/// Returns whether any object has a vertex, not always the same one, where each of the forms is positive.
+/// Returns whether any object has, for each of the forms, a vertex where that form is positive; the vertices may
+/// differ.
 bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether all forms are positive on part of a patch.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
 /// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is
-/// less than 1/2000 of the picture's height. False for large meshes and behind the eye.
+/// less than 1/2000 of the picture's height. False for large meshes, and if part of the mesh is behind the eye.
 bool is_too_thin(const SceneObject& object, const Derived& derived);
 
 /// Returns whether every vertex of an object is at most `tolerance` (world units) away from a unit plane.

@@ -215,7 +215,7 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
     if (blends) {
         pass.blend = Blend::alpha;
         pass.color.a = 1.0 - reflection.reflectance;
-        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has decided where it is visible
+        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask decides where the patch shows
     }
     pass.stencil = stencil_of_surface(level, plane, blends);
     return pass;

@@ -209,8 +209,8 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 }
 
 /// Drops problems that cannot be seen while the depth test rejects the objects. Without the receiver's mask, a shadow
-/// beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is not
-/// tested, and where depth is cleared for its image, nearer fragments pass.
+/// beyond its patch is still drawn where it is nearer than the depths of the previous frame. A mirror that is drawn
+/// last is not tested, and where depth is cleared for its image, nearer fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
                                !params.shadow.clip_to_receiver;
@@ -223,9 +223,9 @@ void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     });
 }
 
-/// Removes the fixes that may change nothing until another fix is applied: the fixes of images while planes that share
-/// a stencil value are drawn over each other, and all others while the surfaces of the previous frame are rejected. The
-/// sentences about clearing and about GL_NOTEQUAL keep their fixes.
+/// Removes the fixes that may change nothing until another fix is applied: the fixes for mirror images while planes
+/// that share a stencil value are drawn over each other, and all fixes while the surfaces of the previous frame are
+/// rejected. The sentences about clearing and about GL_NOTEQUAL keep their fixes.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
         return problem.id == "reflection.shared_stencil";

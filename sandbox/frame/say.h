@@ -33,8 +33,8 @@ public:
     void operator()(bool is_so, Sentence said, std::string_view changed_by = "") {
         add(is_so, std::move(said), ProblemKind::worth_knowing, changed_by);
     }
-    /// Adds the reason why a switch breaks the picture. `fixed_by` is the fix: a field whose default value fixes it,
-    /// or else a complete setting; "" if there is none.
+    /// Adds the reason why a switch breaks the picture. `fixed_by` is the fix: a field whose default value fixes the
+    /// picture, or else a complete setting; "" if there is none.
     void broken(bool is_so, Sentence said, std::string_view fixed_by = "") {
         add(is_so, std::move(said), ProblemKind::wrong, fixed_by);
     }

@@ -8,7 +8,7 @@
 namespace viewing {
 
 /// Keeps the part of a convex polygon where `distance`, a linear function of a point, is not negative; if there is no
-/// such part, no corners are left. `kept` is scratch memory, so that many cuts need no new one.
+/// such part, no corners are left. `kept` is scratch memory, so that many cuts need no new memory.
 template <typename Point, typename Distance>
 void keep_part(std::vector<Point>& polygon, std::vector<Point>& kept, const Distance& distance) {
     kept.clear();

@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_share = 1e-12;  ///< of the coordinates; a shorter view direction is rounding error
+constexpr double least_share = 1e-12;  ///< relative to the coordinates; a shorter view direction is rounding error
 constexpr double least_sine = 1e-9;    ///< of the angle between up and the view
 
 double largest_component(const glm::dvec3& v) {

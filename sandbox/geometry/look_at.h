@@ -27,8 +27,8 @@ struct Looking {
 };
 
 /// Returns the angles of V = lookAt(eye, center, up): yaw and roll in (−180, 180]°, pitch in [−90, 90]°. If center =
-/// eye (closer than 1e-12 times the larger coordinate), the camera looks along −z. If up is zero or parallel to the
-/// view (within 1e-9 rad), the roll is 0.
+/// eye (within 1e-12 times the largest coordinate), the camera looks along −z. If up is zero or parallel to the view
+/// (within 1e-9 rad), the roll is 0.
 Looking camera_looking_at(const LookAt& look_at);
 
 /// Returns eye, center and up of a camera, with the center `distance` > 0 world units in front of the eye. `up` is

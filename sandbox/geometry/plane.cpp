@@ -74,16 +74,16 @@ glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane) {
 }
 
 glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view, ClipRange range) {
-    // Find the corner of the frustum's far end that lies deepest behind the new near plane.
+    // Find the corner of the frustum's far end that lies farthest beyond the new near plane.
     const glm::dmat4 view_from_clip = glm::inverse(clip_from_view);
     const glm::dvec4 plane_clip = plane_view * view_from_clip;
     const double far_end = range == ClipRange::standard ? 1.0 : range == ClipRange::reversed ? -1.0 : 0.0;
     const glm::dvec4 corner_view =
         view_from_clip * glm::dvec4(sign_of(plane_clip.x), sign_of(plane_clip.y), far_end, 1.0);
 
-    // That corner must stay at the far end. z must be at its near end on the new near plane, so z + w = scale · plane,
-    // or w − z = scale · plane with reversed depth. If the whole frustum is on the clipped side of the new near plane,
-    // any positive scale clips all of it.
+    // That corner must stay at the far end. On the new near plane, z must be at the near end of its range, so z + w =
+    // scale · plane, or w − z = scale · plane with reversed depth. If the whole frustum is on the clipped side of the
+    // new near plane, any positive scale clips all of it.
     constexpr double min_reach = 1e-9;
     const double reach = std::max(glm::dot(plane_view, corner_view), min_reach);
     const glm::dvec4 scaled_plane = plane_view * ((range == ClipRange::reversed_zero_to_one ? 1.0 : 2.0) / reach);

@@ -72,7 +72,7 @@ glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect) {
         return glm::orthoRH_ZO(edges.left, edges.right, edges.bottom, edges.top, f, n);
     }
     if (const auto& own = lens.window) {
-        // glFrustum takes the window at its first depth, which is far once near and far are swapped.
+        // glFrustum takes the window to be at the first of its two depths, which is far once near and far are swapped.
         const glm::dmat4 standard = glm::frustumRH_ZO(own->left, own->right, own->bottom, own->top, n, f);
         return with_depth_row(standard, n / (f - n), f * n / (f - n));
     }

@@ -58,7 +58,7 @@ glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
 
 /// Returns the lens, with an explicit window, whose P equals this matrix up to a positive factor; none if there is no
 /// such lens. `ndc_near`, `ndc_far`: the z ÷ w to which it should map near and far. The lens may have near > far or
-/// near ≤ 0; its window is that of a perspective lens at the nearer of the two. Entries up to `tolerance` count as 0.
+/// near ≤ 0; if it is perspective, its window is at the nearer of the two. Entries up to `tolerance` count as 0.
 std::optional<Lens> lens_of(const glm::dmat4& clip_from_view, double ndc_near, double ndc_far, double tolerance);
 
 /// Returns the eye of a camera: the point with w = 1 that P V sends to x = y = w = 0 or, if its rays are parallel, the

@@ -34,8 +34,8 @@ void keep_no_cache_without_a_home();
 class EglContext {
 public:
     /// Makes a context. `device` is "" for software (a device that reports itself as software, otherwise surfaceless
-    /// with software forced), "auto" for the first hardware device that works, or software if none does; or the index
-    /// of a device. Requests debug output. The error is one sentence that lists the devices and what failed on each.
+    /// with software forced), "auto" for the first hardware device that works (software if none does), or the index of
+    /// a device. Requests debug output. The error is one sentence that lists the devices and what failed on each.
     static Result<EglContext> make(const std::string& device = "");
     /// Makes a context on the first software device; returns nothing if there is none. Does not change the environment,
     /// so any thread may call it.

@@ -1,4 +1,4 @@
-// QR codes, for the link that a room full of phones reads from the screen. The program draws them; the page cannot.
+// QR codes, for a link on the screen that a room full of phones can scan. The program draws them; the page cannot.
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ struct QrCode {
     bool is_dark(int row, int column) const { return dark[static_cast<std::size_t>(row * modules + column)]; }
 };
 
-/// The most bytes that the largest QR code (version 40, least correction) holds.
+/// The most bytes that the largest QR code (version 40, lowest error correction) holds.
 inline constexpr std::size_t most_qr_bytes = 2953;
 
 /// Returns the code with the best error correction that needs no more modules. The error says in one sentence why there

@@ -43,12 +43,13 @@ struct StepPart {
     std::string text;        ///< in the requested language; true or false for `right`; an answer as in the file
 };
 
-/// Returns the parts of a step in the order of the screen: its text, question, choices, answer, hints, wrong answers,
-/// the sentence of the reveal, and the lecturer's note, empty if it has none. Empty if the text is not a lesson.
+/// Returns the parts of a step in the order in which the screen shows them: its text, question, choices, answer, hints,
+/// wrong answers, the sentence of the reveal, and the lecturer's note, whose text is empty if there is none. Returns no
+/// parts if the source is not a lesson.
 std::vector<StepPart> step_parts(const LessonSource& source, std::size_t step, Language language);
 
-/// Replaces a part. Marking a choice as right unmarks the previous right choice and moves the marked choice's "why" to
-/// it. A sentence in only one language gets a second language beside it.
+/// Replaces a part. Marking a choice as right unmarks the previous right choice, which gets the marked choice's "why".
+/// A sentence in only one language gets a second language beside it.
 Result<std::string> with_part(const LessonSource& source, std::size_t step, const StepPart& part, Language language);
 
 /// Moves a step; `to` is clamped to the list.
@@ -58,8 +59,8 @@ Result<std::string> with_doubled_step(const LessonSource& source, std::size_t st
 Result<std::string> with_removed_step(const LessonSource& source, std::size_t step);
 /// Adds a choice to a question with choices, with texts for the author to replace.
 Result<std::string> with_choice(const LessonSource& source, std::size_t step);
-/// Makes a state the step's start, with its layout; `preset` is the preset that it is based on, "" for the opening
-/// state.
+/// Makes a state, with its layout, the start of a step; `preset` is the preset that the state is based on, "" for the
+/// opening state.
 Result<std::string> with_start(const LessonSource& source, std::size_t step, const Params& params,
                                const std::string& preset);
 /// Makes a state the one that the answer shows: the reveal changes what differs from `start`.

@@ -50,7 +50,7 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
 /// Reads an exercise from a string. Errors begin with `source`; file names in its scenes are relative to `folder`.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// The maximum number of an exercise's variants that students get. These are its first combinations.
+/// The maximum number of an exercise's variants that students get. These variants are its first combinations.
 inline constexpr std::size_t most_deployed = 16;
 
 /// Returns all combinations of values that pass `require`, in shuffled order; the first ones are for deployment. Fails

@@ -157,7 +157,7 @@ std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt
 HandInItem merged_item(HandInItem kept, const HandInItem& known, const HandInItem& now) {
     if (kept.variant != now.variant) return changed_or_kept(kept, known, now);
     kept.attempts = united(std::move(kept.attempts), now.attempts);
-    // If both windows continued, keep the longer replay.
+    // If the replay changed in both windows, keep the longer one.
     if (kept.replay == known.replay || (now.replay != known.replay && now.replay.size() >= kept.replay.size()))
         kept.replay = now.replay;
     kept.draft = typed_last(kept.draft, known.draft, now.draft);

@@ -15,7 +15,7 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-/// Returns the tolerance for each entry.
+/// Returns the tolerance that applies to every entry.
 double tolerance_of(const Ask& ask, const std::vector<double>& right) {
     double largest = 0.0;
     for (const double number : right) largest = std::max(largest, std::abs(number));
@@ -33,7 +33,7 @@ bool are_all(const std::vector<bool>& close) {
     return std::find(close.begin(), close.end(), false) == close.end();
 }
 
-/// Returns the factor for the entry whose right value is the largest; none if it is zero.
+/// Returns the factor for the entry whose right value is the largest; none if its right or its entered value is zero.
 std::optional<double> factor_at_largest(const std::vector<double>& typed, const std::vector<double>& right) {
     const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto at = static_cast<std::size_t>(std::max_element(right.begin(), right.end(), by_size) - right.begin());
@@ -47,8 +47,8 @@ bool are_close(const std::vector<double>& typed, const std::vector<double>& righ
     return factor && are_all(close_entries(typed, right, *factor, tolerance_of(ask, right)));
 }
 
-/// Returns the factor with which the most entries are right, or 1 if none is allowed. A factor other than 1 must fit
-/// two entries that are not 0, since any number fits some factor.
+/// Returns the factor with which the most entries are right, or 1 if none is allowed. A factor other than 1 must fit at
+/// least two nonzero entries, since for a single entry some factor always fits.
 double best_factor(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
     const double tolerance = tolerance_of(ask, right);
     const auto fitting = [&](double factor) {

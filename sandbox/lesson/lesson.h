@@ -83,11 +83,11 @@ struct Ask {
     std::vector<LessonText> items;                 ///< for sequence, order, product and subset
     int rows = 1, columns = 1;                     ///< of the entered answer
     std::string expect;                            ///< an expression for the right answer
-    std::vector<std::vector<int>> expected_items;  ///< one or more right lists of item indices, from 0
+    std::vector<std::vector<int>> expected_items;  ///< one or more equally right lists of item indices, from 0
     double tolerance = 0.0;                        ///< absolute, for each entry
     double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
-    std::vector<std::string> factors;  ///< of product and sequence: for each item, an expression for its 4×4 matrix
+    std::vector<std::string> factors;  ///< for product and sequence: an expression for each item's 4×4 matrix
     std::string shows_as;              ///< the field that shows the effect of the answer's matrix; C or V; "": none
     std::string until;                 ///< for a goal: an expression that is true when it is reached
     std::vector<GoalNumber> progress;  ///< of a goal
@@ -104,7 +104,7 @@ struct Reveal {
     std::vector<std::string> highlight;
 };
 
-/// A point in world space that the pictures mark.
+/// A point in world space that is marked in the pictures.
 struct LessonTarget {
     glm::dvec3 point_world{0.0};
     LessonText label;
@@ -174,7 +174,7 @@ struct Lesson {
     std::optional<Lecture> lecture = {};  ///< its steps are then those of all parts, one after another
 };
 
-/// The part of a lesson that a list shows.
+/// The data that a list shows for a lesson.
 struct LessonFile {
     std::string id;
     LessonText title;
@@ -204,7 +204,7 @@ Result<Lesson> load_lesson(const std::string& argument);
 /// Returns a sentence for each mistake in a lecture's file; the error says why it cannot be read at all.
 Result<std::vector<std::string>> lecture_mistakes(const std::string& argument);
 
-/// Reads a lesson or a lecture from a string. `source` ("mine.json") starts every message; files of its scenes are
+/// Reads a lesson or a lecture from a string. `source` ("mine.json") starts every message; file names in its scenes are
 /// relative to `folder`.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 

@@ -15,7 +15,7 @@ std::vector<std::string> words_of_source(std::string_view source);
 /// Whether a word is a keyword of Lua, which no name can be: "and", "function".
 bool is_word_of_lua(std::string_view word);
 
-/// Whether a word is a keyword that a single value may contain: and, false, nil, not, or, true.
+/// Whether a word is a keyword that may occur in an expression for a single value: and, false, nil, not, or, true.
 bool is_word_of_values(std::string_view word);
 
 /// Whether a word consists of a letter or _, followed by letters, digits and _.

@@ -10,7 +10,7 @@ namespace viewing {
 
 enum class NameKind {
     value,       ///< known immediately
-    measured,    ///< a function whose value may take a second
+    measured,    ///< a function whose value may take a second to compute
     mathematics  ///< a constant, or a function that depends only on its arguments
 };
 

@@ -15,9 +15,9 @@ namespace viewing {
 /// every plane. Source: lecture, Planar Reflection: row i is e_i − 2 n_i (n, d).
 std::optional<glm::dvec4> plane_of_mirror_row(const glm::dvec4& row, int index);
 
-/// Returns the plane with a unit normal whose S for this light has this row, counted from 0. The row says nothing about
-/// the plane's number at `index`: it is taken from `asked`. None if there is no such plane or L_i is 0. Source:
-/// lecture, Projection Shadow Matrix: row i is (Π·L) e_i − L_i Π.
+/// Returns the plane with a unit normal whose S for this light has this row, counted from 0. The row does not determine
+/// the plane's number at `index`, which is therefore taken from `asked`. None if there is no such plane or L_i is 0.
+/// Source: lecture, Projection Shadow Matrix: row i is (Π·L) e_i − L_i Π.
 std::optional<glm::dvec4> plane_of_shadow_row(const glm::dvec4& row, int index, const glm::dvec4& light,
                                               const glm::dvec4& asked);
 
@@ -33,8 +33,9 @@ struct OtherRow {
     glm::dvec4 numbers{0.0};
 };
 
-/// Finds the first row of 16 numbers that is not among `right_rows` (from 1) and belongs to a plane other than
-/// `plane.equation` or, for S, to a light other than `light.position`. None if `expect` is neither R nor S of these.
+/// Finds, in the 4×4 matrix with these 16 numbers, the first row that is not among `right_rows` (from 1) and belongs to
+/// a plane other than `plane.equation` or, for S, to a light other than `light.position`. None if `expect` is neither R
+/// nor S of these.
 std::optional<OtherRow> other_row(const std::vector<double>& numbers, const std::vector<int>& right_rows,
                                   const std::string& expect, const Surroundings& surroundings);
 

@@ -22,7 +22,7 @@ std::string group_at(const Json& document, const Where& where) {
     return document["group"].get<std::string>();
 }
 
-/// Reads what the lesson's last card says: three sentences, and the exercise that fits.
+/// Reads what the lesson's last card says: three sentences, and the matching exercise.
 LessonEnd read_end(const Json& document, const Where& where) {
     LessonEnd end;
     if (!has(document, "end")) return end;
@@ -100,7 +100,7 @@ Lesson read_lesson_or_lecture(const Json& document, const fs::path& folder, cons
                                 : read_lesson(document, folder, where, mistakes);
 }
 
-/// Reads the part that a list shows, even if the rest of the file is invalid.
+/// Reads the data that a list shows, even if the rest of the file is invalid.
 LessonFile glance_at(const fs::path& path) {
     LessonFile file{path.stem().string(), {path.stem().string(), ""}, {}, 0, 0, path};
     const Result<std::string> text = read_text_file(path);

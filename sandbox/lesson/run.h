@@ -58,9 +58,9 @@ public:
     /// Why the latest answer could not be judged or pasted, "" if it could. The next answer or step clears it.
     const std::string& trouble() const { return now().trouble; }
     void tell_trouble(std::string sentence) { now().trouble = std::move(sentence); }
-    /// Returns, for each entered number, the typed text if it is not a number; otherwise an empty text.
+    /// Returns, for each number to be entered, the typed text if it is not a number; otherwise an empty text.
     std::vector<std::string>& unread() { return now().unread; }
-    /// Returns the first of these texts; "" if every number can be read.
+    /// Returns the first of these texts that is not empty; "" if every number can be read.
     std::string first_unread() const;
     /// Whether this choice was checked and is wrong.
     bool is_tried(std::size_t choice) const;

@@ -135,8 +135,8 @@ bool has_words_of(std::string_view text, std::string_view wanted) {
     return false;
 }
 
-/// Whether a text belongs to a control that the step lists, such as "light/position/x". The question
-/// starts from such a text.
+/// Whether a text belongs to a control that the step lists, such as "light/position/x". The question takes such a text
+/// as given.
 bool is_given(const LessonStep& step, const SeenText& text) {
     const std::vector<std::string>& controls = step.start.params.view.layout.controls;
     return std::any_of(controls.begin(), controls.end(), [&](std::string path) {

@@ -25,7 +25,7 @@ struct SeenText {
 /// - the right choice as a whole line or a whole number, if no wrong choice is visible;
 /// - a row or a column of texts that equals the right order of three or more items.
 /// Texts in the step's own sentences, question and hints do not count as findings, nor do those in its own controls
-/// (layout.controls): the question starts from them.
+/// (layout.controls), which the question takes as given.
 std::vector<std::string> seen_answers(const LessonStep& step, const Answer& right, const std::vector<SeenText>& texts);
 
 }  // namespace viewing

@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// The calls in the list of passes that can be named, by how they begin: "call:glClear" is the first line of the list
+/// The beginnings of the calls that can be named in the list of passes: "call:glClear" is the first line of the list
 /// that begins that way.
 inline constexpr const char* named_calls[] = {"glClear(", "glDepthMask(GL_FALSE)", "glEnable(GL_CULL_FACE)"};
 

@@ -18,8 +18,8 @@ void read_shown_matrix(const Json& object, Ask& ask, const std::vector<std::stri
 /// Returns the matrix with these 16 numbers, given row by row.
 glm::dmat4 matrix_of_rows(const std::vector<double>& numbers);
 
-/// Returns the product of the first one, two, … of these items' factors, as written from left to right. Fails if a
-/// factor is not a 4×4 matrix.
+/// Returns the running products of these items' factors, as written from left to right: the product of the first one,
+/// of the first two, and so on. Fails if a factor is not a 4×4 matrix.
 Result<std::vector<glm::dmat4>> products_of(const Ask& ask, const std::vector<int>& items,
                                             const Surroundings& surroundings);
 

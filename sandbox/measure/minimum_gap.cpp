@@ -14,11 +14,11 @@ namespace {
 constexpr glm::ivec2 size_px(48, 48);
 constexpr double most_turned_deg = 8.0;      ///< rotation of the quads, as in the pairs of the scene `coplanar`
 constexpr double share_of_view = 0.6;        ///< half the side of a quad, relative to half the view's height
-constexpr double share_of_room = 0.9;        ///< the widest gap tried, relative to the distance from the near plane
+constexpr double share_of_room = 0.9;        ///< the widest gap, relative to the pair's distance from the near plane
 constexpr double narrowest = 1e-12;          ///< the smallest gap tried, relative to the distance
 constexpr double widest_narrow_code = 1e-3;  ///< the widest code that counts as narrow, relative to the distance
 constexpr int places = 8;                    ///< positions of the pair for each gap
-constexpr int halvings = 4;                  ///< bisections; the first one halves a factor of 2
+constexpr int halvings = 4;                  ///< bisections; the first interval spans a factor of 2
 
 /// Returns the state with a camera at the origin that looks along −z, without settings that offset depth or keep it
 /// from being cleared.

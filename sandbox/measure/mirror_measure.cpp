@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the plan for one way with GL's depth buffer, in color, whatever the state's own view shows.
+/// Returns the plan for one of the ways, with GL's depth buffer and in color, whatever the state's own view shows.
 FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const Viewport& viewport) {
     Params params = mirrored_in(state, way);
     params.visibility = {};

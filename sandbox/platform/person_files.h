@@ -22,8 +22,8 @@ void hand_over(const std::filesystem::path& written);
 /// Whether writing a file can replace one of the user's files; delivering a file never does.
 bool can_replace_files();
 
-/// Returns the name to use for a written file in a sentence: its path, or only its name if the folder is internal to
-/// the program.
+/// Returns the name by which a sentence refers to a written file: its path, or only its file name if the folder is
+/// internal to the program.
 std::string place_for_person(const std::filesystem::path& written);
 
 }  // namespace viewing

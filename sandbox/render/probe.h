@@ -30,7 +30,7 @@ public:
 
 private:
     PixelReport report(glm::ivec2 pixel, const ReadPixel& read, const Scene& scene) const;
-    /// Returns the point in view space that P sends to `ndc`, on which a window depth is stored.
+    /// Returns the point in view space that P sends to `ndc` and whose stored depth is `window_depth`.
     glm::dvec3 unprojected(const glm::dvec2& ndc, double window_depth) const;
     void locate_without_lens(PixelReport& report, const glm::dvec2& ndc) const;
 

@@ -33,7 +33,7 @@ struct SurfaceKind {
     std::size_t lights = 0;  ///< for Shading::lit: number of lights, at least 1
     bool has_gloss = false;
     bool forces_sign = false;
-    bool depth_of_plane = false;  ///< with write_depth: of the plane on which a shadow lies
+    bool depth_of_plane = false;  ///< with write_depth: writes the depth of the plane on which a shadow lies
     auto operator<=>(const SurfaceKind&) const = default;
 };
 

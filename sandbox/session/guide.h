@@ -15,7 +15,7 @@ namespace viewing {
 
 class Guide {
 public:
-    /// Whether reveals are animated; otherwise they are instant, for users who are disturbed by motion.
+    /// Whether reveals are animated; otherwise they are instant, for users who are sensitive to motion.
     bool moves = true;
 
     /// Opens a lesson by its name or file, which is read in the background. `step` counts from 0.

@@ -28,7 +28,7 @@ struct Message {
     std::string text;
     bool is_error = false;
     double shown_s = 0.0;   ///< success messages disappear after a while
-    bool is_drawn = false;  ///< shown_s counts from then on
+    bool is_drawn = false;  ///< shown_s increases only once this is true
 };
 
 class Session {
@@ -69,8 +69,8 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Answers the question whether that file may be read. If `may_read` is true, this session may read any file in
-    /// that file's folder, no matter what names the file.
+    /// Answers the question whether that file may be read. If `may_read` is true, this session may read all files in
+    /// that file's folder, regardless of what refers to them.
     void answer(bool may_read);
 
     /// Moves the camera, which keeps moving until it comes to rest.
@@ -164,7 +164,7 @@ private:
         bool is_whole = false;                 ///< otherwise, only the scene is read
         bool may_be_silent = false;            ///< default appearance and layout count as not set
         bool is_first = false;                 ///< the session's first state
-        std::optional<std::string> told = {};  ///< the message when it arrives
+        std::optional<std::string> told = {};  ///< the message on arrival
     };
     struct Arrived {
         LoadedState state;
@@ -177,7 +177,7 @@ private:
     void aim_at_target();
     /// Remakes a scene immediately if the parameters of its formula changed: there is no file to wait for.
     void remake_scene();
-    void begin_here();  ///< makes the current camera its home
+    void begin_here();  ///< makes the current view the one that go_home() restores
     /// Gives up the awaited scene and restores the state from before it was named.
     void keep_scene();
     void take_over(const Step& step);

@@ -37,16 +37,16 @@ struct CameraParams {
     /// Returns eye, center and up of this camera; the center is at the depth of the target or, if the target is not at
     /// least 0.1 in front of the eye, at a distance of 1.
     LookAt look_at() const;
-    /// Sets position, angles and target from eye, center and up. Returns the reason if these are degenerate.
+    /// Sets position, angles and target from eye, center and up. Returns what makes them degenerate, if anything does.
     LookAtFault look(const LookAt& look_at);
     bool operator==(const CameraParams&) const = default;
 };
 
 struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
-    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: may_be_infinite()
+    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;  ///< far may be infinite: see may_have_infinite_far()
     double aspect = 0.0;  ///< aspect ratio (width ÷ height) that P assumes; 0: the view's own
-    double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window; a frustum's is in the near plane
+    double left = -0.32, right = 0.32, bottom = -0.18, top = 0.18;  ///< the window; for a frustum, in the near plane
 
     bool is_orthographic() const {
         return type == ProjectionType::orthographic || type == ProjectionType::orthographic_window;
@@ -94,7 +94,7 @@ struct Follow {
 struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
-    bool light_rays = false;    ///< draws rays from the light through the outline's vertices to their shadow
+    bool light_rays = false;    ///< draws rays from the light through the outline's vertices to their shadows
     bool mirrored_eye = false;  ///< draws the mirrored eye, and the frustum through which it sees the mirror image
     bool image_space = false;   ///< draws the scene again, behind the mirror
     bool operator==(const ObserverParams&) const = default;
@@ -167,7 +167,7 @@ struct Params {
     std::optional<Lens> lens_by_hand() const;
 
     /// Returns the state with a P entered by hand as its projection, if a lens produces that P: near, far and the edges
-    /// are then those of the picture. Its projection may have values beyond the fields' ranges.
+    /// are then those of the picture. Its projection may have values outside the fields' ranges.
     Params with_projection_by_hand() const;
 
     /// Returns the factor by which reflection.fovy enlarges the picture in a mirror; 1 if the mirror uses the camera's

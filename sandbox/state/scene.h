@@ -27,7 +27,7 @@ struct Scene {
     Bounds bounds_world;
     std::optional<CoplanarParams> made_from = {};  ///< the parameters of the formula that made the objects, if any
     std::filesystem::path file = {};               ///< its own file; empty for an asset or an inline scene
-    std::vector<std::filesystem::path> read = {};  ///< all files that were read for it, resolved
+    std::vector<std::filesystem::path> read = {};  ///< the resolved paths of all files that were read for it
     std::vector<std::string> notes = {};  ///< about its mesh files; like an error, each begins with its location
 
     const SceneObject* find(std::string_view name) const;

@@ -1,4 +1,4 @@
-// The parameters of the views. Read params.h for the rest.
+// The parameters of the views. See params.h for the rest.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -92,7 +92,7 @@ struct ViewParams {
     int call = -1;                    ///< the last draw call to draw, counted from 0; −1: draws all
     int triangle = -1;                ///< the number of triangles of that call to draw; −1: all
     int pass = -1;                    ///< the last pass to draw, counted from 0; −1: draws all
-    int derivation_step = -1;         ///< the last line of a derivation to show, counted from 0; −1: shows all
+    int derivation_step = -1;         ///< the number of a derivation's lines to show, not counting headings; −1: all
     double division = 1.0;            ///< in the clip space view: 0 eye space, 1 after the division by w
     double way = 0.0;                 ///< progress of a point: 0 world, 1 eye, 2 clip space, 3 NDC, 4 window
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;

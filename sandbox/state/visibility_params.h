@@ -1,4 +1,4 @@
-// The parameters of the hidden-surface methods. Read params.h for the rest.
+// The parameters of the hidden-surface methods. See params.h for the rest.
 #pragma once
 
 #include <glm/glm.hpp>

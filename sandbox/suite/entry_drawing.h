@@ -1,4 +1,4 @@
-// Loads everything that is needed to draw an entry of a suite, and computes the entry's numbers. Read entry_check.h for
+// Loads everything that is needed to draw an entry of a suite, and computes the entry's numbers. See entry_check.h for
 // the comparison.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A suite: states whose pictures and numbers must not change. Read suite_reader.cpp for the file format, entry_check.h
-// for the check of one entry, run.h for all of them.
+// A suite: states whose pictures and numbers must not change. See suite_reader.cpp for the file format, entry_check.h
+// for the check of one entry, and run.h for that of all entries.
 #pragma once
 
 #include <filesystem>
@@ -47,7 +47,7 @@ struct SuiteEntry {
     MaskSource mask;                           ///< parts of the picture that are not compared
     std::optional<double> matrices_tolerance;  ///< empty: matrices are not checked
     std::vector<SuiteMeasure> measures;
-    std::vector<std::string> wanted_problems;  ///< ids or parts of sentences; each must be in a reported problem
+    std::vector<std::string> wanted_problems;  ///< ids or parts of sentences; each must occur in a reported problem
     std::vector<std::string> unwanted_problems;
     bool allows_no_problem = false;
 };

@@ -1,6 +1,6 @@
-// The JSON library, for the files that build or read trees. The library only asserts that a constant object has the key
-// that is read; here such a read throws in every build, so that guarded() reports it and no build reads freed memory.
-// Include this only where a tree is needed, because the library's header compiles slowly.
+// The JSON library, for the files that build or read trees. When a key is read from a constant object, the library only
+// asserts that the key exists; here, reading a missing key throws in every build, so that guarded() reports it and no
+// build reads freed memory. Include this only where a tree is needed, because the library's header compiles slowly.
 #pragma once
 
 #include <stdexcept>

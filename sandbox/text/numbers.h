@@ -88,7 +88,7 @@ struct NumberChars {
 };
 
 /// How to write a magnitude too small for the decimals: 0.00; 4.00·10⁻⁵ unless it is a rounding residue; or 4.00·10⁻⁵
-/// down to the smallest.
+/// however small it is.
 enum class Tiny { zero, exponent, exact };
 /// Writes the same as number_text, with a choice for tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);

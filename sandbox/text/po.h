@@ -1,5 +1,5 @@
 // Translation catalogs in the format that translators' tools use: gettext's .po files. They are read without gettext,
-// which may not be installed. Read catalogue.h for their use.
+// which may not be installed. See catalogue.h for their use.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ bool is_in_name(char sign) {
     return is_small(sign) || (sign >= 'A' && sign <= 'Z') || (sign >= '0' && sign <= '9') || sign == '_';
 }
 
-/// Returns the length of the subscript behind the underscore at `at`; 0 if the underscore belongs to a name.
+/// Returns the length of the subscript after the underscore at `at`; 0 if the underscore belongs to a name.
 std::size_t subscript_length(std::string_view text, std::size_t at) {
     constexpr std::size_t longest = 4;
     constexpr std::string_view script_l = "ℓ";

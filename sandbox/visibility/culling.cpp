@@ -45,7 +45,7 @@ ScreenArea screen_area(const std::vector<glm::dvec2>& corners) {
     return result;
 }
 
-/// Decides by which side of a polygon's plane the eye is on.
+/// Decides based on which side of a polygon's plane the eye is on.
 class PlaneFacing {
 public:
     PlaneFacing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front)

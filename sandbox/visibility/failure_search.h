@@ -42,7 +42,7 @@ struct FailureView {
     OrbitView view;  ///< the view with the most wrong pixels, or the start if there are none; yaw in (−180, 180]
     glm::dvec3 position_world{0.0};
     std::int64_t wrong_pixels = 0;  ///< in that view, as difference() counts them
-    std::int64_t compared = 0;      ///< pixels of a picture
+    std::int64_t compared = 0;      ///< number of pixels in one picture
     int views_tried = 0;
     std::string sentence;  ///< the result, for the screen
 };

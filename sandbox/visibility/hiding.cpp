@@ -122,7 +122,7 @@ std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<con
 
 WholeOrder whole_order(int count, std::span<const HidingPair> pairs) {
     std::vector<std::vector<int>> later(static_cast<std::size_t>(count));
-    std::vector<int> earlier(static_cast<std::size_t>(count), 0);  // how many items must still come before
+    std::vector<int> earlier(static_cast<std::size_t>(count), 0);  // how many items must still come before each one
     for (const auto& [before, after] : pairs) {
         later[static_cast<std::size_t>(before)].push_back(after);
         ++earlier[static_cast<std::size_t>(after)];

@@ -270,7 +270,7 @@ private:
     std::vector<Projected> projected_;   ///< per fragment
     std::vector<double> let_go_beyond_;  ///< per fragment: as P, it passed its tests against every Q farther than this
     std::vector<bool> is_in_chain_;      ///< by fragment
-    std::vector<int> list_;              ///< not yet drawn; the next one is last
+    std::vector<int> list_;              ///< not yet drawn; the next one to draw is last
     std::vector<int> chain_;             ///< P is last, after those that wait for it
     NewellOrder result_;
 };

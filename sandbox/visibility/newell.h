@@ -67,7 +67,7 @@ struct NewellCounters {
 struct NewellOrder {
     std::vector<Polygon> fragments;  ///< all that ever existed, even those cut later; in world space
     std::vector<int> order;          ///< indices into fragments, back to front
-    double clipped_area = 0.0;       ///< area of the parts that were clipped: up to the near plane, or behind the eye
+    double clipped_area = 0.0;       ///< area of the clipped parts: in front of the near plane, or behind the eye
     std::vector<NewellStep> steps;
     std::int64_t steps_left_out = 0;
     NewellCounters counters;

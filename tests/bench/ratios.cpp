@@ -278,7 +278,7 @@ void compare_large_mesh(const Programs& programs, const fs::path& scratch, int r
                 Bound{Wanted::at_least, 10.0});
 }
 
-/// Our thread's milliseconds per frame, as bench-pictures prints them.
+/// The time that our thread spends on each frame, in milliseconds, as bench-pictures prints it.
 struct FrameCost {
     Samples numbers, ui, calls, submitted, whole;
 };

@@ -46,7 +46,7 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
 }
 
 /// Returns the number of levels by which the whole area can be darkened or brightened, whichever is larger, and true if
-/// that is the brightening.
+/// the area can be brightened more.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)

@@ -233,7 +233,7 @@ TEST_F(SuiteCommand, MaskedPixelsAreNotCompared) {
     refused({"suite", "run", "suite.json"}, {"entries[0].masks[0]", "[x, y, width, height]"});
 }
 
-/// `suite run`, `snapshot --compare` and `compare` all check masks before they draw anything.
+/// `suite run` refuses a wrong mask before it draws anything, and `compare` also refuses wrong masks.
 TEST_F(SuiteCommand, MasksAreCheckedFirst) {
     expect(0, {"snapshot", "--view", "depth", "--size", "80x45", "-o", "small.png"});
     expect(0, {"snapshot", "--view", "camera", "--size", "160x90", "--samples", "0", "-o", "picture.png"});

@@ -105,7 +105,7 @@ TEST_F(BufferRead, IsTheSameWithoutReadingDepthAndStencil) {
 }
 
 TEST_F(BufferRead, StencilIsReadByItsBits) {
-    // One renderer reads the stencil with GL, the other gathers it bit by bit. Both find the marks from 0 to 255, which
+    // One renderer reads the stencil with GL; the other gathers it bit by bit. Both find the marks from 0 to 255, which
     // are drawn side by side.
     Renderer without = without_reading();
     Scene scene = testing::scene_of({});

@@ -1,5 +1,6 @@
-// Compares pictures of rooms that have several planes, lights, and mirrors in mirrors with the oracle of ray_caster.h:
-// which object or patch each pixel shows, which lights are missing on it, and which stencil values remain at the end.
+// Checks pictures of rooms with several planes and lights, and with mirrors seen in mirrors, against the oracle of
+// ray_caster.h: which object or patch each pixel shows, which lights are missing on it, and which stencil values remain
+// at the end.
 #include "planes_room.h"
 #include "render/buffer_read.h"
 

@@ -33,7 +33,7 @@ protected:
     }
 
     /// Calls visit(report, fragments, clears_depth) for `pixels` random pixels of the state's picture. The report holds
-    /// the values read back, the fragments hold the computed ones.
+    /// the values read back; the fragments hold the computed ones.
     template <typename Visit>
     static void for_pixels_of(const Params& params, const Scene& scene, const Visit& visit) {
         const Derived derived = derive_for(params, scene, reconciled_px);

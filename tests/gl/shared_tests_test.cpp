@@ -43,7 +43,7 @@ int left_by(const StencilState& state, int value, int reference) {
 }
 
 /// Expects that the unified tests pass the same fragments, and returns how many tests differ from the original ones.
-/// Assumes that a pass may touch a pixel never, once or repeatedly.
+/// Assumes that a pass may touch a pixel zero, one, or several times.
 int expect_the_same_fragments(std::span<const Pass> passes) {
     const std::vector<StencilState> tests = shared_stencil_tests(passes);
     EXPECT_EQ(tests.size(), passes.size());

@@ -33,7 +33,7 @@ protected:
     }
 };
 
-/// Returns settings for a view from above at an angle, without multisampling and reflection, followed by `more`.
+/// Returns settings for a view from above at an angle, without multisampling or reflection, followed by `more`.
 std::vector<std::string> plain(std::vector<std::string> more) {
     std::vector<std::string> all = {"view.samples=0", "reflection.enabled=false", "camera.position=[0,6,8]",
                                     "camera.yaw=0",   "camera.pitch=-36.87",      "light.position=[4,8,0,1]"};
@@ -164,11 +164,13 @@ TEST_F(Technique, NothingBeyondTheLightCastsAShadow) {
         100);
 }
 
-/// The sign is forced for each vertex: a vertex beyond the light is negated, one in front of the light is unchanged.
+/// The sign is forced for each vertex: a vertex beyond the light is negated, and one in front of the light is
+/// unchanged.
 TEST_F(Technique, ForcedSignCastsAnAntiShadowThroughTheLight) {
     const std::vector<std::string> forced = plain({"shadow.sign=forced", "shadow.clip_at_light=false"});
     const Scene above = scene_of({object("above", box_mesh(), {5, 12, 0})});
-    // From (5, 12) through the light at (4, 8) down to the ground, twice as far below the light.
+    // From (5, 12) through the light at (4, 8) down to the ground, which is twice as far below the light as (5, 12) is
+    // above it.
     const glm::dvec3 through_the_light(4.0 + 2.0 * (4.0 - 5.0), 0.0, 0.3);
     const Rgb lit = color_at(plain({}), above, through_the_light);
     const Rgb dark = color_at(forced, above, through_the_light);

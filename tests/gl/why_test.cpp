@@ -96,8 +96,8 @@ protected:
         }
     }
 
-    /// At most one pixel in a thousand may differ, edges aside; compare() admits only those that are blended
-    /// repeatedly, where GL rounds to 8 bits each time.
+    /// At most one pixel in a thousand may differ, edges aside; compare() tolerates a difference only where something
+    /// is blended, since GL rounds to 8 bits at each blend.
     static void check(const Seen& seen) {
         std::string kinds;
         for (const auto& [kind, count] : seen.kinds) kinds += "\n  " + kind + ": " + std::to_string(count);

@@ -100,7 +100,7 @@ TEST_F(AnswerJudgeTest, ForgetsObsoleteQuestions) {
     EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "the abandoned question is asked again";
 }
 
-/// A change that closely follows a save is saved later. By then, nothing else may wake the window.
+/// A change that closely follows a save is saved later, at a time when perhaps nothing else wakes the window.
 TEST_F(AnswerJudgeTest, TheWindowWakesToSaveChanges) {
     std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);

@@ -220,7 +220,7 @@ TEST_F(LegibleSlowTest, TypeOnStage) {
     }
 }
 
-/// All text in the free window uses one scale of five sizes, indices included, and no digit is below 9 pixels.
+/// All text in the free window, subscripts included, uses one scale of five sizes, and no digit is below 9 pixels.
 /// Measures every eighth preset, or all with VIEWING_LONG_TESTS.
 TEST_F(LegibleSlowTest, TypeInTheWindow) {
     std::map<long, std::string> examples;  // by size in pixels

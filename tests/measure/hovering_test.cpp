@@ -1,5 +1,5 @@
 // The report on the pixel under the pointer arrives without waiting for GL: each read goes into a buffer and is fetched
-// when its fence has passed. The report belongs to the pixel that it names and to the picture on screen. Here, a fake
+// once its fence is signaled. The report belongs to the pixel that it names and to the picture on screen. Here, a fake
 // fence query makes GL seem slow.
 #include <thread>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr glm::ivec2 hovered_px(160, 90);
 
-bool is_slow = false;  ///< if true, no fence passes
+bool is_slow = false;  ///< if true, no fence is signaled
 int waits = 0;         ///< how often the program has waited for GL
 int copies = 0;        ///< number of reads into a buffer
 PFNGLREADPIXELSPROC read_pixels = nullptr;

@@ -36,7 +36,7 @@ Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = C
     return made;
 }
 
-// ---- codes and compares ------------------------------------------------------------------------------
+// ---- codes and comparisons ------------------------------------------------------------------------------
 
 TEST(FragmentText, CodesAreReadable) {
     EXPECT_EQ(code_text(15'955'400, bits_24), "15,955,400");

@@ -12,7 +12,7 @@ struct Control {
     Navigation mode = Navigation::fly;  ///< the mode in which the control is enabled
 };
 
-/// All controls of the panel that hold a value, with every section folded out in the opening state.
+/// All controls of the panel that hold a value, with every section expanded in the opening state.
 constexpr Control controls[] = {
     {"camera/navigation/Fly (6 DOF)", "camera.navigation"},
     {"camera/navigation/Walk (2 DOF)", "camera.navigation"},

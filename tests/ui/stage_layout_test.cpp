@@ -176,8 +176,8 @@ protected:
     }
 };
 
-/// The main view takes up half of a wide stage's area above the caption; matrices are shown in full, and no text is cut
-/// off.
+/// The main view takes up at least half of a wide stage's area above the caption; matrices are shown in full, and no
+/// text is cut off.
 TEST_F(FreeStage, EveryPresetFitsAWideStage) {
     expect_good_stages({1920, 1080}, Language::en);
 }

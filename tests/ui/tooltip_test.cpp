@@ -1,5 +1,5 @@
 // Each tooltip of the panel has its control's visible label as its title and names the path that --set takes. In the
-// formulas, words keep their spaces, and every sign exists in the fonts.
+// formulas, words keep their spaces, and the fonts have every character.
 #include <regex>
 
 #include "desk.h"

@@ -217,7 +217,7 @@ TEST_F(ViewTest, LabelsNeverCoverEachOther) {
     }
 }
 
-/// Labels keep off lines where there is enough space; elsewhere, the plate behind a label keeps it readable.
+/// Labels avoid lines where there is enough space; elsewhere, the plate behind a label keeps it readable.
 TEST_F(ViewTest, LabelsKeepOffLines) {
     std::mt19937 random(34);
     std::uniform_real_distribution<float> across(150, 1100), down(150, 650);

@@ -78,7 +78,7 @@ bool departs_from_opened() {
     return session.params != session.in_own_looks(Params{});
 }
 
-/// Whether an unanswered lesson step covers something on screen, which must then not be read aloud.
+/// Whether an unanswered lesson step covers something on screen, so that it must not be read aloud.
 bool hides_something() {
     const Guide& guide = page->studio.workbench.guide;
     return guide.is_shown() && !guide.run()->is_revealed() && !guide.run()->step().cover.empty();

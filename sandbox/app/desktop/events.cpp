@@ -109,8 +109,8 @@ KeyKind kind_of(int glfw_key) {
     return KeyKind::leaves;
 }
 
-/// Whether an input method composes characters from several keys, as in Korean. Every session with an input method sets
-/// XMODIFIERS.
+/// Whether an input method composes characters from several keystrokes, as for Korean. Every session with an input
+/// method sets XMODIFIERS.
 bool has_input_method() {
     static const bool has_one = [] {
         const char* const modifiers = std::getenv("XMODIFIERS");

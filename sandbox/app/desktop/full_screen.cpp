@@ -54,7 +54,7 @@ void set_place(GLFWwindow* window, const Area& area) {
     glfwSetWindowMonitor(window, nullptr, area.min.x, area.min.y, area.size.x, area.size.y, GLFW_DONT_CARE);
 }
 
-/// Moves the notes to the right part of the screen, and lets the stage fill the rest.
+/// Moves the notes to the right side of the screen, and lets the stage fill the rest.
 void share(GLFWmonitor* monitor, GLFWwindow* stage, GLFWwindow* notes) {
     constexpr int least_notes_width = 360;
     Area screen, border;  // border: left and top in min, right and bottom in size

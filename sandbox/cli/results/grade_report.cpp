@@ -269,7 +269,8 @@ std::string told_cell(const Verdict& verdict) {
 
 // ---- students ------------------------------------------------------------------------------------------------------
 
-/// Returns the question that was answered; null if no answer was judged, for example for another student's variant.
+/// Returns the question that was answered; null if no answer was judged, for example because the variant was another
+/// student's.
 const LessonStep* step_of(Grader& grader, const ItemGrade& item, std::size_t exercise) {
     if (item.judged() == 0) return nullptr;
     const Result<LessonStep>& step = grader.step(exercise, item.variant);

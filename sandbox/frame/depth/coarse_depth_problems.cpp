@@ -1,4 +1,4 @@
-// Reports surfaces that depth cannot tell apart: it is too coarse for the objects in view, or an object lies in a
+// Reports surfaces that depth cannot tell apart: depth is too coarse for the objects in view, or an object lies in a
 // plane. Part of problems.h.
 #include <algorithm>
 #include <array>
@@ -78,10 +78,10 @@ void say_coarse_depth(Sayer& tell, const Params& params, const Derived& derived,
         finer_depth(params, derived, seen, worst->farthest));
 }
 
-/// A pair of flat surfaces that fight or, since no prediction rules it out, may fight.
+/// A pair of flat surfaces that fight, or that may fight because no prediction rules this out.
 struct FightingPair {
     const FlatPair* pair;
-    double needed, distance;  ///< gap along the normal that depth reliably resolves; eye distance of that gap
+    double needed, distance;  ///< gap along the normal that depth reliably resolves; eye distance of the pair's center
 };
 
 /// Returns whether parts of both surfaces are in the picture and beyond near.

@@ -41,7 +41,7 @@ void read_codes(std::span<const std::uint32_t> stored, const DepthPrecision& rea
     }
 }
 
-/// Replaces the fraction of the window depth range with the fraction of the eye distance between near and far.
+/// Replaces the fraction of the window depth range with the fraction of the range of eye distances from near to far.
 void perspective_distances(Shares& shares, std::size_t count, const Lens& lens) {
     const auto near = static_cast<float>(lens.near), range = static_cast<float>(lens.shown_far() - lens.near);
     if (lens.is_infinite()) {

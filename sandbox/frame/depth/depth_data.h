@@ -13,7 +13,7 @@
 
 namespace viewing {
 
-/// Returns the limit just after the triangle that sends a fragment; none if GL does not draw that triangle.
+/// Returns the limit just after the triangle that this fragment comes from; none if GL does not draw that triangle.
 std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls);
 
 struct DepthData {

@@ -165,7 +165,8 @@ void say_clears(Sayer& tell, const Params& params, const Derived& derived, const
     if (!compares || rejects_all(depth) || !depth.write || is_covered_by_mirror(params, derived, scene) ||
         (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
         return;
-    // GL_LEQUAL passes the same surfaces again. It rejects only moving objects, and images, which their mirrors hide.
+    // GL_LEQUAL passes the same surfaces again. It rejects only moving objects, and mirror images, because the depths
+    // of their mirrors hide them.
     const bool shows = refuses_ties || params.reflection.enabled;
     const Sentence not_cleared =
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");

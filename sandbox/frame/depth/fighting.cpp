@@ -162,8 +162,8 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
-/// Returns the distance from a float32 to the next larger one, in units of 2⁻²⁴: more than the value, and at most twice
-/// the value.
+/// Returns the distance from a float32 to the next larger one, in units of 2⁻²⁴. The result is greater than the value,
+/// but at most twice as great.
 double float_step(double value) {
     return value > 0.0 ? std::exp2(std::floor(std::log2(value)) + 1.0) : 0.0;
 }

@@ -40,7 +40,7 @@ void ShareSpread::take(double share) {
 }
 
 Params trembling(const Params& state, int camera) {
-    constexpr double between_s = 0.83;  // shares no period with the jitter's two frequencies
+    constexpr double between_s = 0.83;  // not in step with either of the jitter's two frequencies
     Params params = state;
     params.animation.jiggle = true;
     params = animated(params, {.time_s = (camera + 1) * between_s});

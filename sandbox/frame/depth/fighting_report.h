@@ -60,7 +60,7 @@ struct FightingReport {
     struct Row {
         std::string first, second;  ///< the objects' names, in drawing order
         PairPrediction predicted;
-        ShareSpread spread;  ///< `cameras` is 0 until they are counted
+        ShareSpread spread;  ///< `cameras` is 0 until the spread is known
     };
     FightingCounts counts;
     /// A cure and its counts, for the same pairs and in a picture of the same size.

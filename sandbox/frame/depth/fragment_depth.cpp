@@ -55,8 +55,8 @@ double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
     return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
 
-/// Returns the largest change of depth to a neighboring pixel in x or y. `depth_there` and `distance_there` take
-/// weights.
+/// Returns the largest change in depth from the pixel to a neighboring pixel in x or y. `depth_there` and
+/// `distance_there` take weights.
 template <typename Depth, typename Distance>
 double steepest(const PixelTriangle& triangle, const PixelHit& hit, const glm::dvec2& neighbors_px, Depth depth_there,
                 Distance distance_there) {

@@ -19,7 +19,7 @@ namespace {
 /// A surface on the pixel's ray, before any test.
 struct Met {
     int object;         ///< index in the scene; −1: the patch
-    std::size_t place;  ///< of the triangle in its mesh or order
+    std::size_t place;  ///< of the triangle in its mesh, or in a method's order
     PixelTriangle triangle;
     PixelHit hit;
     glm::dvec3 point_scene;  ///< world space
@@ -87,7 +87,8 @@ private:
         return {clip_from_world_ * placed_from_model, pass_.view_from_world * placed_from_model, pixel_, size_px_};
     }
 
-    /// Returns what the pass's matrices make of a corner. Negates it in `seen` too if the pass forces the sign of w.
+    /// Returns a corner as the pass's matrices transform it. If the pass forces the sign of w and w is negative,
+    /// negates the corner in `seen`, too.
     ProjectedCorner projected(PixelCorner& seen, const glm::dvec3& corner, const glm::dmat4& world_from_space) const {
         const glm::dvec4 placed = pass_.world_from_scene * world_from_space * glm::dvec4(corner, 1.0);
         const glm::dvec4 clip = clip_from_world_ * placed, view = pass_.view_from_world * placed;
@@ -141,7 +142,7 @@ std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::iv
 }
 
 /// Returns the index of the object that a method's picture of large pixels shows, −1 for the background. None if GL
-/// draws, or if the picture has exactly the view's pixels.
+/// draws, or if the picture has the same size as the view.
 std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);
     if (!picture || picture->size_px == size_px) return std::nullopt;

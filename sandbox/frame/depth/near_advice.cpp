@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-constexpr double least_gain = 4.0;   // if less than this factor can be gained, near is fine
+constexpr double least_gain = 4.0;   // near is fine if a better one gains less than this factor
 constexpr double margin = 0.9;       // fraction of the nearest distance, so that a small camera move clips nothing
 constexpr double least_near = 1e-3;  // anything nearer counts as reaching the eye
 
@@ -31,8 +31,8 @@ struct Reach {
     }
 };
 
-/// Returns the sides of the view, the plane through the eye or a negative near, and far, in view space: p·(x, y, z, 1)
-/// ≥ 0 inside.
+/// Returns, in view space, the sides of the view, the plane through the eye (or the near plane if near is negative),
+/// and the far plane: p·(x, y, z, 1) ≥ 0 inside.
 std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
     // A negative near, which only an orthographic view has, also shows what is behind the eye.
     const glm::dvec4 front(0.0, 0.0, -1.0, -std::min(lens.near, 0.0)), far(0.0, 0.0, 1.0, lens.far);

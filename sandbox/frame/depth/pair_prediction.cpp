@@ -165,9 +165,9 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
 }
 
 /// Returns the wrong fraction if a polygon offset moves one of the two surfaces. GL does not define how many codes a
-/// unit spans, so the program measures it; it is exactly one if the shader adds the offset. Without a measurement, and
-/// for a float, a unit counts as at least one code. `lead` and `most_lead`: by how many codes, at least and at most,
-/// the surface that should be visible is nearer without the offset.
+/// unit spans, so the program measures the number; it is exactly one if the shader adds the offset. Without a
+/// measurement, and for a float, a unit counts as at least one code. `lead` and `most_lead`: by how many codes, at
+/// least and at most, the surface that should be visible is nearer without the offset.
 std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
                                                      bool decal_is_right, bool tie_is_wrong, double lead,
                                                      double most_lead, const SeenCodes& codes) {
@@ -228,7 +228,8 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     PairPrediction made;
     made.distance = -center_view.z;
     made.step = depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
-    // The pair extends this far toward the eye, which looks along −z; 0 if the pair faces the view direction.
+    // The pair extends this far toward the eye, which looks along −z; 0 if the pair is perpendicular to the view
+    // direction.
     const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
     made.onset = fighting_onset(coding, made.distance, span);
     if (!derived.has_distances) return made;

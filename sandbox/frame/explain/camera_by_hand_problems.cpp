@@ -25,8 +25,8 @@ std::string setting_of(const char* path, const glm::dmat4& matrix) {
     return text + "]";
 }
 
-/// Returns the setting that fixes a matrix; if no fix is known, the field alone, which clears the matrix entered by
-/// hand.
+/// Returns the setting that fixes a matrix; if no fix is known, only the field's name, which clears the matrix entered
+/// by hand.
 std::string fix_of(const char* path, const glm::dmat4& matrix, const ExplainedMatrix& found) {
     const std::optional<glm::dmat4> fixed = fixed_matrix(matrix, found);
     return fixed ? setting_of(path, *fixed) : path;

@@ -63,8 +63,8 @@ struct ExplainedMatrix {
 std::optional<FoundLens> read_lens(const glm::dmat4& m, bool zero_to_one, double tolerance);
 
 /// Returns whether a P, whose clip w is −z or 1, is made for a clip range 0 … 1. For reversed depth, the third row
-/// decides or, if near and far are close together, the state. Otherwise, each range has a near that gives the same
-/// third row: the range is 0 … 1 if only its near is the state's own or has at most two digits.
+/// decides or, if near and far are close together, the state does. Otherwise, the third row fits both ranges, each with
+/// a different near: the range is 0 … 1 if only its near is the state's own or has at most two digits.
 bool is_for_zero_to_one(const glm::dmat4& p, const Params& params, double tolerance);
 
 /// Explains `pasted`, indexed as GLM does ([column][row]). `named`: the letter of the expected matrix, 0 if any.

@@ -5,7 +5,7 @@
 
 namespace viewing {
 
-/// A fault's name in JSON, what is wrong, and the fix; both texts are marked for translation.
+/// A fault's name in JSON, what is wrong, and the fix; the last two are marked for translation.
 struct FaultWords {
     const char* name;
     const char* wrong;

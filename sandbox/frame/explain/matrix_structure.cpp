@@ -193,7 +193,7 @@ bool explain_projection(ExplainedMatrix& found, const dmat4& m, char named, cons
 bool explain_structure(ExplainedMatrix& found, const dmat4& m, char named, const StateMatrices& state,
                        double tolerance) {
     if (named == 'S' && explain_shadow(found, m, state, tolerance))
-        return true;  // diag(1, 0, 1, 1) is also half a mirror
+        return true;  // diag(1, 0, 1, 1) also looks like a mirror whose normal is not a unit vector
     return explain_projection(found, m, named, state, tolerance) || explain_mirror(found, m, tolerance) ||
            explain_pose(found, m, named, state, tolerance) || explain_shadow(found, m, state, tolerance);
 }

@@ -104,7 +104,7 @@ Result<PastedMatrix> read_pasted_matrix(std::string_view text) {
     const std::string_view whole = plain, front = whole.substr(0, equals);
     const std::string_view body = equals == std::string::npos ? whole : whole.substr(equals + 1);
     std::vector<double> numbers = numbers_in(body);
-    // A second assignment may follow, such as shadow_sign; dtype=… may follow inside the first.
+    // A second assignment may follow, such as that of shadow_sign; within the first, dtype=… may follow the numbers.
     if (numbers.size() != 16) numbers = numbers_in(body.substr(0, body.find('=')));
     if (numbers.size() != 16) numbers = numbers_in(front);
     if (numbers.size() != 16) numbers = numbers_in(whole);

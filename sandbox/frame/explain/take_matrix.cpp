@@ -151,7 +151,7 @@ bool take_matrix(Params& params, char letter, const dmat4& matrix, double view_a
     if (letter == 'S' || letter == 'R') return enter_by_hand(params, letter, matrix);
     Params taken = params;
     if (letter == 'V')
-        take_camera(taken, view_from_world(matrix));  // the inverse of a rigid matrix, in either direction
+        take_camera(taken, view_from_world(matrix));  // view_from_world() inverts any rigid matrix, V as well as C
     if (letter == 'C') take_camera(taken, matrix);
     if (letter == 'P' && !take_projection(taken, matrix, view_aspect, tolerance)) return false;
     return take_if_legal(params, std::move(taken));

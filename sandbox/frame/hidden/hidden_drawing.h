@@ -11,7 +11,7 @@
 
 namespace viewing {
 
-/// A corner of a triangle, along the world's axes; named like the vertex attributes.
+/// A corner of a triangle, in coordinates along the world's axes. The members are named like the vertex attributes.
 struct OrderedVertex {
     glm::vec3 position_relative;  ///< to HiddenDrawing::origin_world
     glm::vec3 normal_world;

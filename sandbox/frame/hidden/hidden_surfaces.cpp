@@ -86,7 +86,7 @@ void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress
                                    progress));
 }
 
-/// Returns the pixel whose ray is shown: the step's or, without a step, the followed one.
+/// Returns the pixel whose ray is shown: the step's pixel or, without a step, the followed pixel.
 std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
     const HiddenRequest& request = result.request;
     const int columns = request.size_px.x;

@@ -119,8 +119,8 @@ public:
     /// If canceled, the solver has only the first polygons of the scene: enough to answer the caller who canceled.
     explicit HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress = nullptr);
 
-    /// Solves a request. `depth_buffer` and `none` give the scene's own order and no picture, since GL draws it. If
-    /// canceled, the result has a problem sentence.
+    /// Solves a request. `depth_buffer` and `none` give the scene's own order but no picture, since GL draws the
+    /// picture. If canceled, the result has a problem sentence.
     std::shared_ptr<const HiddenResult> solve(const HiddenRequest& request, WorkProgress* progress = nullptr);
 
     const std::shared_ptr<const SceneSurface>& surface() const { return surface_; }

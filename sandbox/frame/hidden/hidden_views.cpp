@@ -5,8 +5,8 @@
 namespace viewing {
 namespace {
 
-/// Returns whether the result's own image is the one shown. For other methods, GL draws the polygons and rounds the
-/// positions of their corners.
+/// Returns whether the result's own image is the one shown. If not, GL draws the polygons and rounds the positions of
+/// their corners.
 bool has_image(const HiddenResult& result) {
     return draws_pixels(result.request.visibility);
 }

@@ -19,7 +19,7 @@ struct HiddenQuestion {
     bool operator==(const HiddenQuestion&) const = default;
 };
 
-/// Returns the question of a state; none if GL draws everything by itself and nothing about a method is shown.
+/// Returns the question that a state asks; none if GL draws everything by itself and nothing about a method is shown.
 std::optional<HiddenQuestion> hidden_question(const Params& params, const Derived& derived, glm::ivec2 size_px);
 
 struct HiddenAnswer {

@@ -35,9 +35,9 @@ glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
                      {-n.x, -n.y, -n.z, n_dot_l});
 }
 
-/// Classifies a ray; the derivation's light, plane, point and point_height must be set already. `approach` is how fast
-/// the line from p toward the light moves away from the plane: n·(l − p), or n·l for a parallel light. It is zero if
-/// the line is parallel to the plane.
+/// Classifies a ray; the derivation's light, plane, point and point_height must be set already. `approach` is the rate
+/// at which the signed distance from the plane grows along the line from p toward the light: n·(l − p), or n·l for a
+/// parallel light. It is zero if the line is parallel to the plane.
 ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_light, double plane_dot_light,
                  double approach) {
     if (lies_in_plane(derivation.unit_plane, derivation.light)) return ShadowRay::light_in_plane;

@@ -14,10 +14,10 @@ glm::dvec3 derivation_point(const Derived& derived);
 
 /// The path of the ray from the light through p.
 enum class ShadowRay {
-    regular,         ///< it passes p and then meets the plane
+    regular,         ///< it passes through p and then meets the plane
     point_in_plane,  ///< p is its own shadow
     point_behind,    ///< it meets the plane before it reaches p
-    beyond_light,    ///< p is farther from the plane than the light: the line meets the plane behind the light
+    beyond_light,    ///< p is farther from the plane than the light is: the line meets the plane behind the light
     parallel,        ///< the ray is parallel to the plane and never meets it
     light_in_plane,  ///< S sends every point to the light itself
     at_light         ///< p is at the light: there is no ray
@@ -53,8 +53,8 @@ struct ShadowDerivation {
 };
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world);
 
-/// The same matrix three times, each as written on its slide. The first two are present only if l_w = 1, and Blinn's
-/// only if, in addition, the plane is y = 0 with its normal up.
+/// The same matrix three times, each as written on its slide. The first two are present only if l_w = 1; the first,
+/// Blinn's, also requires the plane y = 0 with its normal up.
 struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …

@@ -15,7 +15,7 @@ struct WayThroughMirrors {
     std::vector<glm::dvec4> inside;    ///< all positive where a point's image is seen in each mirror, beyond near
     glm::dvec4 side{0.0};              ///< positive on the side of the last mirror whose points the mirror should show
     glm::dvec4 distance{0.0};          ///< the image's eye distance
-    glm::dvec4 before_far{0.0};        ///< positive for images that far keeps
+    glm::dvec4 before_far{0.0};        ///< positive for images that far does not cut off
 
     /// Returns forms that are positive where the last mirror shows a point although the point is behind the mirror by
     /// more than `tolerance` (world units).
@@ -35,8 +35,8 @@ struct SeenImage {
     bool is_shown = false, is_cut_off = false;  ///< some vertices are nearer than far; some are beyond it
 };
 
-/// Returns the objects that have such an image, in the order of the scene. Judges at most a few sampled vertices of
-/// each object. Empty if the frame draws no mirror.
+/// Returns one entry for each object that has such an image, in the order of the scene. Judges at most a few sampled
+/// vertices of each object. Empty if the frame draws no mirror.
 std::vector<SeenImage> seen_images(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 

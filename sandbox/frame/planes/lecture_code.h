@@ -29,8 +29,8 @@ CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab);
 
 /// Returns the lines of ReflectionMatrix for a plane, correct only for a unit normal. `printed_by_rows`: the array is
-/// filled by rows as on the slide, so that GL gets the transpose; otherwise it is filled by columns, which is correct.
-/// `plus_2ab`: with that mistake.
+/// filled by rows as on the slide, so GL gets the transpose; otherwise it is filled by columns, which is correct.
+/// `plus_2ab`: as in mirror_matrix_as_typed().
 CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab = false);
 
 }  // namespace viewing

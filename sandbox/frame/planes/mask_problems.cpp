@@ -37,8 +37,8 @@ double coarse_gap(const Params& params, const Derived& derived, const Mirror& mi
     return gap * std::abs(glm::dot(glm::dvec3(mirror.towards_eye()), line_of_sight(derived.eye_world, center)));
 }
 
-/// Reports images that the mirror does not cover although it is blended over them, because depth alone decides: there
-/// is no stencil.
+/// Reports images that the mirror should be blended over but does not cover, because there is no stencil and depth
+/// alone decides.
 void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                    const Scene& scene) {
     if (!lets_nearer_win(params)) return;
@@ -54,8 +54,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
                          "plane gives the image different depths: it appears in front of the mirror"),
                 "reflection.stencil");
-        // An image is in front of its mirror only without clipping, or with a wrong R or P: where the picture shows it,
-        // its depth is that of a point in front.
+        // An image is in front of its mirror only without clipping, or with a wrong R or P: its depth, at the pixel
+        // where it is seen, is then that of a point in front of the mirror.
         const glm::dvec4 image_towards_eye =
             mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
         std::vector<std::string> in_front, touching;
@@ -100,7 +100,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
         return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
                                     mirror.towards_eye(), mirror.plane.patch});
     };
-    // Where depth hides the patch, it does not mark the stencil either.
+    // Where depth hides the patch, the patch does not mark the stencil either.
     const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
         return loses_part(mirror.plane.patch, params, derived);
     });

@@ -51,14 +51,15 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                         "least"_a = least, "most"_a = most));
 }
 
-/// Returns whether a patch covers the image of its part behind a mirror: it is perpendicular to the mirror, so that the
-/// image lies in the patch's own plane, and more than half of it is in front.
+/// Returns whether a patch covers the image of its part behind a mirror: the patch is perpendicular to the mirror, so
+/// the image lies in the patch's own plane, and more than half of the patch is in front of the mirror.
 bool covers_own_image(const DerivedPlane& patch, const DerivedPlane& mirror, const glm::dvec4& side) {
     const double cosine = glm::dot(glm::dvec3(patch.unit_plane), glm::dvec3(mirror.unit_plane));
     return std::abs(cosine) < 1e-9 && glm::dot(side, glm::dvec4(patch.patch.center, 1.0)) > 0.0;
 }
 
-/// Reports what is behind a mirror, which shows it if nothing is clipped: other planes' patches, or else objects.
+/// Reports what is behind a mirror but appears in it if nothing is clipped: other planes' patches or, if there are
+/// none, objects.
 void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
                 const Scene& scene) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);

@@ -55,7 +55,7 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
     const DepthPrecision precision = precision_of(params.depth.format);
     const bool zero_to_one = frame.clip_zero_to_one;
     const glm::dmat4& image_from_scene = mirror.mirrored_world_from_world;
-    // The mirrored camera sees the scene itself the way the camera sees its image.
+    // The mirrored camera sees the scene itself as the camera sees the scene's image.
     const bool by_camera = params.reflection.mirrored == MirroredThing::camera;
     const glm::dmat4 scene_from_image = glm::inverse(image_from_scene);
     const DepthAlong oblique(by_camera ? image->clip_from_world * scene_from_image : image->clip_from_world, precision,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_vertices = 20'000;
 constexpr double touching = 1e-6;      ///< objects on the plane may reach this far behind it
-constexpr double farthest = 1e3;       ///< limit of the ratio of a shadow's distance from the light to its vertex's
+constexpr double farthest = 1e3;       ///< largest ratio of a shadow's distance from the light to its vertex's distance
 constexpr double straight_on = 1e-12;  ///< smaller turns, relative to the shadow's squared size, count as straight
 
 /// A shadow in the plane's own coordinates, with the vertex that casts it.

@@ -1,5 +1,5 @@
-// Finds the object between a point of a surface and a light, and the effect of a frame's shadow passes there. Read
-// why.h next.
+// Finds the object between a point of a surface and a light, and what a frame's shadow passes do there. Read why.h
+// next.
 #pragma once
 
 #include <optional>

@@ -36,8 +36,8 @@ struct PixelChain {
     /// Returns how many touches write color, as the overdraw picture counts them.
     std::size_t times_painted() const;
 
-    /// Returns the last touch that paints a surface of the real world or, behind these mirrors, of what they show; null
-    /// for the background.
+    /// Returns the last touch that paints a surface of the real world or, with `mirrors_met`, of what those mirrors
+    /// show; null for the background.
     const Touch* surface(const FramePlan& plan, std::span<const std::size_t> mirrors_met = {}) const;
 };
 

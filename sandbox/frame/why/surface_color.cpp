@@ -26,7 +26,7 @@ double smooth(double low, double high, double x) {
 struct ShadedPoint {
     glm::dvec3 position_world{0.0};  ///< after the pass's S or R
     glm::dvec3 normal_world{0.0};    ///< any length
-    glm::dvec3 face_world{0.0};      ///< normal of the triangle itself; 0: `normal_world` points toward the eye already
+    glm::dvec3 face_world{0.0};      ///< normal of the triangle itself; 0: `normal_world` already points toward the eye
     glm::dvec3 albedo_linear{0.0};
 };
 

@@ -25,7 +25,8 @@ struct SurfaceColor {
     std::vector<LightShare> lights;
 };
 
-/// Returns the color of a fragment that everything_at() found at this pixel. Heat maps are not computed: black.
+/// Returns the color of a fragment that everything_at() found at this pixel. The colors of heat maps are not computed:
+/// the result is black.
 SurfaceColor surface_color(const FramePlan& plan, const Scene& scene, const Fragment& fragment, glm::ivec2 pixel,
                            glm::ivec2 size_px);
 

@@ -55,7 +55,8 @@ struct WhyQuestion {
     std::span<const Problem> problems;  ///< of this state: each fix is tried at the pixel
     glm::ivec2 pixel;                   ///< inside the picture
     std::optional<Color> read_back{};   ///< the color in the buffer, if it is known
-    /// Runs the hidden-surface method for another state; without it, fixes of the method are not tried.
+    /// Runs the hidden-surface method for another state; without it, fixes whose state uses such a method are not
+    /// tried.
     std::function<HiddenPictures(const Params&, const Derived&)> solve{};
 };
 Why why(const WhyQuestion& question);

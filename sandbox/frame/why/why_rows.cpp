@@ -34,8 +34,8 @@ glm::dmat4 image_from_scene(const Derived& derived, const std::vector<std::size_
     return made;
 }
 
-/// Says what a fragment does in its pass: the tests with their numbers, and what it writes. `below`: the fragment that
-/// the same method has painted there before; null if there is none.
+/// Says what a fragment does in its pass: the tests with their numbers, and what it writes. `below`: the previous
+/// fragment that the same method painted there; null if there is none.
 std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch* below) {
     const Fragment& fragment = touch.fragment;
     const Pass& pass = question.plan.passes[fragment.pass];

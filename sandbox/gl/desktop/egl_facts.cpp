@@ -1,4 +1,4 @@
-// Separate from facts.cpp, because EGL's own header conflicts with the one of the GL loader.
+// Separate from facts.cpp, because EGL's own header conflicts with the GL loader's.
 #include <dlfcn.h>
 #include <EGL/egl.h>
 

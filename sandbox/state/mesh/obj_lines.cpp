@@ -61,7 +61,7 @@ private:
     bool is_usable(int position, std::uint64_t face);
     std::string without_faces() const;
     void note_what_is_left_out();
-    /// `token` is the wrong part of the line; empty if there is none to point at.
+    /// `token` is the invalid part of the line; empty if there is none to point at.
     void refuse(const std::string& what, std::string_view token = {});
 
     /// A recurring finding: its count, and the sentence for its first occurrence.

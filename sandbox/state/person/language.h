@@ -17,8 +17,8 @@ constexpr const char* own_name(Language language) {
     return language == Language::ko ? "한국어" : "English";
 }
 
-/// Sets the language of all texts looked up from now on. If its file cannot be read, the texts are English and the
-/// error is one sentence; a text without a translation appears in English.
+/// Sets the language of all texts looked up from now on. If its file cannot be read, the texts are English, and the
+/// returned error says why in one sentence; a text without a translation appears in English.
 Status speak(Language language);
 
 /// Returns the most recently set language; initially English.

@@ -4,10 +4,10 @@
 namespace viewing {
 
 struct MouseHabits {
-    bool keeps_horizon = true;  ///< fly: a drag turns yaw about the world's up axis, so that it never tilts the horizon
-    bool right_pans = false;    ///< the right button shifts the picture instead of looking around; in orbit, always
+    bool keeps_horizon = true;  ///< fly: dragging yaws about the world's up axis, so that it never tilts the horizon
+    bool right_pans = false;    ///< the right button shifts the picture instead of looking around; always in orbit
     bool middle_pans = false;   ///< the middle button shifts the picture instead of orbiting; with Shift, vice versa
-    bool inverts_y = false;     ///< a drag upward looks down
+    bool inverts_y = false;     ///< dragging upward looks down
     double sensitivity = 1.0;   ///< multiplies the angle per pixel; least_sensitivity … greatest_sensitivity
     bool operator==(const MouseHabits&) const = default;
 };

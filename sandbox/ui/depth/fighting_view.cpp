@@ -162,7 +162,8 @@ void draw_bar(float share, ImU32 color) {
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-/// Counted values are gray while they belong to an earlier state; values with a formula always belong to this one.
+/// Counted values are gray while they belong to an earlier state; values given by a formula always belong to the
+/// current one.
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
     if (column == counted || column == pixels || column == jittered_mean)
         return is_behind ? palette().quiet : row.fights ? palette().trouble : palette().text;

@@ -7,12 +7,12 @@
 
 namespace viewing {
 
-/// Draws a toggle for the small raster, and its columns and rows.
+/// Draws a toggle for the small raster, and fields for its columns and rows.
 void draw_raster_row(Params& params);
 
 /// Draws one row for the steps that touch the followed pixel, one for the step's group, and one for the step within its
-/// group. The first two rows have buttons that go to the previous and the next one. Omits the last two rows if the
-/// method's steps have only one level.
+/// group. The first two rows have buttons that go back and forward. Omits the last two rows if the method's steps have
+/// only one level.
 void draw_step_rows(Params& params, const HiddenResult& result);
 
 /// Draws one line with the same buttons, the buttons for single steps, and the step's progress. The line is for a view

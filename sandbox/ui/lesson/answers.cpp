@@ -52,7 +52,7 @@ std::size_t numbers_in_a_row(const Ask& ask) {
     return static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : std::min(ask.rows, most_in_a_row));
 }
 
-/// Type and sizes of tiles and fields, in pixels: larger for an audience.
+/// The font and the sizes of tiles and fields, in pixels: larger for an audience.
 struct AnswerSizes {
     AnswerSizes(const widgets::Context& context, bool presents)
         : font(presents ? context.fonts.caption : context.fonts.text),

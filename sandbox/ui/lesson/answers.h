@@ -16,8 +16,8 @@ struct AnswerStyle {
     bool presents = false;     ///< for an audience: larger
 };
 
-/// Draws the input and edits the run's answer. Returns true when a click on a choice, or Enter in the last number, has
-/// submitted the answer. Ordered answers are submitted with the Check button.
+/// Draws the input and edits the run's answer. Returns true when a click on a choice, or Enter in the last number
+/// field, has submitted the answer. Ordered answers are submitted with the Check button.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
 /// Whether answers of this kind need the Check button.

@@ -1,4 +1,5 @@
-// The card at the end of a lesson: three sentences about what was seen, the lessons it builds on, and what comes next.
+// The card at the end of a lesson: three sentences about what was seen, followed by the lessons that this one builds on
+// and what comes next.
 #pragma once
 
 #include <memory>
@@ -22,7 +23,7 @@ public:
     Wishes draw(const LessonRun& run, bool presents, const Pictures& pictures);
     /// Returns the picture that the card shows: that of the lesson's first step, after its answer.
     static CardPicture wanted_picture(const LessonRun& run);
-    /// Returns those of the card's texts that occur in no lesson's steps, so that the fonts can be loaded with their
+    /// Returns the card's texts that do not occur in any lesson's steps, so that the fonts can be loaded with their
     /// characters.
     std::vector<std::string> texts(const LessonRun& run);
 
@@ -32,7 +33,7 @@ private:
     void draw_what_follows(bool presents, float width, Wishes& wishes) const;
 
     const LessonEnd* of_ = nullptr;
-    std::shared_ptr<const Lesson> lesson_;  ///< keeps the target of of_ alive
+    std::shared_ptr<const Lesson> lesson_;  ///< keeps *of_ alive
     std::optional<LessonFile> next_;        ///< the lesson that follows in the course
     std::vector<LessonText> needs_;         ///< the titles of the lessons that this one needs
     LessonText next_part_, exercise_;

@@ -1,5 +1,5 @@
 // Two pages: one shows the student, the progress, and the list of exercises; the other compares a typed matrix with the
-// right one. Read session/exercise_desk.h for the data.
+// right one. See session/exercise_desk.h for the data.
 #pragma once
 
 #include <optional>
@@ -44,8 +44,8 @@ private:
 class TypedMatrix {
 public:
     bool is_open() const { return mine_.has_value(); }
-    /// Opens the page; `run` must be at a step whose answer is a matrix or a product that a field shows
-    /// (Ask::shows_as).
+    /// Opens the page; `run` must be at a step whose answer is a matrix or a product, with a field that shows its
+    /// effect (Ask::shows_as).
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);

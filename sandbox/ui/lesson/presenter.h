@@ -1,6 +1,6 @@
 // Presenter mode: a lesson's step or, without a lesson, the current state, in front of an audience. It handles a
 // clicker's keys and a few more, and draws overlays: a blank screen, a pointer, ink, and votes. Everything underneath
-// stays live. Read session/guide.h for the navigation through a lesson.
+// stays live. See session/guide.h for the navigation through a lesson.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ public:
     /// Returns the requested full-screen state, if any, and clears the request.
     std::optional<bool> take_wish_for_full_screen() { return std::exchange(wants_full_screen_, std::nullopt); }
 
-    /// Handles a key. Returns true if presenter mode used the key; nothing else should use it then.
+    /// Handles a key. Returns true if presenter mode used the key; nothing else should then use it.
     bool take(const KeyPress& press, Guide& guide, Session& session);
     /// Call once a frame with the keys and buttons that are held down.
     void update(const FrameInput& input, Guide& guide, Session& session);

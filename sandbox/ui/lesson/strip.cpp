@@ -72,7 +72,7 @@ std::vector<bool> line_breaks(const std::vector<const char*>& labels, float widt
     return breaks;
 }
 
-/// Height of the buttons, with space for Restore, which may appear later.
+/// Height of the buttons, including space for Restore, which may appear later.
 float buttons_height(const LessonRun& run, float width, const widgets::Context& context, StripLook look) {
     look.departs = true;
     const std::vector<bool> breaks = line_breaks(button_labels(run, look), width, context);

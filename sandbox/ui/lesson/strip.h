@@ -1,5 +1,5 @@
 // The strip below the views during a lesson: the step's text, its question with the answers, and the buttons. In
-// presenter mode it has no buttons. Read session/guide.h for the effect of each button.
+// presenter mode it has no buttons. See session/guide.h for the effect of each button.
 #pragma once
 
 #include <string>

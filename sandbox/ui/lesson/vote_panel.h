@@ -1,4 +1,4 @@
-// The audience's votes, drawn over the stage: the lecturer types the counts, and bars show the shares. Read
+// The audience's votes, drawn over the stage: the lecturer types the counts, and bars show each choice's share. Read
 // lesson/votes.h first.
 #pragma once
 
@@ -16,7 +16,7 @@ int digit_of(Key key);
 class VotePanel {
 public:
     bool is_shown() const { return is_shown_; }
-    /// Whether letters and digits are typed into the counts rather than acting as other keys.
+    /// Whether letters and digits are typed into the counts instead of acting as shortcuts.
     bool is_typing() const { return is_typing_; }
     void close();
 

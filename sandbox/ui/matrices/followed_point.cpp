@@ -65,7 +65,7 @@ struct LineStyle {
     std::size_t digits;
 };
 
-/// Draws p: as text or, if the point is not a vertex, as numbers to type. `text`: its value.
+/// Draws p: as text or, if the point is not a vertex, as number fields. `text`: its value.
 void point_line(Params& params, float column, const std::string& text) {
     if (!params.follow->point || widgets::IsCovered("follow:p"))
         return followed_line("follow:p", "p", column, text, Role::point, widgets::IsCovered("follow:p"));

@@ -294,7 +294,8 @@ float growth_of(std::span<const std::string> listed, bool has_symbols, float pad
     return std::clamp((ImGui::GetContentRegionAvail().y - fixed) / matrices, 1.0F, largest);
 }
 
-/// Returns which transformations of a point to show: the camera's, unless S, R, or no matrix at all is shown.
+/// Returns which transformations of a point to show: the camera's if V or P is shown and S and R are not, otherwise the
+/// plane's.
 PointNumbers point_numbers(std::span<const std::string> matrices) {
     const auto has = [matrices](const char* name) { return is_named(matrices, name); };
     return (has("V") || has("P")) && !has("S") && !has("R") ? PointNumbers::camera : PointNumbers::plane;

@@ -12,7 +12,7 @@ namespace viewing {
 enum class OtherState { before_edit, preset, fixed };
 
 /// Returns the state before the latest edit, the state of the open preset, or the state with the first problem fixed;
-/// nullopt if there is none or if nothing that the second picture can show is different.
+/// nullopt if there is none, or if it differs in nothing that the second picture can show.
 std::optional<Params> other_state(OtherState which, const Session& session, const std::vector<Problem>& problems);
 
 /// Says in the current language why there is no such state.

@@ -1,4 +1,5 @@
-// Each section has its own drawing function. Its header reports the problems that arise from its settings.
+// Each section has its own drawing function. Each section's header reports the problems that arise from the section's
+// settings.
 #include "ui/panel/panel.h"
 
 #include <algorithm>

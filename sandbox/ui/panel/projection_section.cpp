@@ -25,7 +25,7 @@ const char* depth_step_formula(const Params& params) {
     return is_float ? "Δz = ε(d) z^2 (f - n)/(f n)" : "Δz = z^2 (f - n)/(f n (2^b - 1))";
 }
 
-/// Draws the choice between perspective and orthographic, which keeps the window.
+/// Draws the choice between perspective and orthographic; switching keeps the window.
 void type_control(Params& params) {
     ProjectionParams& projection = params.projection;
     const bool has_window = projection.has_window();
@@ -73,7 +73,7 @@ void infinite_control(Params& params) {
                      "d = 1 - n/z; reversed: d = n/z", "glm::infinitePerspective");
 }
 
-/// Draws the window's edges; each stops short of the opposite one.
+/// Draws the controls for the window's edges; each edge stops short of the opposite one.
 void edge_controls(Params& params) {
     const double reach = params.projection.is_orthographic() ? 20.0 : 2.0 * std::max(params.projection.near, 0.01);
     static constexpr widgets::Links x[] = {link::window_x}, y[] = {link::window_y};

@@ -24,8 +24,8 @@ public:
 
     ImVec2 place(const glm::dvec3& point_world) const;
 
-    /// Draws the plane as a line through the whole rectangle, shades the side opposite to `up`, and draws the normal at
-    /// one end. `along_up` says whether the normal points along `up`.
+    /// Draws the plane as a line through the whole rectangle, shades the side that `up` points away from, and draws the
+    /// normal at one end. `along_up` says whether the normal points along `up`.
     void draw_plane(ImDrawList* draw, bool along_up) const;
 
     /// Returns the area on screen around the plane's line; labels avoid it.

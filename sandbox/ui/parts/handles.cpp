@@ -24,7 +24,7 @@ float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place)
     return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
 }
 
-/// The distance within which the pointer reaches a handle.
+/// The distance within which the pointer can grab a handle.
 float reach_px() {
     return 14.0F * widgets::CurrentContext().scale;
 }

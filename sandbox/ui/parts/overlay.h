@@ -59,7 +59,7 @@ private:
         ImVec2 from, to;
     };
     std::optional<Segment> segment(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Like segment(), for a line that will be drawn: also keeps labels off it.
+    /// Like segment(), but for a line that will be drawn: also keeps labels off the line.
     std::optional<Segment> drawn(const glm::dvec3& from, const glm::dvec3& to);
     ImVec2 place_of(const glm::dvec4& clip) const;
 

@@ -17,7 +17,7 @@ inline widgets::Tone tone_of(ProblemKind kind) {
     return static_cast<widgets::Tone>(kind);
 }
 
-/// Draws a section's header with the sign of the worst problem in the given groups of fields. `more` describes one more
+/// Draws a section's header with the icon of the worst problem in the given groups of fields. `more` describes one more
 /// problem, which counts as an error. Returns whether the section is open.
 inline bool section(const char* label, const std::vector<Problem>& problems,
                     std::initializer_list<std::string_view> groups, const std::string& more = "") {

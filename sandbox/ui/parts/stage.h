@@ -20,7 +20,7 @@ struct Stage {
     bool asks = false;  ///< the question is still open: also hide red sentences, advice, and formulas in tooltips
     std::vector<std::string> cover, highlight;
     std::optional<Target> target;
-    /// A camera view narrower than this aspect ratio still shows as much width as at this ratio, since a stage's view
+    /// A camera view narrower than this aspect ratio still shows as much width as at this ratio, since a view on stage
     /// may be narrower than the one that a step was written for. 0: always use the state's lens.
     double least_aspect = 0.0;
 };

@@ -1,4 +1,4 @@
-// The slides' two figures with the current numbers, as cross-sections that show the plane edge-on. Read
+// The slides' two figures with the current numbers, as cross-sections that show the plane edge-on. See
 // derivation_views.h for the text beside them.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The lecture's derivations of shadow and mirror image as live views: a figure, and the steps with the current numbers.
-// Read derivation_diagram.h and derivation_text.h for the two halves, and frame/planes/derivation.h for the numbers.
+// See derivation_diagram.h and derivation_text.h for the two halves, and frame/planes/derivation.h for the numbers.
 #pragma once
 
 #include "frame/derive.h"

@@ -93,7 +93,7 @@ std::string rows_text(const glm::dmat4& matrix) {
 /// The named calls whose first line has been drawn in this frame.
 using MarkedCalls = std::array<bool, std::size(named_calls)>;
 
-/// Marks the last item as a named call if it is the first such line.
+/// Marks the last item as a named call if it is that call's first line.
 void mark_call(const std::string& call, MarkedCalls& done) {
     for (std::size_t i = 0; i < done.size(); ++i)
         if (call.starts_with(named_calls[i]) && !std::exchange(done[i], true))

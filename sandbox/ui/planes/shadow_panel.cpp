@@ -68,8 +68,8 @@ PlaneParams another_plane(const Params& params) {
     return {.equation = walls[0]};
 }
 
-/// Returns the d of the three coordinate planes. If a plane would cut the objects, moves it behind them, as seen from
-/// the eye.
+/// Returns d for each of the three coordinate planes. If a plane would cut the objects, moves it behind them, as seen
+/// from the eye.
 glm::dvec3 d_clear_of(const Bounds& bounds, const glm::dvec3& eye) {
     constexpr double touch = 1e-6, gap = 0.2, grid = 0.5;
     glm::dvec3 d(0.0);

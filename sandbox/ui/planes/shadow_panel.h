@@ -1,4 +1,4 @@
-// Panel sections on lights, planes, shadows and mirror images.
+// Panel sections for lights, planes, shadows and mirror images.
 #pragma once
 
 #include "frame/problems.h"

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int few_digits = 4;
 
-/// Joins the words of the first `most` settings; for the rest, gives only their number.
+/// Joins the first `most` settings, put into words; only counts the rest.
 std::string joined_words(const std::vector<std::string>& settings, int digits, std::size_t most) {
     std::string words;
     for (std::size_t i = 0; i < std::min(settings.size(), most); ++i)

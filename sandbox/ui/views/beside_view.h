@@ -9,7 +9,7 @@
 
 namespace viewing {
 
-/// What distinguishes the two pictures, as short as the number of differences allows: "z-near 0.1" and "z-near 0.0001".
+/// What distinguishes the two pictures, as briefly as possible: "z-near 0.1" and "z-near 0.0001".
 struct BesideTitles {
     std::string camera, beside;
 };

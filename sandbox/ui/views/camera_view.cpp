@@ -129,8 +129,9 @@ void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& h
     }
 }
 
-/// Draws a problem's sentence over the picture, with its sign, a button that fixes the problem, and one that shows the
-/// fixed picture beside this one. Call before the picture takes the mouse. Returns the top edge of the next sentence.
+/// Draws a problem's sentence over the picture, with its icon, a button that fixes the problem, and one that shows the
+/// fixed picture beside this one. Call before the picture takes the mouse input. Returns the top edge of the next
+/// sentence.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
@@ -185,8 +186,8 @@ bool is_about(const Problem& problem, const std::vector<std::string>& controls) 
            });
 }
 
-/// Returns the problems to describe over the picture: the worst kind first and, within a kind, those that a button
-/// fixes first. On stage, where the sentences would compete with the lesson's own, describes only errors in the
+/// Returns the problems to describe over the picture: the worst kind first and, within a kind, first those that a
+/// button can fix. On stage, where the sentences would compete with the lesson's own, includes only errors in the
 /// picture, and only those about settings that the step lets the audience change.
 std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, const Params& params) {
     std::vector<const Problem*> told;
@@ -200,7 +201,7 @@ std::vector<const Problem*> told_problems(const std::vector<Problem>& problems, 
     return told;
 }
 
-/// Draws at most three problems' sentences at once, until they reach the picture's middle; a small button shows the
+/// Draws the sentences of at most three problems, as many as begin above the picture's middle; a small button shows the
 /// others. Returns the covered area.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     constexpr std::size_t most = 3;

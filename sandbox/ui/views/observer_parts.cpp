@@ -95,7 +95,7 @@ void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& d
 }
 
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
-    // Compute R from the plane: the R in use may have been entered by hand or filled by rows.
+    // Compute R from the plane: the R in use may have been entered by hand or filled row by row.
     const glm::dmat4 mirrored_world_from_world = mirror_matrix(derived.chosen_plane().unit_plane);
     const auto mirrored = [&](const glm::dvec3& point) {
         return glm::dvec3(mirrored_world_from_world * glm::dvec4(point, 1.0));

@@ -33,7 +33,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 /// If V does not match the camera's position and direction, draws the frustum a second time, where V puts it.
 void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
-/// Draws eye′ = R eye and the mirrored frustum. From there, the objects look as they do in the mirror.
+/// Draws eye′ = R eye and the mirrored frustum. Seen from eye′, the objects look as they do in the mirror.
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
 /// Labels the space behind the mirror, where the image appears to be.

@@ -18,10 +18,10 @@ void draw_point_on_ray(Overlay& overlay, const Params& params, const Derived& de
 /// item must be the view's picture.
 bool point_or_observer_mouse(ViewState& state, Session& session, const Derived& derived, const Overlay& overlay);
 
-/// Marks the face of the frustum that cuts the followed point off, unless a lesson covers V or P.
+/// Marks the face of the frustum that clips the followed point away, unless a lesson covers V or P.
 void mark_cutting_face(Overlay& overlay, const Params& params, const Derived& derived);
 
-/// Draws a slider for a field in a row, with the names of its ends, translated, before and after it.
+/// Draws a slider for a field in a row, between the translated names of the slider's two ends.
 void slider_between(Params& params, const char* path, const Rect& row, const char* from, const char* to);
 
 /// Returns the row at a view's lower edge for a field's slider, and covers the picture there. The row has height 0 on a

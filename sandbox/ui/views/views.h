@@ -77,7 +77,7 @@ struct ViewState {
     bool moves = true;                      ///< whether playback may animate rather than only jump; see Guide::moves
     glm::ivec2 cells{0};                    ///< the number of columns and rows that fit into the cell view
     LightRays light_rays;                   ///< of the observer's view
-    std::optional<Stage::Target> target;    ///< the place that a lesson marks
+    std::optional<Stage::Target> target;    ///< the point that a lesson marks
     WhyState why;
     PinnedPixel pinned;  ///< the pixel that the state pins, in the camera's picture
 };

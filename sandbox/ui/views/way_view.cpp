@@ -17,7 +17,7 @@
 namespace viewing {
 namespace {
 
-/// Returns the step that view.way is in, counted from 1; 0 at the world.
+/// Returns the step that view.way is in, counted from 1; 0 in world space.
 int step_of(double way) {
     return std::clamp(static_cast<int>(std::ceil(way)), 0, way_steps);
 }

@@ -1,5 +1,5 @@
 // The lower view "The path of a point": the followed point goes from the world through eye space, clip space, and NDC
-// to the window. Beside it is the matrix that maps it.
+// to the window. Beside the picture is the matrix that maps the point.
 #pragma once
 
 #include "frame/derive.h"

@@ -35,7 +35,7 @@ struct RowPlace {
     float title_width, swatch_side, width;
 };
 
-/// Draws the buttons that change what the camera's picture shows, as far as the window offers them.
+/// Draws those buttons that the window offers: they change what the camera's picture shows, or copy the explanation.
 void draw_buttons(WhyState& state, Session& session, const Why& why) {
     Params& params = session.params;
     bool is_first = true;

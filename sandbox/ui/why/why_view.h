@@ -19,7 +19,7 @@ struct WhyState {
 };
 
 /// Draws the explanation, with buttons that show the picture without its shadow or mirror image, or only up to a pass.
-/// Without a pixel, says how to choose one; `pinned` may say why the pinned place is not visible.
+/// Without a pixel, says how to choose one; `pinned` may say why the pinned point is not visible.
 void draw_why_view(WhyState& state, Session& session, const PinnedPixel& pinned, const Rect& rect);
 
 /// Draws the ray, the mirrored path and the rays of the lights, unless a lesson covers the explanation.

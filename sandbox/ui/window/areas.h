@@ -19,8 +19,9 @@ void copy(Session& session);
 /// that step. `address`: the part in front of the link's #.
 void copy_link(const Guide& guide, Session& session, const std::string& address);
 
-/// Returns the link for a QR code: to the current step of a lesson, even after its answer, or to the state if it has
-/// changed. The error says in one sentence why there is none: no address on the web, or covered parts.
+/// Returns the link for a QR code: to the current step of a lesson, even once its question has been answered, or, if
+/// the state has changed, to the state. If there is no link, the error says in one sentence why: no address on the web,
+/// or covered parts.
 Result<std::string> link_for_code(const Guide& guide, Session& session, const std::string& address);
 
 /// Pastes from the clipboard: a state, a link to a state, or a link to a lesson, which it opens. Reports an error if

@@ -62,7 +62,7 @@ widgets::Fonts load_fonts(float scale, Syllables& korean, const TypeSizes& type)
         korean.has_any() && !font_file(regular.korean).empty() && !font_file(semibold.korean).empty();
     const ImWchar* const syllables =
         korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>());
-    // In Inter and JetBrains Mono, the em is larger than the letters: 14 design pixels of type need a 16 pixel font.
+    // In Inter and JetBrains Mono, the em is larger than the letters: 14 design pixels of type need a 16-pixel font.
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);

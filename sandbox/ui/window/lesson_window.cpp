@@ -48,7 +48,7 @@ bool is_any(const std::vector<std::string>& names, std::initializer_list<std::st
 /// On stage, marks only what the step is about, and lets a narrow view show as much as a wide one.
 void Workbench::show_only_named(const LessonStep& step) {
     views.marks_lights = views.marks_plane = !presenter.is_on();
-    views.marks_derivation = !presenter.is_on() && !step.target;  // a step's own mark is its only p or q
+    views.marks_derivation = !presenter.is_on() && !step.target;  // a step's own mark must be the only p or q
     if (!presenter.is_on()) return;
     const std::vector<std::string> names = named_in(step);
     const bool follows = step.start.params.follow.has_value();
@@ -219,7 +219,7 @@ void Workbench::remember_opened(const Session& session) {
     if (!session.opening().empty()) {
         opening_ = session.opening();
     } else if (!opening_.empty()) {
-        // A preset is opened by its name, which is not a file.
+        // A preset is opened by its name, which is not a file path.
         if (!session.message.is_error && opening_.find('/') != std::string::npos) remember(opening_);
         opening_.clear();
     }

@@ -22,7 +22,7 @@ std::string in_all_languages(const LessonText& text) {
     return all;
 }
 
-/// The value of a setting: "0.1" of "projection.near=0.1".
+/// The value of a setting: "0.1" for "projection.near=0.1".
 std::string value_in(const std::string& setting) {
     return setting.substr(setting.find('=') + 1);
 }

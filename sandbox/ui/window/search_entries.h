@@ -99,11 +99,12 @@ struct SearchLimits {
 
 std::vector<SearchEntry> search_entries(const SearchLists& lists, const SearchLimits& limits, const Params& params);
 
-/// Returns the entries that contain every word of `query`, best match first: words in names before words in
-/// descriptions, starts of words before other places, short titles before long ones. A field also matches if a value
-/// follows its name ("near 0.0001"); its choice is then that setting or, after "beside", that setting for the second
-/// picture ("beside near 0.0001"). If no entry contains every word, returns the entries that contain the most words. A
-/// slide number ("s12", "slide 12") finds the entries for that slide: presets, then lessons and their steps.
+/// Returns the entries that contain every word of `query`, best match first: matches in names before matches in
+/// descriptions, matches at the start of a word before matches inside one, short titles before long ones. A field also
+/// matches if a value follows its name ("near 0.0001"); its choice is then that setting or, after "beside", that
+/// setting for the second picture ("beside near 0.0001"). If no entry contains every word, returns the entries that
+/// contain the most words, provided that they contain at least half of them. A slide number ("s12", "slide 12") finds
+/// the entries for that slide: presets, then lessons and their steps.
 std::vector<SearchEntry> found(std::span<const SearchEntry> entries, std::string_view query, std::size_t most = 12);
 
 /// Whether a text in lower case contains every word of `query`.

@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::span<const std::string>;
 
-/// Splits a query at whitespace and at the signs that separate a name from its value and numbers from each other.
+/// Splits a query at whitespace and at the characters that separate a name from its value or one number from the next.
 std::vector<std::string> words_of(std::string_view query) {
     std::vector<std::string> words;
     constexpr std::string_view between = " \t\n,=";

@@ -14,7 +14,7 @@ namespace {
 int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
     const bool is_step =
-        field.path == "view.call" || field.path == "view.triangle";  // the stepping view has its control
+        field.path == "view.call" || field.path == "view.triangle";  // its control is in the view that it steps
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     const bool has_long_name = field.path == "shadow.lift";  // in Korean, the name is above the number
     return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : has_control ? 1 : 0;
@@ -100,7 +100,7 @@ void open_lower_views(Arrangement& arrangement, Slot first) {
     // The stage always has this height in design pixels, because everything on it grows with the window.
     constexpr float height = 30.0F * stage_type.caption, least_view = 170.0F;
     const float room = height - (arrangement.matrices_folded ? 0.0F : arrangement.telling.short_matrices);
-    // Do not let a view make the column wider than a matrix does, so that the main view keeps its share on a narrow
+    // Do not let a view make the column wider than a matrix does, so that the main view keeps its share of a narrow
     // stage.
     for (ImVec2* least : {&arrangement.stage.least_left, &arrangement.stage.least_right})
         least->x = std::min(least->x, 430.0F);

@@ -92,7 +92,7 @@ Layout Workbench::layout_of_areas(ImVec2 window_px, float strip_width, const Ses
     const bool has_strip = guide.is_shown() && arrangement.has_strip;
     if (has_strip) now.strip_px = strip_height(*guide.run(), strip_width, widgets, look);
     if (has_strip && !arrangement.presents && !guide.is_sheet()) {
-        // Keep the question at the same height in every step, unless that takes much space from the views.
+        // Keep the question at the same height in every step, unless that takes too much space from the views.
         constexpr float most_share = 0.34F;
         const float tallest = tallest_strip(*guide.run(), strip_width, widgets, look);
         now.strip_px = std::max(now.strip_px, std::min(tallest, std::floor(most_share * window_px.y)));
@@ -240,8 +240,8 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (key == Key::f9) toggle_recording(session);
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
-        // Other keys belong to the text field or dialog, except undo in an empty search field, which has nothing to
-        // undo itself.
+        // Other keys belong to the text field or dialog, except undo and redo in an empty search field, which itself
+        // has nothing to undo.
         const bool can_undo = preset_picker_.has_empty_search() && (key == Key::z || key == Key::y);
         if ((typing && !can_undo) || in_dialog) continue;
         if (press.ctrl) handle_shortcut(press, session, requests);

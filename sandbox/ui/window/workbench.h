@@ -200,7 +200,7 @@ private:
     std::string opening_;      ///< the file being read
     std::string opened_mesh_;  ///< the scene's file, if the scene is a mesh file
     /// Dear ImGui puts each new window of the fixed layout behind the others. The panel may lie over the views, so its
-    /// window is the first.
+    /// window is created first.
     bool has_panel_window_ = false;
     bool leads_ = false;  ///< the stage belongs to the lesson
 };

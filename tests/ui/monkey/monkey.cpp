@@ -1,12 +1,15 @@
 // A monkey for the whole interface, without a window: it drives the studio and its input queue as the main loop does.
-// After each action, it checks that GL has reported no error and that the state reads back equal. After each episode of
-// a hundred actions, it checks that the camera's picture equals the snapshot of its state, that undo leads back to the
-// start, and that redo leads to the end again. Episodes begin in presets, lessons, exercises or on the start page. In
-// every second episode, background work runs as on screen. The other episodes wait for it, so they are exactly
-// reproducible. monkey [--seed S] [--events N | --minutes N] [--episode K]    writes into the working folder monkey
-// --script WIDTH HEIGHT WINDOW SEED COUNT STATE           actions for monkey_window monkey --confined COMMAND…
-// writes only into the working folder The exit status is 1 if the monkey found an error; monkey.log then ends with the
-// actions that led to it.
+// After each action, it checks that GL has reported no error and that the state reads back unchanged. After each
+// episode of a hundred actions, it checks that the camera's picture equals the snapshot of its state, that undo leads
+// back to the start, and that redo leads to the end again. Episodes begin in presets, lessons, exercises or on the
+// start page. In every second episode, background work runs as on screen. The other episodes wait for it, so they are
+// exactly reproducible.
+//
+//   monkey [--seed S] [--events N | --minutes N] [--episode K]    writes into the working folder
+//   monkey --script WIDTH HEIGHT WINDOW SEED COUNT STATE           actions for monkey_window
+//   monkey --confined COMMAND…                                     writes only into the working folder
+//
+// The exit status is 1 if the monkey found an error; monkey.log then ends with the actions that led to it.
 #include <imgui.h>
 
 #include <unistd.h>

@@ -172,7 +172,7 @@ TEST(CameraByHand, WhatHasNoLensIsSaidAndOffersToComputeItAgain) {
 
 TEST(CameraByHand, OtherFixesThatHaveNoEffectAreNotOffered) {
     Params params;
-    params.projection.near = 1e-4;  // depth is used up
+    params.projection.near = 1e-4;  // leaves hardly any depth precision
     params.camera_overrides.clip_from_view = derived_by_hand(params).clip_from_view;
     bool is_said = false;
     for (const Problem& problem : problems_by_hand(params)) {

@@ -1,4 +1,4 @@
-// Checks the depth steps in an image whose near plane is the mirror against small moves along each view ray.
+// For an image whose near plane is the mirror, checks the depth steps against small moves along each view ray.
 #include "frame/planes/oblique_depth.h"
 
 #include <gtest/gtest.h>

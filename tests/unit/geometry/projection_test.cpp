@@ -109,7 +109,7 @@ TEST(WindowDepth, WorkedValues) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// An infinite far is the limit of ever larger far values, and its far plane consists of the directions.
+// An infinite far is the limit of ever larger far values, and its far plane consists of all directions (w = 0).
 TEST(Projection, AnInfiniteFarIsTheLimit) {
     for (const bool has_window : {false, true}) {
         Lens lens{.near = 0.25, .far = infinity};
@@ -207,7 +207,8 @@ TEST(DepthStep, FloatsAreLimitedByTheEyeDepth) {
     const auto step = [](double z, DepthMapping mapping, DepthPrecision precision) {
         return resolvable_depth_step({.near = 0.1, .far = 100}, mapping, precision, z);
     };
-    // Between 64 and 128, floats are 2⁻¹⁷ apart; near a window depth of 0, the stored floats are far finer.
+    // Between 64 and 128, floats are 2⁻¹⁷ apart, and the limit is half of that; near a window depth of 0, the stored
+    // floats are far finer.
     EXPECT_DOUBLE_EQ(step(100, DepthMapping::reversed, {32, true}), std::exp2(-18));
     EXPECT_DOUBLE_EQ(step(0.1, DepthMapping::standard, {32, true}), std::exp2(-28));
     EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage is the limit";

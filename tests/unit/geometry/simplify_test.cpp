@@ -1,4 +1,5 @@
-// Compares simplified meshes with the originals: how far vertices move, the enclosed volume, and how triangles face.
+// Compares simplified meshes with the originals: how far vertices move, the enclosed volume, and which way triangles
+// face.
 #include "geometry/simplify.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@ namespace viewing::test {
 namespace {
 
 TEST(QrCode, GrowsWithItsTextUpToVersion40) {
-    // Bytes that versions 1, 2 and 40 hold with the least correction (ISO/IEC 18004, table 7).
+    // Bytes that versions 1, 2 and 40 hold at the lowest level of error correction (ISO/IEC 18004, table 7).
     for (const auto& [bytes, modules] : {std::pair(17, 21), {18, 25}, {32, 25}, {33, 29}, {2953, 177}}) {
         const Result<QrCode> code = qr_code(std::string(static_cast<std::size_t>(bytes), '#'));
         ASSERT_TRUE(code) << bytes;

@@ -1,4 +1,5 @@
-// Lectures: their files with all mistakes in one run, their plan in the notes, and the cards at the ends of lessons.
+// Lectures: their files, whose mistakes are all found in one run; their plan in the notes; and the cards at the ends of
+// lessons.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The shipped lessons follow the plan of the lecture: sixteen lessons in its order, with 103 steps. Each step asks a
+// The shipped lessons follow the plan of the lecture: seventeen lessons in its order, with 116 steps. Each step asks a
 // question before it reveals the answer, responds to common mistakes, and changes something when it reveals the answer.
 // Checking the steps' claims and answers needs the renderer: `viewing-sandbox lesson --check` does that.
 #include <gtest/gtest.h>

@@ -298,7 +298,7 @@ TEST(Fields, AreDescribed) {
         EXPECT_GE(field.min, -1e12) << field.path;
         EXPECT_LE(field.max, 1e12) << field.path;
         EXPECT_FALSE(allowed_text(field).empty()) << field.path;
-        if (field.logarithmic && field.path != "projection.near") {  // negative only where it is orthographic
+        if (field.logarithmic && field.path != "projection.near") {  // negative only in orthographic projections
             EXPECT_GT(field.min, 0.0) << field.path;
         }
     }

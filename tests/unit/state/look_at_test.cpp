@@ -1,5 +1,5 @@
-// camera.look_at in files and settings: it is read instead of position and angles, refused along with them, and never
-// written.
+// camera.look_at in files and settings: it is read instead of position and angles, refused if it is given together with
+// them, and never written.
 #include <gtest/gtest.h>
 
 #include "state/file/json.h"

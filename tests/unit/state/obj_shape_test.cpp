@@ -1,4 +1,5 @@
-// Compares the shapes of Wavefront OBJ files with the test's own reader, which uses strtold and centers in long double.
+// Checks the shapes read from Wavefront OBJ files against the test's own reader, which uses strtold and centers in long
+// double.
 #include <gtest/gtest.h>
 
 #include <cmath>

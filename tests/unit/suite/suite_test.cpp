@@ -247,7 +247,7 @@ TEST_F(SuiteFiles, ThatExpandTooMuchAreRefused) {
     const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 3000) + "]";
     const std::string set = "\"defaults\":{\"set\":[" + repeated(R"("projection.near=0.5")", 1000) + "]}";
     EXPECT_EQ(refusal_of("{\"suite\":1," + set + "," + entries + "}"), too_much);
-    // 100 MB of rectangles, then of sentences.
+    // More than 128 MiB of rectangles, then of sentences.
     const std::string masks = "\"defaults\":{\"masks\":[" + repeated("[0,0,9,9]", 1000) + "]}";
     EXPECT_EQ(refusal_of("{\"suite\":1," + masks + ",\"entries\":[" + repeated(R"({"name":"a"})", 10'000) + "]}"),
               too_much);

@@ -24,7 +24,7 @@ IdImage covered(const IdImage& image, const std::vector<Polygon>& polygons) {
 }
 
 struct Seams {
-    std::int64_t holes = 0;  ///< background pixels with surface all around
+    std::int64_t holes = 0;  ///< background pixels surrounded by surface
     std::int64_t wrong = 0;  ///< wrong pixels away from edges
 };
 

@@ -31,7 +31,7 @@ std::string rows(const IdImage& image) {
 }
 
 TEST(Rasterize, TopLeftRuleOnEdgesThroughPixelCenters) {
-    // Every edge passes through pixel centers: top and left edges own them, bottom and right edges do not.
+    // Every edge passes through pixel centers: top and left edges own them, but bottom and right edges do not.
     const std::vector<Polygon> polygons{
         on_screen({{1.5, 1.5, 0.5}, {5.5, 1.5, 0.5}, {5.5, 5.5, 0.5}}, 0),
         on_screen({{1.5, 1.5, 0.5}, {5.5, 5.5, 0.5}, {1.5, 5.5, 0.5}}, 1),
