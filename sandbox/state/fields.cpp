@@ -929,8 +929,9 @@ const Field all_fields[] = {
      .min = -1,
      .max = 1000,
      .step = 1,
-     .help = "The last line to show in the derivation of the shadow or the mirror image, counted from 0; −1 shows all "
-             "lines."},
+     .help =
+         "How many lines to show in the derivation of the shadow or the mirror image, not counting headings; −1 shows "
+         "all lines."},
     {.path = "view.division",
      .place = IN(view.division),
      .label = "division by w",

@@ -57,7 +57,7 @@ int sentence_count(const std::string& text) {
     return count;
 }
 
-TEST(LectureLessons, AreSixteenInTheOrderOfTheSlides) {
+TEST(LectureLessons, FollowTheOrderOfTheSlides) {
     const std::pair<const char*, std::size_t> plan[] = {{"view-is-the-inverse", 8},
                                                         {"fly-and-walk", 6},
                                                         {"lens", 7},
