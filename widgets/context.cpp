@@ -205,7 +205,7 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     const bool typing = io.WantTextInput && ImGui::IsAnyItemActive();
     editing.tooltip_muted |= ImGui::IsAnyMouseDown() || typing;
     if (editing.tooltip_muted) return false;
-    // On stage, the tooltip of a resting pointer must not keep covering anything.
+    // On stage, a tooltip must not keep covering anything while the pointer rests.
     constexpr float longest_rest_s = 1.0F;
     if (context.is_on_stage) {
         if (editing.tooltip_rest_s >= longest_rest_s) return false;

@@ -12,7 +12,7 @@ namespace widgets {
 
 // ---- precision -------------------------------------------------------------------------------------
 
-/// An object at an eye distance, marked by a vertical line.
+/// An object at some eye distance, marked by a vertical line.
 struct DepthMark {
     const char* label;
     double z;         ///< in the chart's unit; hidden unless finite and positive

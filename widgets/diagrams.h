@@ -123,7 +123,7 @@ bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt
 /// For custom bars: advances by `dt_s` while playing. Stops at the end; playing again starts over.
 void PlaySteps(int& step, int count, StepPlayer& player, double dt_s);
 
-/// Call at the end of each frame: stops playback if no bar was drawn, since the user could then not stop it.
+/// Call at the end of each frame: stops playback if no bar was drawn, since the user would have no way to stop it.
 void StopUnlessShown(StepPlayer& player);
 
 }  // namespace widgets

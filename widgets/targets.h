@@ -27,12 +27,12 @@ struct Targets {
         std::string name;
         const ImDrawList* window;
         ImVec2 min, max;
-        ImVec2 clip_min;  ///< of the area that it is in: a window may draw several views
+        ImVec2 clip_min;  ///< of the area that contains the target: a window may draw several views
     };
     std::vector<Found> found;
 
     // Internal state between calls.
-    std::vector<std::string> sought;  ///< highlighted names to scroll into view during frames_of_search
+    std::vector<std::string> sought;  ///< highlighted names to scroll into view in the next frames_of_search frames
     int frames_of_search = 0;
     std::vector<const ImDrawList*> scrolled;  ///< windows that have scrolled in this frame
     bool opens_next = false;                  ///< opens the next Section

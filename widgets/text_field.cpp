@@ -1,7 +1,7 @@
 // A text field. When a field becomes active again, ImGui still has its old undo history. If other code has changed the
-// text meanwhile, Ctrl+Z fails an assertion (ImGui 1.86). Therefore, a field that was left gets a new ImGui id when it
-// is used again. Typed text is stored immediately, so nothing is lost when the field is left. EntryField is for text
-// that counts only when complete.
+// text meanwhile, Ctrl+Z triggers a failed assertion (ImGui 1.86). Therefore, a field that was left gets a new ImGui id
+// when it is used again. Typed text is stored immediately, so nothing is lost when the field is left. EntryField is for
+// text that counts only when complete.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

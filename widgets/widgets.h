@@ -355,9 +355,9 @@ struct MatrixStyle {
     std::string* unread = nullptr;         ///< see NumberStyle: 16, row by row
 };
 
-/// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Only a zero
-/// and a rounding residue are shown as zero. Hovering over a cell highlights its linked controls; hovering over a
-/// linked control highlights the cell. Returns true when an entry was edited. `width` 0: the available width.
+/// Draws a 4×4 matrix in square brackets, with aligned columns, quiet zeros, and symbols under the numbers. Only zeros
+/// and rounding residues are shown as zero. Hovering over a cell highlights its linked controls; hovering over a linked
+/// control highlights the cell. Returns true when an entry was edited. `width` 0: the available width.
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 /// Draws a matrix in the same way, but does not edit it.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);

@@ -24,7 +24,7 @@ public:
     Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
 
     /// Returns the values and, if a view shows depth fighting, its counts, which belong to the state at rest even
-    /// during an animation. If `at_once`, waits for the counts. `is_held` says that something is being dragged.
+    /// during an animation. If `at_once`, waits for the counts. `is_held` says whether something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
     /// Returns the explanation of the inspected pixel; null if no view explains it.

@@ -43,8 +43,8 @@ void lead(Studio& studio, const LessonPicture& wanted) {
     }
 }
 
-/// Returns the window's sentence for an empty view. If that sentence asks for a click, returns one that names the
-/// setting that would fill the view instead.
+/// Returns the window's sentence for an empty view. If that sentence asks for a click, instead returns one that names
+/// the setting that would fill the view.
 std::string nothing_to_show(PictureView view, const Params& params, const std::string& offered) {
     const bool wants_pixel = view == PictureView::cells || view == PictureView::pixel;
     const std::string name = picture_view_names[static_cast<std::size_t>(view)];

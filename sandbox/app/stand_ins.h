@@ -17,8 +17,8 @@ public:
     /// Starts to make stand-ins if the scene has changed and has large meshes.
     void follow(const Scene& scene, int version);
 
-    /// Returns the scene to draw during a drag; null if the full scene must be drawn. `is_slow` says that frames take
-    /// a long time. Once a scene has been slow during a drag, it is drawn coarsely during every later drag.
+    /// Returns the scene to draw during a drag; null if the full scene must be drawn. `is_slow` says whether frames
+    /// take a long time. Once a scene has been slow during a drag, it is drawn coarsely during every later drag.
     const Scene* choose(bool is_held, bool is_slow);
 
     /// Returns a sentence that contains the counts: "40,112 of 1,000,000 triangles".

@@ -74,7 +74,7 @@ const View& Studio::camera_view() {
 
 Params Studio::shown_params() const {
     Params shown = session.portable(shown_.params);
-    shown.projection = session.params.projection;                  // on stage, the shown one may be wider
+    shown.projection = session.params.projection;                  // on stage, the projection shown may be wider
     shown.animation.jiggle = shown.animation.light_orbit = false;  // their motion is already applied
     return shown;
 }

@@ -41,8 +41,8 @@ public:
     void texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help);
     void flag(const char* names, bool& value, const char* help);
 
-    /// After --timeout expires (TimeLimit::has_run_out), gives the command `grace_s` more seconds to write its results
-    /// so far. `help` is the help text of --timeout. Call before parse().
+    /// After --timeout expires (TimeLimit::has_run_out), gives the command `grace_s` more seconds to write the results
+    /// that it has so far. `help` is the help text of --timeout. Call before parse().
     void keep_what_is_done(unsigned grace_s, const char* help);
 
     /// Fills the targets and starts the clock of --timeout, which every command has. If --help was given, prints it and

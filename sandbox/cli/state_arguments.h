@@ -20,12 +20,12 @@ public:
     StateArguments(const StateArguments&) = delete;
     StateArguments& operator=(const StateArguments&) = delete;
 
-    /// Loads STATE (for a link to a lesson, the state of that step; for a flight, the picture at the time that --at
-    /// gives), replaces its scene with the mesh, and applies the settings in order. File names in STATE are relative to
-    /// its folder, those in settings to the working directory. The returned state keeps file names as given, unless
-    /// settings change an inline scene, in which case all its file names become relative to the working directory.
-    /// Files in STATE's folder and those named on the command line may be read; with --allow-outside, all files may be
-    /// read. For a flight without --at, mesh and settings apply to its start. Throws Failure.
+    /// Loads STATE (for a link to a lesson, the state of the linked step; for a flight, the picture at the time that
+    /// --at gives), replaces its scene with the mesh, and applies the settings in order. File names in STATE are
+    /// relative to its folder, those in settings to the working directory. The returned state keeps file names as
+    /// given, unless settings change an inline scene, in which case all its file names become relative to the working
+    /// directory. Files in STATE's folder and those named on the command line may be read; with --allow-outside, all
+    /// files may be read. For a flight without --at, mesh and settings apply to its start. Throws Failure.
     LoadedState load() const;
     /// Returns the step that STATE links to; nothing if STATE is not such a link. Throws Failure.
     std::optional<LinkedStep> linked_step() const;

@@ -21,7 +21,7 @@ public:
 
     static bool has_run_out();
 
-    /// Return the message for an expired limit, and the limit in seconds, both of the latest limit; "" and 0 if none.
+    /// Return, for the latest limit, the message that says it has expired, and its length in seconds; "" and 0 if none.
     static std::string sentence();
     static double seconds();
 };

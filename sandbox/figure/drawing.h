@@ -72,8 +72,8 @@ struct Drawing {
 /// Returns the number of characters, not counting spaces.
 std::size_t letter_count(const Drawing& drawing);
 
-/// Whether part of a text is outside its clip. Checks the capital height, and the width from the first character's
-/// origin to the middle of the last character.
+/// Whether part of a text is outside its clip. Checks the cap height, and the width from the first character's origin
+/// to the middle of the last character.
 bool has_cut_text(const Drawing& drawing);
 
 /// Removes the background from two drawings of the same content, one on black and one on white: omits marks that are

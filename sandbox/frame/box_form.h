@@ -15,7 +15,7 @@ public:
             sizes_[column] = glm::dot(glm::max(glm::abs(form), summed), glm::abs(space_from_model[column]));
     }
 
-    /// Return conservative bounds: neither the exact nor the computed value of any point in the box lies beyond them.
+    /// Return conservative bounds: neither the exact nor the computed value at any point in the box lies beyond them.
     double least(const Bounds& box) const { return middle(box) - reach(box); }
     double greatest(const Bounds& box) const { return middle(box) + reach(box); }
 

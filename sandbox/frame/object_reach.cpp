@@ -52,9 +52,9 @@ bool reaches_each(const SceneObject& object, std::span<const glm::dvec4> forms) 
     return std::all_of(forms.begin(), forms.end(), [&](const glm::dvec4& form) { return is_above(object, form, 0.0); });
 }
 
-/// Returns whether is_so(points) holds for any vertex at which all forms are positive, or for the corners of any part
-/// of a triangle on which they are. Points are in the model's space. Judges at most 32 forms. A large mesh counts as
-/// having such a part unless one of the forms is positive at none of its vertices.
+/// Returns whether is_so(points) holds for any vertex at which all forms are positive, or for the corners of that part
+/// of any triangle where all forms are positive. Points are in the model's space. Judges at most 32 forms. A large mesh
+/// counts as having such a part unless one of the forms is positive at none of its vertices.
 template <typename Predicate>
 bool any_part(const SceneObject& object, std::span<const glm::dvec4> forms, Predicate is_so) {
     constexpr std::size_t most_triangles = 20'000;

@@ -24,7 +24,7 @@ struct PixelReport {
     DepthPrecision precision;
     double ndc_z = 0.0;
     double eye_z = 0.0;            ///< negative in front of the camera; 0 without depth, like step and world
-    double step = 0.0;             ///< width in eye z of one code there: depth_step()
+    double step = 0.0;             ///< width of one code there, in eye z: depth_step()
     double resolvable_step = 0.0;  ///< smallest resolvable gap there: resolvable_depth_step()
     int stencil = 0;
     glm::dvec3 world{0.0};

@@ -30,7 +30,7 @@ enum class Shading {
     flat,      ///< one color
     facing,    ///< front and back faces in two colors
     heat,      ///< gaps of flat pairs, divided by the smallest gap that depth reliably resolves
-    caster_w,  ///< w after S: casts a shadow, behind the plane, or beyond the light
+    caster_w,  ///< w after S: whether a point casts a shadow, is behind the plane, or is beyond the light
 
     // IDs instead of colors, for the renderer to read back: no plan contains them.
     identity,         ///< of objects and patches
@@ -144,7 +144,7 @@ bool shows_effects(const Params& params);
 std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
 /// Returns how many mirrors in a row a view ray may meet: the requested bounces, or fewer if the stencil cannot count
-/// that many, or if that many need more than 64 images or draw the scene more than 256 times. At most 1 for
+/// that many, or if that many would need more than 64 images or draw the scene more than 256 times. At most 1 for
 /// hidden-surface methods other than GL's own.
 int reflection_depth(const Params& params, const Derived& derived);
 

@@ -10,7 +10,8 @@ namespace viewing {
 /// Direction of the strongest ambient light.
 inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
 
-/// The two names of a pass over a patch: for a single plane, and for several planes. Both are translated on use.
+/// The two names of a pass over a patch: for a single plane, and for several planes. Both are translated when they are
+/// used.
 struct PatchName {
     const char *alone, *numbered;  ///< "Patch", "Patch {plane}"
 };

@@ -28,8 +28,8 @@ struct Section {
     double x0, z0, x1, z1, half_width;
 };
 
-// In the two arrays of rings, each line ends a patch, and its last entry also begins the next patch. The outside is on
-// the left of each profile.
+// In the two arrays of rings, each line completes a patch, and its last entry also begins the next patch. The outside
+// is on the left of each profile.
 
 constexpr std::array pot_rings = {
     ring(1.4, 2.4),    ring(1.3375, 2.53125), ring(1.4375, 2.53125), ring(1.5, 2.4),  // rim

@@ -31,7 +31,7 @@ public:
     const TargetSpec& spec() const { return spec_; }
     glm::ivec2 size_px() const { return spec_.size_px; }
     bool has_stencil() const { return spec_.depth != DepthKind::d16; }
-    const StencilMask& mask() const { return mask_; }  ///< empty if there is a stencil, or with samples
+    const StencilMask& mask() const { return mask_; }  ///< empty if the target has a stencil or is multisampled
 
     GLuint draw_framebuffer() const;  ///< passes draw into it
     void resolve() const;             ///< multisampled color → texture; does nothing without samples

@@ -21,8 +21,8 @@ struct QrCode {
 /// The most bytes that the largest QR code (version 40, lowest error correction) holds.
 inline constexpr std::size_t most_qr_bytes = 2953;
 
-/// Returns the code with the best error correction that needs no more modules. The error says in one sentence why there
-/// is no code: the text is too long, or this build cannot draw any.
+/// Returns the smallest code that holds the text, with the best error correction that fits into its modules. The error
+/// says in one sentence why there is no code: the text is too long, or this build cannot draw any.
 Result<QrCode> qr_code(std::string_view text);
 
 }  // namespace viewing

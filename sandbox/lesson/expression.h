@@ -25,7 +25,7 @@ struct Surroundings {
 
 /// Limits of an expression, including the conversion of its value to JSON.
 struct ExpressionLimits {
-    int instructions = 1'000'000;  ///< source bytes, entries of the value, and filling memory also count
+    int instructions = 1'000'000;  ///< also spent on source bytes, entries of the value, and filling memory
     std::size_t memory_bytes = 8U << 20U;
     int measured_call = 20'000;  ///< instructions that each call of a measured name costs
     bool closed_list = true;     ///< false: allows statements, functions and any words, within the other limits

@@ -88,7 +88,7 @@ struct Ask {
     double relative_tolerance = 0.0;               ///< a fraction of the largest entry; 0: none
     bool up_to_factor = false;
     std::vector<std::string> factors;  ///< for product and sequence: an expression for each item's 4×4 matrix
-    std::string shows_as;              ///< the field that shows the effect of the answer's matrix; C or V; "": none
+    std::string shows_as;              ///< the field that shows the effect of the answer's matrix, or C or V; "": none
     std::string until;                 ///< for a goal: an expression that is true when it is reached
     std::vector<GoalNumber> progress;  ///< of a goal
     std::vector<std::string> allow;    ///< the fields or groups that may change; empty: all
@@ -182,9 +182,9 @@ struct LessonFile {
     int minutes = 0;
     int steps = 0;
     std::filesystem::path path;
-    std::string group = {};  ///< the topic above it in a list, like a preset's; "" for none
+    std::string group = {};  ///< the topic above it in a list, as for presets; "" for none
     struct Step {
-        LessonText question;      ///< empty where it cannot be read
+        LessonText question;      ///< empty if it cannot be read
         std::vector<int> slides;  ///< its own, or the lesson's
     };
     std::vector<Step> listed_steps = {};

@@ -390,7 +390,7 @@ int close(lua_State* lua) {
 }
 
 /// Compares two tensors up to a factor: finds the position of the first tensor's largest entry, and divides each tensor
-/// by its own entry at that position, so that it becomes 1 in both.
+/// by its own entry at that position, which becomes 1 in both.
 int same_map(lua_State* lua) {
     Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
     const double tolerance = scalar_at(lua, 3);
@@ -472,8 +472,8 @@ void for_each_entry(lua_State* lua, int table, const Each& each) {
     }
 }
 
-/// Pushes the list of `of(code)` for the stored code of each fragment. Lua's first argument is a list of fragments,
-/// such as `pixel(x, y).fragments`.
+/// Pushes a list with the value of `of(code)` for the stored code of each fragment. Lua's first argument is a list of
+/// fragments, such as `pixel(x, y).fragments`.
 template <typename Of>
 int push_codes(lua_State* lua, const Of& of) {
     lua_createtable(lua, 0, 0);

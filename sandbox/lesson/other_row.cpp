@@ -38,7 +38,8 @@ std::optional<double> light_at(const glm::dvec4& row, int index, const glm::dvec
     return number;
 }
 
-/// Returns the light given by the off-diagonal entries; where a row does not determine it, uses `asked`.
+/// Returns the light given by the off-diagonal entries; a coordinate that its row does not determine comes from
+/// `asked`.
 glm::dvec4 light_of_rows(const std::array<glm::dvec4, 4>& rows, const glm::dvec4& plane, const glm::dvec4& asked) {
     glm::dvec4 light = asked;
     for (int i = 0; i < 4; ++i) light[i] = light_at(rows[static_cast<std::size_t>(i)], i, plane).value_or(asked[i]);

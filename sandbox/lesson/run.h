@@ -76,7 +76,8 @@ public:
     GoalProgress& progress() { return now().progress; }
     const GoalProgress& progress() const { return now().progress; }
 
-    /// Returns the products of the tiles' factors, from left to right, and what they were computed for.
+    /// Returns the products of the tiles' factors, from left to right, with the state and the tiles that they belong
+    /// to.
     struct Products {
         std::optional<Params> at;
         std::vector<int> items;

@@ -95,8 +95,8 @@ bool is_trivial(double value) {
 
 using Matches = std::function<bool(std::size_t, const Token&)>;
 
-/// Finds `count` matching tokens side by side or one below another, and returns the first. `tokens` contains
-/// everything that may be in between.
+/// Finds `count` matching tokens side by side or one below another, and returns the first. `tokens` contains everything
+/// that may lie between them.
 const Token* find_run(const std::vector<Token>& tokens, std::size_t count, const Matches& matches) {
     const auto next = [&](const Token& token, bool in_column) {
         const Token* nearest = nullptr;

@@ -20,8 +20,8 @@ struct SeenText {
 /// Returns a sentence for each part of the answer that the texts give away. `right` is the model answer; the texts are
 /// all in English. A finding is:
 /// - a number that equals the right one in all digits shown, if it has at least three significant digits;
-/// - a row or a column of numbers that equals a vector or a row of a matrix, if two different entries are neither 0, 1
-///   nor −1;
+/// - a row or a column of numbers that equals a vector or a row of a matrix, if it has two different entries other than
+///   0, 1 and −1;
 /// - the right choice as a whole line or a whole number, if no wrong choice is visible;
 /// - a row or a column of texts that equals the right order of three or more items.
 /// Texts in the step's own sentences, question and hints do not count as findings, nor do those in its own controls

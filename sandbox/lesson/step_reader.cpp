@@ -371,7 +371,7 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
         inside = {where.prefix + "step " + excerpt(step.id) + ": ", ""};
     mistakes.part([&] { step.slides = read_slides(object, inside); });
     mistakes.part([&] { step.start = read_start(object, folder, presets, inside); });
-    const bool shows_both = !has(object, "layout");  // such as one saved in the window
+    const bool shows_both = !has(object, "layout");  // as in a step saved in the window
     step.names_lower_left = shows_both || has(object["layout"], "lower_left");
     step.names_lower_right = shows_both || has(object["layout"], "lower_right");
     mistakes.part([&] { step.target = read_target(object, inside); });

@@ -35,7 +35,7 @@ bool is_of_camera(const Ask& ask) {
     return ask.shows_as == "C" || ask.shows_as == "V";
 }
 
-/// Returns whether a matrix only rotates and moves, up to the rounding of typed numbers.
+/// Returns whether a matrix only rotates and translates, up to the rounding of typed numbers.
 bool is_rigid(const glm::dmat4& matrix) {
     constexpr double tolerance = 1e-3;
     const glm::dmat3 axes(matrix);

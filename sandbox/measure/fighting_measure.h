@@ -11,8 +11,8 @@
 
 namespace viewing {
 
-/// Returns the part of the state that the counts depend on, with defaults for the rest, so that GL's depth buffer draws
-/// all objects completely and nothing else.
+/// Returns the part of the state that the counts depend on, with defaults for the rest, so that GL, with its depth
+/// buffer, draws all objects completely and nothing else.
 Params counted_params(const Params& state);
 
 /// Returns the picture that GL draws, as the index of the object at each pixel.

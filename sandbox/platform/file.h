@@ -59,9 +59,9 @@ std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::pa
 /// Whether a file or folder with this name exists; false if that cannot be determined.
 bool is_there(const std::filesystem::path& file);
 
-/// Whether two names refer to the same file or folder, even if they differ by hard or symbolic links, "." or "..". For
-/// files that do not exist yet, whether they would be the same. Always false for devices and pipes, which store
-/// nothing.
+/// Whether two names refer to the same file or folder, even if one name reaches it through hard or symbolic links, "."
+/// or "..". For files that do not exist yet, whether they would be the same. Always false for devices and pipes, which
+/// store nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Checks that a file exists and can be read without blocking: refuses a pipe, and files that the kernel generates

@@ -41,8 +41,8 @@ inline bool is_canceled(const WorkProgress* progress) {
            (progress->canceled.load(std::memory_order_relaxed) || is_late(*progress) || is_canceled(progress->whole));
 }
 
-/// Whether to check for cancellation before this item of a long sequence, since checking before each one would cost
-/// more than the items themselves.
+/// Whether to check for cancellation before this item of a long sequence. Checking before each item would cost more
+/// than the items themselves.
 constexpr bool is_time_to_look(std::size_t item) {
     return item % 4096 == 0;
 }

@@ -69,8 +69,8 @@ struct TagCount {
 };
 
 /// Returns the order in which the answers to one exercise are judged while the budget lasts: the last one, the first
-/// one, then those that the file calls right, and then all others; the latter two groups go from the latest to the
-/// earliest. `answers` are the attempts without the hints; the result contains indices into it.
+/// one, then those that the file calls right, and then all others; each of the last two groups goes from the latest to
+/// the earliest. `answers` are the attempts without the hints; the result contains indices into it.
 std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers);
 
 /// The budget of one file: each different answer costs 1, or cost_of_measured if it needs measured pictures. The last

@@ -17,10 +17,10 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
 /// says that the scene is too large.
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
-/// Returns the pair that Newell's sequence of tests compares at visibility.step (−1: the last step): {"test":
-/// "x_extents"}, the test that decided; "action"; and the extents of "a" and "b": left, right, bottom, top on the
-/// screen in −1 … 1, and nearest and farthest eye distance. "b" is null if nothing is left to compare with. The error
-/// says that the scene is too large, or that there is no such step.
+/// Returns the pair that Newell's sequence of tests compares at visibility.step (−1: the last step): "test", the test
+/// that decided, such as "x_extents"; "action"; and the extents of "a" and "b": left, right, bottom, top on the screen
+/// in −1 … 1, and nearest and farthest eye distance. "b" is null if nothing is left to compare with. The error says
+/// that the scene is too large, or that there is no such step.
 Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing

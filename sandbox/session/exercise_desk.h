@@ -45,7 +45,7 @@ public:
         int all = 0, with_own_numbers = 0;
     };
     Practiced practiced() const;
-    /// Adds the practice attempts and answers that have the student's own numbers to the sheet; the practice sheet
+    /// Adds to the sheet those practice attempts and answers that have the student's own numbers; the practice sheet
     /// keeps them too.
     void take_over_practice();
     /// Continues with a file of saved answers, merged with those stored for the same student; update() reports the

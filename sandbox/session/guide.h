@@ -35,7 +35,7 @@ public:
     const LessonRun* run() const { return run_ ? &*run_ : nullptr; }
     /// Whether the lesson is visible; otherwise it waits for resume().
     bool is_shown() const { return run_ && is_shown_; }
-    /// Whether the shown lesson comes from a user's own file, which may change. If so, update() needs a call each
+    /// Whether the shown lesson comes from a user's own file, which may change. If so, update() must be called every
     /// second.
     bool watches_file() const;
     /// Makes the next update() check whether that file has changed.

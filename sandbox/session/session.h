@@ -69,7 +69,7 @@ public:
 
     /// Returns the file that needs permission to be read; null if none does.
     const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
-    /// Answers the question whether that file may be read. If `may_read` is true, this session may read all files in
+    /// Answers the question of whether that file may be read. If `may_read` is true, this session may read all files in
     /// that file's folder, regardless of what refers to them.
     void answer(bool may_read);
 
@@ -184,7 +184,7 @@ private:
     void start_reading(Wanted wanted);
     void end_reading(Result<Arrived> result);
     void take_written();
-    /// Returns the current step without the language, which is not undone.
+    /// Returns the current step without the language, which undo does not change.
     Step now() const;
     /// Returns the user's own appearance settings, even while those of an opened state are shown.
     UiParams own_looks() const;

@@ -55,15 +55,15 @@ struct SceneReading {
 /// Loads a scene, and makes or loads its meshes. Scenes share meshes of the same shape or file. Safe to call from
 /// several threads.
 ///
-/// A name selects a scene in assets/scenes; a path leads to a scene file, or to an OBJ file, which is shown by itself.
+/// A name selects a scene in assets/scenes; a path names a scene file, or an OBJ file, which is shown by itself.
 /// Relative paths in `source` start from `base` (the directory of the file that names the scene; if empty, the working
 /// directory); those in a scene file start from that file's own directory. `coplanar` holds the parameters of a scene
 /// that a formula makes.
 ///
 /// A file out of reach is not read, and is an error; if a scene's own file is within reach, so is its folder. Refuses a
-/// scene of more than max_scene_triangles triangles, even if its objects share a mesh and thus its memory. Errors name
-/// the scene's file and the field: "room.json: objects[3].file: chair.obj: …". Errors in `source` itself begin with
-/// `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file: …".
+/// scene with more than max_scene_triangles triangles, even if its objects share a mesh and thus its memory. Errors
+/// name the scene's file and the field: "room.json: objects[3].file: chair.obj: …". Errors in `source` itself begin
+/// with `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file: …".
 Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base,
                          const CoplanarParams& coplanar = {}, const SceneReading& reading = {});
 
@@ -85,7 +85,7 @@ struct ObjMesh {
 Result<ObjMesh> load_obj(const std::filesystem::path& file, const MeshReading& reading = {},
                          WorkProgress* progress = nullptr);
 
-/// Returns whether a file name ends with ".obj", in upper or lower case, as Wavefront files do.
+/// Returns whether a file name ends with ".obj", in upper or lower case, as the names of Wavefront files do.
 bool is_obj_file(const std::filesystem::path& file);
 
 /// Returns a scene that shows one mesh file, resting on the plane y = 0. Reads the file to find the mesh's height, and

@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// Returns the heading for items that belong to these slides, in the current language: "Slide 12 · Depth fighting", for
-/// the first of the slides; "" if there are none.
+/// Returns the heading for items that belong to these slides, in the current language; "" if there are no slides. The
+/// heading names only the first slide: "Slide 12 · Depth fighting".
 std::string slide_heading(const std::vector<int>& slides);
 
 /// Returns the slide that a search names: 12 for "s12", "S 12" and "slide 12"; nothing for other words.

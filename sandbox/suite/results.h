@@ -44,7 +44,7 @@ struct RunResult {
     std::vector<EntryResult> entries;  ///< in the order of the suite
 
     std::size_t count(Outcome outcome) const;
-    /// Whether every entry passed or, if new entries are accepted, is new.
+    /// Whether every entry passed. New entries count as passed if `accepts_new` is set.
     bool is_good(bool accepts_new) const;
 };
 

@@ -37,8 +37,8 @@ struct GatheredResults {
 };
 GatheredResults run_entries(const Suite& suite, const RunWish& wish);
 
-/// Returns the entries of shard `index` of `count`, counted from 1. Assigns each entry to the shard with the least work
-/// so far, the slowest entry first, and entries with equal times in the order of the suite. `seconds` contains the
+/// Returns the entries of shard `index` of `count`, counted from 1. Assigns the entries from slowest to fastest, those
+/// with equal times in the order of the suite, each to the shard with the least work so far. `seconds` contains the
 /// times of an earlier run, keyed by name; an entry without such a time is assumed to take their mean.
 std::vector<std::size_t> entries_of_shard(const Suite& suite, int index, int count,
                                           const std::map<std::string, double>& seconds);

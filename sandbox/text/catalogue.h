@@ -31,7 +31,7 @@
 
 namespace viewing {
 
-// NOLINTNEXTLINE(google-global-names-in-headers): the only literal that fills templates
+// NOLINTNEXTLINE(google-global-names-in-headers): the only literal operator that fills templates
 using fmt::literals::operator""_a;
 
 // ---- the language ------------------------------------------------------------------------------------------------
@@ -52,7 +52,7 @@ std::string pseudo_text(std::string_view english);
 
 // ---- texts -------------------------------------------------------------------------------------------------------
 
-/// Returns the text in the current language, terminated by 0 and never freed; `english` itself for English, or if there
+/// Returns the text in the current language, null-terminated and never freed; `english` itself for English, or if there
 /// is no translation.
 const char* tr(const char* english);
 /// Translates a part of a text, such as the visible part of a label.

@@ -90,7 +90,7 @@ struct NumberChars {
 /// How to write a magnitude too small for the decimals: 0.00; 4.00·10⁻⁵ unless it is a rounding residue; or 4.00·10⁻⁵
 /// however small it is.
 enum class Tiny { zero, exponent, exact };
-/// Writes the same as number_text, with a choice for tiny numbers.
+/// Writes the same as number_text, with a choice of how to write tiny numbers.
 NumberChars number_chars(double value, int decimals, Tiny tiny);
 /// Writes the same in at most `columns` characters. To fit, drops decimals, then the unit, then writes 1.2·10⁵, then
 /// 1.2e5.

@@ -34,8 +34,8 @@ LastSound sound_of_digit(char digit) {
     return ls.find(digit) != std::string_view::npos ? LastSound::l : LastSound::vowel;
 }
 
-/// Returns the last sound of the letter's Korean name (엘, 엠, 엔, 알) if the letter is alone, otherwise that of a word
-/// that ends in it.
+/// Returns the last sound of the letter's Korean name (엘, 엠, 엔, 알) if the letter is alone, otherwise the last sound
+/// of a word that ends in the letter.
 LastSound sound_of_latin(char letter, bool is_alone) {
     const char small = static_cast<char>(letter | 0x20);
     if (small == 'l' || (is_alone && small == 'r')) return LastSound::l;

@@ -59,9 +59,9 @@ struct BspTree {
 /// `sorted`.
 BspTree build_bsp(std::span<const Polygon> polygons, const BspOptions& options = {}, WorkProgress* progress = nullptr);
 
-/// A node, recorded when its own polygons are drawn, and which side of its plane the eye is on: 1 in front, −1 behind,
-/// 0 in the plane. The traversal may treat 0 like 1, because then neither side hides the other, and the node's polygons
-/// are seen edge-on.
+/// A visited node, recorded when its own polygons are drawn, with the side of its plane that the eye is on: 1 in front,
+/// −1 behind, 0 in the plane. The traversal may treat 0 like 1, because then neither side hides the other, and the
+/// node's polygons are seen edge-on.
 struct BspVisit {
     int node;
     int eye_side;

@@ -1,4 +1,4 @@
-// Builds the hierarchy top down, cutting where bins estimate the lowest cost. Read bvh_rays.cpp next.
+// Builds the hierarchy top down, cutting where the cost, estimated with bins, is lowest. Read bvh_rays.cpp next.
 #include "visibility/bvh.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Traces rays through the hierarchy, as many at a time as fit in a register, and visits the nearer child first. Tests
 // boxes in single precision, slightly enlarged, and triangles in double precision. Read curved.cpp next. Source: Wald,
-// Slusallek, Benthin and Wagner 2001; Ize 2013 for box tests that rounding errors cannot make a ray miss.
+// Slusallek, Benthin and Wagner 2001; Ize 2013 for box tests that never miss a box because of rounding errors.
 #include <algorithm>
 #include <array>
 #include <bit>

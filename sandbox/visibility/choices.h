@@ -8,7 +8,7 @@ namespace viewing {
 /// centroid.
 enum class PainterKey { nearest, farthest, centroid };
 
-/// The polygon whose plane divides a BSP node: the first of the node's list; a random one; or, among some evenly chosen
+/// The polygon whose plane divides a BSP node: the first in the node's list; a random one; or, among some evenly chosen
 /// candidates, the one that cuts the fewest others, or the one whose larger child is smallest.
 enum class BspSplitter { first, random, fewest_splits, balanced };
 

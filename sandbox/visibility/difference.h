@@ -1,4 +1,4 @@
-// Finds where two methods disagree. Read ray_cast.h for the reference.
+// Finds where two methods disagree. See ray_cast.h for the reference.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // "Find me a view where this key fails": orbits a camera about a target and searches for the view in which the
-// painter's picture, sorted by one key, differs most from ray casting. Read painter.h for the keys, ray_cast.h for the
-// reference.
+// painter's picture, sorted by one key, differs most from ray casting. See painter.h for the keys and ray_cast.h for
+// the reference.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ enum class GrowthScene { small_triangles, large_triangles, own_polygons };
 
 struct GrowthRequest {
     GrowthScene scene = GrowthScene::small_triangles;
-    std::vector<Polygon> own_polygons{};  ///< for own_polygons; a row uses at most its own count of them, evenly spaced
+    std::vector<Polygon> own_polygons{};  ///< for own_polygons; a row uses up to its count of them, evenly spaced
     std::vector<int> counts{10, 30, 100, 300, 1'000, 3'000, 10'000, 30'000, 100'000};
     int width = 320, height = 240;         ///< size of the picture in pixels; at least 1
     std::optional<Viewpoint> viewpoint{};  ///< if none, the view contains the whole scene
@@ -72,10 +72,10 @@ std::vector<Polygon> growth_polygons(const GrowthRequest& request, int count);
 
 /// Measures all methods at the lowest count, then at the next one, and so on; calls `on_row` with each row as it is
 /// added. Sorts the counts, drops those below 1 and duplicates, and limits them to a million random triangles or to the
-/// number of own polygons. Runs each method three times, or more often if it is quick, or less often if another run
-/// would exceed the budget. A method that a budget stopped, or that exceeded its time, is not tried again; it gets one
-/// more row, at the next count, with a `problem` that says so. A row's number of operations depends on time only if the
-/// time budget stopped the method. If canceled, returns the finished rows.
+/// number of the scene's own polygons. Runs each method three times, or more often if it is quick, or less often if
+/// another run would exceed the budget. A method that a budget stopped, or that exceeded its time, is not tried again;
+/// it gets one more row, at the next count, with a `problem` that says so. A row's number of operations depends on time
+/// only if the time budget stopped the method. If canceled, returns the finished rows.
 std::vector<GrowthRow> measure_growth(const GrowthRequest& request, WorkProgress* progress = nullptr,
                                       const std::function<void(const GrowthRow&)>& on_row = {});
 

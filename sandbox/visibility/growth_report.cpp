@@ -1,4 +1,4 @@
-// Reports the curves in words and as a table. Read growth.h for the contents of a row.
+// Reports the curves in words and as a table. See growth.h for the contents of a row.
 #include <algorithm>
 #include <cmath>
 #include <utility>

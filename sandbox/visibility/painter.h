@@ -1,6 +1,6 @@
 // The painter's algorithm at its simplest: sort whole polygons by one number, then draw them from far to near. This is
-// correct only if that number happens to reflect which polygon hides which. Read newell.h for the correct algorithm,
-// bsp.h next. Source: lecture, Hidden Surface Removal: depth sorting.
+// correct only if that number happens to reflect which polygon hides which. See newell.h for the correct algorithm.
+// Read bsp.h next. Source: lecture, Hidden Surface Removal: depth sorting.
 #pragma once
 
 #include <cstdint>

@@ -27,8 +27,9 @@ inline constexpr double parallel_sine = 1e-12;
 inline constexpr double smallest_relative_area = 1e-12;
 
 /// Returns the polygon with these corners, or none if it has no area: fewer than three corners, twice the area at most
-/// 1e−12 of the squared longest edge, or a corner that is not finite. If the corners are slightly out of plane, the
-/// polygon gets their mean plane, which has the normal of the area and passes through the mean of the corners.
+/// 1e−12 times the square of the longest edge, or a corner that is not finite. If the corners are slightly out of
+/// plane, the polygon gets their mean plane, which has the normal of the area and passes through the mean of the
+/// corners.
 std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int object, int source);
 
 /// A placed mesh. The mesh must outlive the call that it is passed to.

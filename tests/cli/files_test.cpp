@@ -100,7 +100,7 @@ TEST_F(FileNames, SamplesHasTwoValues) {
     EXPECT_NE(error.find("--samples: must be 0 or 4, got \"8\"\n"), std::string::npos) << error;
 }
 
-/// A preloaded library makes the program use a folder of the test as its home.
+/// A preloaded library makes the program use one of the test's folders as its home folder.
 TEST_F(FileNames, NothingElseIsWrittenWithoutAHome) {
     const fs::path library = fs::path(std::getenv("VIEWING_SANDBOX")).parent_path() / "tests" / "libother-home.so";
     if (!fs::exists(library)) GTEST_SKIP() << "no library to be loaded before others in this build";

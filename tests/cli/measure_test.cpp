@@ -213,7 +213,7 @@ TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {
         SCOPED_TRACE(pair.dump());
         const double z = pair["distance"], gap = pair["gap"];
         EXPECT_NEAR(gap, 0.01, 0.0002);
-        // The step according to the facts: z² (f − n) / (f n (2¹⁶ − 1)).
+        // The step is z² (f − n) / (f n (2¹⁶ − 1)).
         EXPECT_NEAR(pair["step"], z * z * 999.5 / (1000.0 * 0.5 * 65535.0), 1e-6);
         EXPECT_NEAR(pair["predicted_onset_gap"], pair["quantisation"].get<double>() + pair["arithmetic"].get<double>(),
                     1e-12);

@@ -45,8 +45,8 @@ double distance(const Image& a, const Area& from, const Image& b, const Area& to
     return sum / (4.0 * from.width * from.height);
 }
 
-/// Returns the number of levels by which the whole area can be darkened or brightened, whichever is larger, and true if
-/// the area can be brightened more.
+/// Returns the number of levels by which the whole area can be darkened or brightened, whichever is larger, and whether
+/// it can be brightened by more levels than it can be darkened.
 std::pair<int, bool> room_in(const Image& image, const Area& area) {
     int low = 255, high = 0;
     for (int y = area.y; y < area.y + area.height; ++y)

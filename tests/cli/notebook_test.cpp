@@ -53,7 +53,8 @@ TEST_F(Notebook, LinesOfTheManualRun) {
         "assert json.loads(told) == state\n");
 }
 
-/// Pillow rejects a text chunk of more than 1 MiB, but such a state takes several MiB.
+/// Pillow rejects a text chunk of more than 1 MiB, but the state of a scene with thousands of triangles takes several
+/// MiB.
 TEST_F(Notebook, TheLinesRunWithAStateOfManyTriangles) {
     nlohmann::json objects = nlohmann::json::array();
     for (int i = 0; i < 4000; ++i) {

@@ -27,8 +27,8 @@ protected:
         EXPECT_EQ(contents(), before);
     }
 
-    /// Writes reference.png, state.json and a scene with its mesh, a hard link and a symbolic link to each of these
-    /// files, and a folder with a symbolic link to it.
+    /// Writes reference.png, state.json, and a scene with its mesh; for each of these files, a hard link and a symbolic
+    /// link; and a folder with a symbolic link to it.
     void write_files() const {
         write("state.json", R"({"scene": "room.json"})");
         write("room.json", R"({"objects": [{"name": "it", "shape": "mesh", "file": "it.obj"}]})");

@@ -1,5 +1,5 @@
 // libFuzzer: reads arbitrary text as a flight. An accepted flight must round-trip exactly. Each of its first pictures
-// must be a state that round-trips or yield an error, and must not depend on how playback reached it.
+// must either yield an error or be a state that round-trips, and must not depend on how playback reached it.
 #include "fuzz.h"
 #include "state/file/flight.h"
 #include "state/file/json.h"

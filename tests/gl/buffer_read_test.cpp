@@ -179,7 +179,8 @@ TEST_F(BufferRead, CountsMatchTheBlocks) {
                     ++expected[static_cast<std::size_t>(std::clamp(value * 128.0, 0.0, 127.0))];
                 }
                 EXPECT_EQ(counts.unwritten, unwritten);
-                // Float32 may put a depth at a bin's edge in the next bin; with few bits, many pixels share that depth.
+                // Float32 rounding may move a depth at a bin's edge into the next bin; with few bits, many pixels share
+                // that depth.
                 int moved = 0;
                 for (std::size_t bin = 0; bin < expected.size(); ++bin)
                     moved += std::max(expected[bin] - static_cast<int>(counts.counts[bin]), 0);

@@ -20,7 +20,7 @@ constexpr glm::ivec2 codes_px(8, 8);
 
 using Exact = long double;
 
-/// Returns the window depth at a distance z in front of the eye (facts, Depth).
+/// Returns the window depth at a distance z in front of the eye.
 Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     if (mapping == DepthMapping::logarithmic) return std::log(z / n) / std::log(f / n);
     if (orthographic) return mapping == DepthMapping::reversed ? (f - z) / (f - n) : (z - n) / (f - n);
@@ -54,10 +54,9 @@ Params at_origin() {
                                  "reflection.enabled=false", "plane.equation=[0,1,0,1000000]", "plane.extent=0.001"});
 }
 
-/// Returns how far a code may be from the exact value (facts): 1 at 16 bits and 4.5 at 24, since float32 arithmetic
-/// adds its error to GL's rounding. Where the arithmetic error exceeds one code, as in a short logarithmic range, the
-/// test multiplies this limit by that error. For fewer bits, the shader computes the codes and rounds to the nearest
-/// code.
+/// Returns how far a code may be from the exact value: 1 at 16 bits and 4.5 at 24, since float32 arithmetic adds its
+/// error to GL's rounding. Where the arithmetic error exceeds one code, as in a short logarithmic range, the test
+/// multiplies this limit by that error. For fewer bits, the shader computes the codes and rounds to the nearest code.
 Exact allowed_codes(int bits) {
     return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
 }
@@ -99,7 +98,7 @@ struct Sample {
     bool orthographic() const { return params.projection.type == ProjectionType::orthographic; }
 
     /// Returns the error that float32 arithmetic may cause in this depth before it is stored: eye depth has 24 bits,
-    /// and so has the sum that maps −1 … 1 to 0 … 1 in the standard mapping. See the facts' footnote.
+    /// and so does the sum that maps −1 … 1 to 0 … 1 in the standard mapping.
     Exact arithmetic() const {
         const DepthMapping mapping = params.depth.mapping;
         const Exact sum = mapping == DepthMapping::standard ? std::exp2(Exact(-24)) : 0.0L;
@@ -158,8 +157,8 @@ TEST_F(DepthCodes, MatchTheFormula) {
 }
 
 TEST_F(DepthCodes, ReproduceTheDistance) {
-    // The status bar computes eye z from the code, so eye z is accurate to the width of a few codes. The width of one
-    // code follows from a formula.
+    // The status bar computes eye z from the code, so eye z is accurate to within the width of a few codes. The width
+    // of one code follows from a formula.
     Random random(seed);
     for (int trial = 0; trial < 40; ++trial) {
         Params params = at_origin();

@@ -19,7 +19,7 @@ constexpr double near = 0.5, far = 40.0;
 
 class DepthPicture : public testing::GlTest {
 protected:
-    /// Returns the color of a square that fills the picture at a distance from the eye.
+    /// Returns the color of a square that fills the picture at this distance from the eye.
     static Rgb color_of(double distance, const std::vector<std::string>& more) {
         std::vector<std::string> settings = {
             "view.shows=depth",     "camera.position=[0,0,0]",  "camera.yaw=0",       "camera.pitch=0",

@@ -1,5 +1,5 @@
 // Tests the heat map as GL draws it: compares the color of a pixel with the ratio of gap to step. The ratio is computed
-// here from the facts' formula for the step and from a ray through the pixel.
+// here from the formula for the step and from a ray through the pixel.
 #include <cmath>
 
 #include "gl/gl_test.h"

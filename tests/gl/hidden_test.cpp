@@ -52,7 +52,7 @@ protected:
     }
 };
 
-/// Returns the screen position of a point in front of the near plane, in pixels from the top left.
+/// Returns the screen position of a point beyond the near plane, in pixels from the top left.
 glm::dvec2 on_screen(const glm::dvec3& point_world, const HiddenRequest& request) {
     const glm::dvec4 clip = request.viewpoint.clip_from_world() * glm::dvec4(point_world, 1.0);
     return (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(request.size_px);

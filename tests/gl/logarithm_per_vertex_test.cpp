@@ -15,7 +15,7 @@ using testing::params_with;
 constexpr glm::ivec2 logarithm_px(64, 64);
 constexpr double log_near = 0.5, log_far = 40.0;
 
-using Corners = std::array<glm::dvec3, 3>;  ///< x and y are in half pictures, z is the distance
+using Corners = std::array<glm::dvec3, 3>;  ///< x and y are in NDC, z is the distance
 
 double logarithm(double distance) {
     return std::log(distance / log_near) / std::log(log_far / log_near);

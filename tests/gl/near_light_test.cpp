@@ -1,5 +1,5 @@
-// A light that almost touches a wall still casts the wall's whole shadow, however small their distance. The expected
-// shadow is found by following rays, not by S.
+// A light that almost touches a wall still casts the wall's whole shadow, however small the distance between them. The
+// expected shadow is found by following rays, not by S.
 #include "gl_test.h"
 #include "platform/sanitized.h"
 

@@ -20,7 +20,7 @@ constexpr glm::ivec2 planes_px(96, 54);
 constexpr unsigned first_room = 62000;
 
 /// Returns a realistic room with semitransparent mirrors and shadows. It has one depth format and at most two lights,
-/// because a software renderer takes long to compile shaders for more.
+/// because a software renderer takes a long time to compile shaders for more.
 Room lived_in(unsigned number) {
     Room room = testing::room(number);
     Random random(number);

@@ -150,7 +150,7 @@ private:
     }
 
     static bool is_on_patch(const OraclePlane& plane, const glm::dvec3& point) {
-        // The contract's axes: n′ is the normal with its largest component positive, and e is the axis of the smallest
+        // The patch's axes: n′ is the normal with its largest component positive, and e is the axis of the smallest
         // component (of several equally small ones, the last).
         const glm::dvec3 normal(plane.equation), size = glm::abs(normal);
         const int largest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

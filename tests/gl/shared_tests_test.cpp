@@ -1,5 +1,5 @@
-// Unified stencil tests pass the same fragments as the original ones, for every value that the stencil can hold. The
-// tests enumerate these values, and they check the passes of every preset and random passes.
+// Unified stencil tests pass the same fragments as the original ones, for every value that the stencil can hold. This
+// file enumerates these values, and checks the passes of every preset and random passes.
 #include "render/shared_tests.h"
 
 #include <gtest/gtest.h>

@@ -39,8 +39,8 @@ protected:
         return answer_hidden_question(solver, *question).pictures;
     }
 
-    /// Returns the names of everything that touches a pixel, with the decisions. If a neighboring pixel has another
-    /// text, there is an edge between them.
+    /// Returns the names of everything that touches a pixel, with the decisions. If a neighboring pixel's text is
+    /// different, there is an edge between the two pixels.
     static std::string touches_of(const PixelChain& chain) {
         std::string text;
         for (const Touch& touch : chain.touches)

@@ -68,8 +68,8 @@ TEST_F(MirrorMeasure, DepthsMatchTheirNearPlane) {
     const MirrorWayReport &clipped = of(ways, MirrorWay::clip_distance), &oblique = of(ways, MirrorWay::oblique);
     EXPECT_LT(oblique.first_depth, 0.001);
     EXPECT_LT(oblique.last_depth, 0.5);
-    // Points of the image are 5 to 15 from the eye. The facts compute the depth as f/(f−n) − f n/((f−n) z), here with
-    // near 0.5 and far 40.
+    // Points of the image are 5 to 15 from the eye. The depth is f/(f−n) − f n/((f−n) z), here with near 0.5 and far
+    // 40.
     EXPECT_GT(clipped.first_depth, 40.0 / 39.5 - 20.0 / (39.5 * 5.0));
     EXPECT_LT(clipped.last_depth, 40.0 / 39.5 - 20.0 / (39.5 * 15.0));
     const MirrorWayReport& camera = of(ways, MirrorWay::camera);

@@ -561,7 +561,7 @@ TEST(OnStage, TypedVotesBecomeSharesBeforeAndAfterTheDiscussion) {
         EXPECT_FALSE(is_on_top(desk, "89 % · 160")) << "the answer is not hidden";
         desk.press(Key::v);
         EXPECT_TRUE(is_on_top(desk, "89 % · 160"));
-        for (int i = 0; i < 2; ++i) desk.press(Key::page_down);  // ends the reveal, then the next step
+        for (int i = 0; i < 2; ++i) desk.press(Key::page_down);  // ends the reveal, then goes to the next step
         desk.settle();
         ASSERT_EQ(desk.workbench.guide.run()->index(), 1U);
         EXPECT_FALSE(is_on_top(desk, "89 % · 160")) << "the next step has its own votes";

@@ -53,7 +53,7 @@ protected:
         return std::ranges::any_of(
             desk.recorded(), [&text](const RecordedItem& item) { return item.text.find(text) != std::string::npos; });
     }
-    /// Hovers over a place long enough for a tooltip to appear; returns its text, or "".
+    /// Hovers over a position long enough for a tooltip to appear; returns its text, or "".
     std::string tooltip_at(ImVec2 place) {
         ui.move_to(place);
         for (int i = 0; i < 4; ++i) ui.frame(1.0F);

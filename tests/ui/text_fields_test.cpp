@@ -84,7 +84,7 @@ struct WayOut {
     const char* name;
     std::function<void(FieldDesk&)> leave;
     bool goes_on = false;     ///< editing goes on in the next number
-    bool turns_page = false;  ///< turns an exercise's page; elsewhere, the key does not leave the field
+    bool turns_page = false;  ///< turns the page of an exercise; elsewhere, the key does not leave the field
 };
 
 std::vector<WayOut> all_ways_out() {

@@ -566,7 +566,8 @@ TEST_F(ObserverHandles, MoveTheEdgesOfAWindow) {
             const ImVec2 from = desk.in_observer_view(places().near[edge]);
             drag(places().near[edge], 0.4F * (from.x - middle.x), 0.4F * (from.y - middle.y));
             EXPECT_EQ(differing_fields(start, params), Paths{paths[edge]});
-            // 0.4 times half the window's size, which is 2.5, except for the effect of the observer's perspective.
+            // The window's size is 2.5, so the edge moves by 0.4 · 2.5 / 2, except for the effect of the observer's
+            // perspective.
             const double moved = params.projection.*edges[edge] - start.projection.*edges[edge];
             EXPECT_NEAR(std::abs(moved), 0.5, 0.15) << paths[edge];
             EXPECT_EQ(moved > 0.0, start.projection.*edges[edge] > 0.0) << "away from the middle";

@@ -199,7 +199,7 @@ TEST_F(LectureTest, MatrixAdaptsToItsWidth) {
     EXPECT_EQ(ui.text_of("P/r0c1"), "1.5");
 }
 
-/// An enlarged matrix is taller and loses no digit: its numbers grow only as far as the widest one fits.
+/// An enlarged matrix is taller and loses no digit: its numbers grow only as long as the widest one still fits.
 TEST_F(LectureTest, AMatrixGrowsWithoutLosingDigits) {
     glm::dmat4 value(-1.25);
     value[2][1] = -123.456;

@@ -11,7 +11,7 @@ struct LogScale {
     double low, high;  ///< base-10 logarithms of its ends
     float from, to;    ///< pixel positions of its ends
 
-    float At(double value) const;  ///< `value` must be > 0; the result is clamped far outside the plot
+    float At(double value) const;  ///< `value` must be > 0; far outside the plot, the result is clamped
     bool Holds(double value) const;
 };
 

@@ -91,7 +91,7 @@ void DrawTicks(ImDrawList* draw, const Rows& rows, std::span<const CodeTick> tic
     if (pointed) draw_tick(*pointed, Shown(palette.accent), Shown(palette.accent), Px(2.5F) * palette.stroke);
 }
 
-/// Draws texts at both ends of a row, and its title between them if it fits.
+/// Draws text at both ends of a row, and its title between them if it fits.
 void DrawRowTexts(ImDrawList* draw, const Rows& rows, float y, const std::string& first, const std::string& last,
                   const char* title) {
     const Palette& palette = CurrentContext().palette;

@@ -53,7 +53,7 @@ void obey(const Requests& requests) {
     page->any |= requests.snapshot || requests.view_picture.has_value();
 }
 
-/// Opens a link, which is the fragment of the page's address.
+/// Opens a link, given as the fragment of the page's address.
 void open_link(const std::string& text) {
     Session& session = page->studio.session;
     const Result<Link> link = read_link(text);
@@ -78,7 +78,7 @@ bool departs_from_opened() {
     return session.params != session.in_own_looks(Params{});
 }
 
-/// Whether an unanswered lesson step covers something on screen, so that it must not be read aloud.
+/// Whether an unanswered lesson step covers something on screen that must therefore not be read aloud.
 bool hides_something() {
     const Guide& guide = page->studio.workbench.guide;
     return guide.is_shown() && !guide.run()->is_revealed() && !guide.run()->step().cover.empty();
@@ -269,7 +269,7 @@ EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
     push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
 }
 
-/// Presses or releases a button: 0 is left, 1 right, 2 middle; 3 together with 1 stands for two fingers.
+/// Presses or releases a button: 0 is left, 1 right, 2 middle; a drag with two fingers holds both 1 and 3.
 EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
     if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
 }

@@ -138,7 +138,7 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
-    page->studio.session.take_outcome();  // loading ended with this question, so discard its outcome
+    page->studio.session.take_outcome();  // loading ended with this request to read a file, so discard its outcome
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // errors stay on screen
 }
@@ -204,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
     session.update_scene();
     refuse_what_is_not_there();
     if (session.asks_to_read()) {
-        session.take_outcome();  // loading ended with this question, so discard its outcome
+        session.take_outcome();  // loading ended with this request to read a file, so discard its outcome
         return given("");
     }
     if (session.loading_fraction()) return given("");

@@ -117,7 +117,7 @@ void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory
     glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
     float device_scale = 1.0F;
     glfwGetWindowContentScale(window, &device_scale, nullptr);
-    for (int i = 0; i < 2; ++i) {  // the first frame leaves the field, the second records the change
+    for (int i = 0; i < 2; ++i) {  // the first frame ends the editing, the second records the change
         const Requests requests = studio.frame({glm::max(size_px, glm::ivec2(1)), device_scale, true, {}});
         studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
     }

@@ -80,7 +80,7 @@ std::string title(const std::vector<Exercise>& exercises, const std::vector<Stud
 
 // ---- points --------------------------------------------------------------------------------------------------------
 
-/// The number of students by points; each bar covers a range of `width` points.
+/// The distribution of the students' points; each bar covers a range of `width` points.
 struct Histogram {
     int width = 1;
     std::vector<int> bars;

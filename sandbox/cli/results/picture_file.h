@@ -15,7 +15,7 @@ namespace viewing {
 /// Whether the name has the ending of a vector format: .svg or .pdf.
 bool is_vector_name(const std::string& target);
 
-/// A picture of pixels or, if it has none, of shapes and text.
+/// A picture as pixels or, if it has none, as shapes and text.
 struct DrawnPicture {
     Image image;
     Drawing drawing;

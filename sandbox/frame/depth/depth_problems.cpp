@@ -138,8 +138,8 @@ void say_clear_value(Sayer& tell, const Params& params, const Derived& derived, 
                 is_reversed && !depth.reversed_clear ? "depth.clear_value=0" : "depth.clear_value");
 }
 
-/// Returns whether the only plane is a mirror that is drawn last, without a depth test, over everything in the picture:
-/// it shows only what is drawn inside the mask, where depth is cleared.
+/// Returns whether the only plane is a mirror that is drawn last, without a depth test, over everything in the picture;
+/// the picture then shows only what is drawn inside the mask, where depth is cleared.
 bool is_covered_by_mirror(const Params& params, const Derived& derived, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const DerivedPlane& plane = derived.planes.front();

@@ -169,9 +169,10 @@ double float_step(double value) {
 }
 
 /// Returns how far apart the window depths of two surfaces may be although they should be equal, in units of 2⁻²⁴. Each
-/// rounding to float32 on the way is off by up to half a unit in the last place for each surface, so by up to one unit
-/// between the two. The rounded values are clip z and clip w, which both affect their quotient, and the depth, first as
-/// computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded at the end.
+/// rounding to float32 on the way is off by up to half a unit in the last place for each surface, so it can move the
+/// two apart by up to one unit. The rounded values are clip z and clip w, which both affect their quotient, and the
+/// depth, first as computed from the quotient and then as interpolated. The matrix is multiplied in double and rounded
+/// at the end.
 double rounded_terms(const DepthCoding& coding, double z) {
     const Lens& lens = coding.lens;
     const double depth = window_depth(lens, coding.mapping, z), of_depth = float_step(depth);
@@ -212,8 +213,8 @@ double depth_rounding(const DepthCoding& coding, double distance, double span) {
 FightingOnset fighting_onset(const DepthCoding& coding, double distance, double span) {
     const Lens& lens = coding.lens;
     const double z = std::clamp(distance, lens.near, lens.far);
-    // A code's width in distance divided by its width in depth is the distance per change of depth, in any integer
-    // format.
+    // A code's width in distance divided by its width in depth is the distance per unit of depth. It is the same for
+    // every integer format.
     constexpr DepthPrecision any_bits{24, false};
     const double distance_per_depth = depth_step(lens, coding.mapping, any_bits, z) * (std::exp2(24) - 1.0);
     const double code = depth_step(lens, coding.mapping, coding.precision, z) / distance_per_depth;

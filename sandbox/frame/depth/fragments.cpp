@@ -141,7 +141,7 @@ std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::iv
     return picture ? raster_pixel(glm::dvec2(pixel) + 0.5, size_px, picture->size_px, picture->share) : std::nullopt;
 }
 
-/// Returns the index of the object that a method's picture of large pixels shows, −1 for the background. None if GL
+/// Returns the index of the object that a method's coarser picture shows at a pixel, −1 for the background. None if GL
 /// draws, or if the picture has the same size as the view.
 std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
     const HiddenDrawing* picture = picture_of(plan, pass);

@@ -31,7 +31,7 @@ struct PairPrediction {
     /// no prediction for a pair that is out of view or whose surfaces cross, a depth function that does not compare
     /// nearness, a depth buffer that is not written or not cleared to the farthest depth, depths that may equal the
     /// cleared code, logarithms per vertex, arithmetic errors as large as the codes, surfaces that cross too few codes
-    /// (all of their pixels may have the same one) or more than one code in two pixels (pixel positions decide which
+    /// (all of their pixels may have the same one) or more than one code every two pixels (pixel positions decide which
     /// ones), decals drawn with GL_EQUAL, and a polygon offset whose effect is not measured and is not certain to
     /// exceed one code.
     std::optional<ShareInterval> wrong_share;

@@ -1,5 +1,5 @@
 // Identifies an S or R entered by hand. Checks such as rank, det and S² = (Π·L) S also pass for another light's or
-// plane's matrix, so explain_matrix.h identifies it.
+// plane's matrix, so the matrix is identified by explain_matrix.h.
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -29,7 +29,7 @@ struct SurfacePixel {
 
 /// Either `triangles` or `pixels` is filled. Immutable once made: the renderer uploads it once.
 struct HiddenDrawing {
-    /// Consecutive triangles that are all decals or all not decals: decals have their own depth offset.
+    /// Consecutive triangles, either all decals or all non-decals: decals have their own depth offset.
     struct Run {
         int first_vertex, vertex_count;
         bool is_decal;

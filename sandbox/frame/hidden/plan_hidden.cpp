@@ -68,7 +68,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         pass.reason = reason_of(pass.subject);
         if (pass.subject == Subject::pixels) pass.depth = found_depth;
     }
-    // In a picture of few pixels, GL would draw the patch too finely.
+    // In a picture of large pixels, GL would draw the patch at too fine a resolution.
     if (has_raster(params.visibility))
         std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject == Subject::patch; });
     const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);

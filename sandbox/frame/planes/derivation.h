@@ -1,5 +1,5 @@
 // The lecture's two derivations with numbers: the shadow s of a point p, and the mirror image q′ of a point q.
-// Pure. Read derivation.cpp next; ui/planes/derivation_views.cpp shows it.
+// Pure. Read derivation.cpp next; ui/planes/derivation_views.cpp shows the derivations.
 #pragma once
 
 #include <optional>

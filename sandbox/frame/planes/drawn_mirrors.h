@@ -25,8 +25,8 @@ struct Mirror {
     double distance_from_origin() const { return std::abs(plane.unit_plane.w); }
 };
 
-/// Returns all mirrors if any of them is in the picture, since the others may be seen in it; otherwise none. `frame`:
-/// the camera's, or null if the images do not matter.
+/// Returns all mirrors if any of them is in the picture, since the others may be seen in that mirror; otherwise none.
+/// `frame`: the camera's, or null if the images do not matter.
 std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived, const FramePlan* frame = nullptr);
 
 /// Returns the matrix that sends a scene point to the point of the mirror's plane where the eye sees its image.

@@ -10,7 +10,7 @@ namespace viewing {
 
 /// The scene as a row of mirrors shows it. Forms take a scene point (x, y, z, 1).
 struct WayThroughMirrors {
-    std::vector<std::size_t> mirrors;  ///< as the view ray meets them; never empty
+    std::vector<std::size_t> mirrors;  ///< in the order in which the view ray meets them; never empty
     bool is_from_behind = false;       ///< the last mirror's normal points away from the side that is seen
     std::vector<glm::dvec4> inside;    ///< all positive where a point's image is seen in each mirror, beyond near
     glm::dvec4 side{0.0};              ///< positive on the side of the last mirror whose points the mirror should show

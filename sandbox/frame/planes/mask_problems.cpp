@@ -44,7 +44,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     if (!lets_nearer_win(params)) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
     const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
-    Params in_patches = params;  // beside the patch, the image shows for another reason
+    Params in_patches = params;  // outside the patch, the image is visible for another reason
     in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
         if (is_oblique && may_show_image(params, derived, mirror, scene))

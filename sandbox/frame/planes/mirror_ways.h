@@ -21,8 +21,8 @@ const char* name_of(MirrorWay way);
 
 /// The comparison of one way with the first one.
 struct MirrorWayReport {
-    std::int64_t different = 0;                  ///< pixels unlike the first picture's pixel there and its neighbors
-    int worst = 0;                               ///< largest difference of these pixels, in color levels
+    std::int64_t different = 0;                  ///< pixels without a match in the first picture, there or 1 px away
+    int worst = 0;                               ///< largest difference among these pixels, in color levels
     double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
     std::int64_t distinct_depths = 0;            ///< number of different codes
     std::int64_t image_pixels = 0;

@@ -71,7 +71,7 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
     pass.matrices = level.matrices + " " + level.shadow_symbol(plane, light);
-    // If casters are clipped at the light, no negative w is left to force.
+    // If casters are clipped at the light, no negative w is left whose sign would have to be forced.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
     pass.cull = CullParams{};  // culling must never remove a shadow

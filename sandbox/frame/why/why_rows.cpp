@@ -329,7 +329,7 @@ void add_fight_row(Why& made, const WhyQuestion& question) {
 void add_sample_row(Why& made, const WhyQuestion& question) {
     if (question.plan.samples == 0) return;
     // GL's usual pattern places a pixel's four samples, given here in eighths of a pixel, at pixel centers of a picture
-    // four times as large.
+    // four times as wide and four times as high.
     static constexpr glm::ivec2 places[] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
     std::vector<std::pair<std::string, int>> seen;
     for (const glm::ivec2& place : places) {

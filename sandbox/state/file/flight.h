@@ -12,7 +12,7 @@
 
 namespace viewing {
 
-/// The most pictures that a flight may have, including its initial state.
+/// The maximum number of pictures in a flight, including its initial state.
 inline constexpr std::size_t most_flight_pictures = 10'000;
 
 struct FlightFrame {

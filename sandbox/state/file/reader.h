@@ -31,7 +31,7 @@ glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range
 /// Reads a name, which must not be empty, must be UTF-8 of at most 1024 bytes, and must not contain control characters.
 std::string read_name(const Json& value, const Where& where);
 
-/// Refuses a JSON value that is not an object, or not an array of at most `max_count` elements.
+/// Refuse a JSON value that is not an object or, respectively, not an array of at most `max_count` elements.
 void require_object(const Json& value, const Where& where, const std::string& must_be);
 void require_array(const Json& value, const Where& where, std::size_t max_count, const std::string& must_be);
 

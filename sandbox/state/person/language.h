@@ -1,6 +1,6 @@
 // The language of the window. The window's own texts come from assets/text/CODE.po, and those of lessons from the
-// lesson files. A new language needs an enumerator of Language, its code in fields.cpp, its own name and a higher
-// language_count below, and a .po file; if its script is not Latin, it also needs a font in ui/window/fonts.cpp.
+// lesson files. A new language needs an enumerator of Language, its code in fields.cpp, its name in own_name() and a
+// higher language_count below, and a .po file; if its script is not Latin, it also needs a font in ui/window/fonts.cpp.
 #pragma once
 
 #include <string_view>

@@ -53,8 +53,8 @@ Status write_remembered(const std::filesystem::path& file, const Remembered& rem
 /// the union of both lists; files that this window has opened since then come first. Merging again changes nothing.
 Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
 
-/// Merges into the file under a lock, and returns its new content. Renames a file that cannot be read (set_aside);
-/// writes nothing if `file` is empty. The error is one sentence.
+/// Merges `now` into the file under a lock, and returns the file's new content. Renames a file that cannot be read
+/// (set_aside); writes nothing if `file` is empty. The error is one sentence.
 Result<Remembered> merge_remembered(const std::filesystem::path& file, const Remembered& known, const Remembered& now);
 
 /// Returns whether one of the screens shows enough of a window's upper edge to grab it.

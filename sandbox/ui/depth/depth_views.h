@@ -16,7 +16,7 @@ void draw_depth_picture(Session& session, const Derived& derived, const Rect& re
 /// show.
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
-/// Draws the legend of a depth buffer's colors over its picture, or says why there is none.
+/// Draws the legend of a depth buffer's colors over its picture. If there is no depth to show, also says why.
 void depth_picture_legend(const Session& session, const Derived& derived, const Rect& rect);
 
 /// Draws the choices of depth scale and depth colors on the current line, up to `right`.

@@ -62,7 +62,7 @@ bool is_telling(const StepCurve& curve) {
                                                     : curve.format == DepthFormat::d24);
 }
 
-/// The curves in the chart's format, together with the names that they point to.
+/// The curves in the form that the chart widget takes, together with the names that they point to.
 class ChartCurves {
 public:
     ChartCurves(PrecisionCurves curves, OtherCurves wanted) : curves_(std::move(curves)) {

@@ -110,8 +110,8 @@ float saving_width() {
     return widgets::SmallButtonWidth("Save CSV") + px(6.0F) + widgets::SmallButtonWidth("Save PNG");
 }
 
-/// Draws the progress or, if nothing runs, the buttons that save the result. Returns whether to save a picture of the
-/// chart, whose rectangle is not known yet.
+/// Draws the progress or, if nothing is running, the buttons that save the result. Returns whether to save a picture of
+/// the chart, whose rectangle is not known yet.
 bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& flow) {
     if (state.measuring.is_running()) {
         const float width = std::min(saving_width(), flow.room());

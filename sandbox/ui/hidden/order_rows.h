@@ -23,8 +23,8 @@ struct OrderRow {
 /// Returns a row with the polygon's names and color; the caller sets the rest.
 OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source);
 
-/// The rows of one result, which must outlive this object. `index` must follow the same result if the result has a
-/// tree.
+/// The rows of one result, which must outlive this object. If the result has a tree, `index` must be up to date with
+/// that result.
 class OrderRows {
 public:
     OrderRows(const HiddenResult& result, const TreeIndex& index);

@@ -46,7 +46,7 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     ImGui::TextUnformatted(tr("polygon"));
     if (has_detail_) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(tr(detail));  // left-aligned: this sets the column's width
+        ImGui::TextUnformatted(tr(detail));  // left-aligned, so that it sets the column's width
     }
     ImGui::PopStyleColor();
 }

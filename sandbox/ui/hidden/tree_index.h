@@ -23,7 +23,7 @@ public:
     /// Updates the index to match a result's tree, its traversal, and the progress of its step. Ignores a result
     /// without a tree.
     void follow(const std::shared_ptr<const HiddenResult>& result);
-    /// The number of trees followed so far.
+    /// How many trees the index has followed so far.
     std::uint64_t revision() const { return revision_; }
 
     const std::vector<widgets::TreeNode>& nodes() const { return nodes_; }

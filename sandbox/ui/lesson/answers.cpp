@@ -256,7 +256,7 @@ bool draw_tile(const Paragraph& text, ImVec2 min, ImVec2 size, float text_x, con
 }
 
 /// Draws tiles that the student puts in order. The arrows at a tile's ends move it. A tile that is dragged onto another
-/// takes its place, and the others move up.
+/// moves to that tile's position, and the tiles in between shift.
 void draw_order(LessonRun& run, const AnswerStyle& style, const AnswerSizes& sizes, float width) {
     const Ask& ask = run.step().ask;
     const ImVec2 corner = ImGui::GetCursorScreenPos();

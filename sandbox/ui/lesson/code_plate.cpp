@@ -25,7 +25,7 @@ std::vector<std::string> address_lines(const std::string& address, const ImFont&
     return lines;
 }
 
-/// Draws each run of dark modules in a row as one rectangle: blended neighbors would not meet exactly.
+/// Draws each run of dark modules in a row as one rectangle: blending could leave seams between separate rectangles.
 void draw_modules(ImDrawList& draw, const QrCode& code, ImVec2 corner, float module_px) {
     for (int row = 0; row < code.modules; ++row)
         for (int column = 0; column < code.modules;) {

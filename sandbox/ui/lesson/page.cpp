@@ -10,7 +10,7 @@ namespace viewing {
 Page::Page(const char* name) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) ImGui::SetNextWindowFocus();  // the search stays on top
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) ImGui::SetNextWindowFocus();  // an open search stays on top
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(page_margin), px(22.0F)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().ground);
     ImGui::Begin(name, nullptr,

@@ -172,7 +172,7 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             if (!guide.is_shown()) end();
             return true;
         case Key::f1:  // no help while presenting
-        case Key::x:   // update() handles it while held
+        case Key::x:   // update() handles it while the key is held
             return true;
         case Key::escape:
             leave_by_escape(press, guide);
@@ -193,7 +193,7 @@ void PresenterMode::update(const FrameInput& input, Guide& guide, Session& sessi
     if (!is_on_) return;
     const std::pair now(page_of(guide), guide.is_shown() && guide.run()->is_revealed());
     const auto before = std::exchange(shown_step_, now);
-    if (before && *before != now) {  // both would hide the answer
+    if (before && *before != now) {  // the votes and the QR code would hide the answer
         votes_.close();
         shows_code_ = false;
     }

@@ -18,7 +18,7 @@ public:
     void open() { is_open_ = true; }
     void close() { is_open_ = false; }
     bool is_open() const { return is_open_; }
-    /// Draws the editor over `area`, unless no lesson of the user's own is shown.
+    /// Draws the editor over `area` if a lesson of the user's own is shown.
     void draw(Guide& guide, Session& session, const Rect& area);
     /// Returns the texts that the editor shows, so that the fonts can be loaded with their characters.
     std::vector<std::string> texts() const;
@@ -33,7 +33,7 @@ private:
     void draw_parts(Guide& guide);
 
     bool is_open_ = false;
-    std::shared_ptr<const Lesson> lesson_;  ///< whose file `source_` is
+    std::shared_ptr<const Lesson> lesson_;  ///< the lesson whose file `source_` holds
     std::size_t step_ = 0;
     Language language_ = Language::en;
     LessonSource source_;

@@ -76,7 +76,7 @@ void VotePanel::enter(Ballot& ballot) {
 
 bool VotePanel::type(const KeyPress& press, Ballot& ballot) {
     constexpr std::size_t longest = 60;
-    if (press.key == Key::page_down || press.key == Key::page_up) {  // the lesson moves on
+    if (press.key == Key::page_down || press.key == Key::page_up) {  // the lesson goes to another step
         enter(ballot);
         end_typing();
         return false;

@@ -30,7 +30,7 @@ struct Column {
     const Derived& derived;
     const Derived& before;
     bool has_symbols = true;  ///< shows symbols below the numbers
-    char& pastes;             ///< receives the letter of a matrix that is to be pasted
+    char& pastes;             ///< receives the letter of the matrix to replace by pasting
 
     MatrixCells shown(MatrixCells cells) const {
         const bool are_covered = widgets::IsCovered("symbols");

@@ -36,7 +36,7 @@ struct ShownMatrix {
 };
 
 /// Draws a matrix with buttons to the left of Copy. Returns the pressed button, or null. `fact`: the text of the note;
-/// `pastes` receives the letter if the user pastes a matrix in its place.
+/// `pastes` receives the matrix's letter if the user wants to replace the matrix by pasting.
 const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<const char* const> buttons, char& pastes,
                         std::optional<glm::dmat4>* by_hand = nullptr);
 

@@ -55,7 +55,7 @@ void window_control(Params& params, const Derived& derived) {
                      "", "glFrustum | glOrtho");
 }
 
-/// Draws the switch for an infinite far. Turning it off sets far to its default or to twice near.
+/// Draws the switch for an infinite far. Turning it off sets far to its default or to twice near, whichever is greater.
 void infinite_control(Params& params) {
     if (widgets::IsListing()) return;
     double& far = params.projection.far;

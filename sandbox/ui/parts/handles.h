@@ -44,7 +44,7 @@ struct HandlePlaces {
         std::array<glm::dvec3, 5> near, far;  ///< midpoints of the edges, then the center
         bool drags_near = true;               ///< false: P is entered by hand
         bool drags_far = true;                ///< false: by hand, or infinite; `far` is then where the frustum ends
-        bool has_window = false;              ///< then the first four of `near` are edges, from Handle::bottom on
+        bool has_window = false;              ///< true: `near` begins with the edges' handles, from Handle::bottom on
     };
     std::optional<Camera> camera;
 };

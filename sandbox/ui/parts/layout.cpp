@@ -201,7 +201,7 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     if (arrangement.presents && !arrangement.bare) return window_px.y / (30.0F * stage_type.caption) / scale;
     if (arrangement.maximized == ViewName::none || arrangement.bare || arrangement.in_lesson) return 1.0F;
-    // Enlarge only as long as the bar above still fits.
+    // Enlarge only as far as the bar above still fits.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
 }

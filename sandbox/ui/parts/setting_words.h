@@ -7,8 +7,8 @@ namespace viewing {
 
 inline constexpr int all_digits = 0;
 
-/// Returns a setting in words: "shadow.stencil=true" → "stencil on". Numbers have at most `digits` significant digits,
-/// or as many as they need.
+/// Returns a setting in words: "shadow.stencil=true" → "stencil on". Numbers have at most `digits` significant digits
+/// or, with all_digits, as many as they need.
 std::string setting_in_words(const std::string& setting, int digits);
 
 /// Returns "shadow.stencil" for "shadow.stencil=true".

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
 #include "ui/planes/derivation_text.h"

@@ -31,7 +31,7 @@ struct DerivationFlow {
 /// keeps only two rows of controls, since the panel has the others, and then omits the figure, which the camera view
 /// also has. `may_be_short`: no step is chosen, so the controls, too, may be omitted and, if that is not enough, every
 /// line that is not a result.
-DerivationFlow flow_of(const std::vector<DerivationLine>& lines, ImVec2 room, int control_rows);
+DerivationFlow flow_of(const std::vector<DerivationLine>& lines, ImVec2 room, int control_rows, bool may_be_short);
 
 /// Draws one line in the current window's font scale, small if the flow has columns.
 void write_line(const DerivationLine& line, bool is_small);

@@ -163,7 +163,7 @@ struct Derivation {
 /// The lines that are written once the state's step is reached. write() draws those in a range of indices.
 struct WrittenLines {
     const Lines& all;
-    std::size_t counted, written, behind;  ///< where counted lines begin, written ones end, counted ones end
+    std::size_t counted, written, behind;  ///< the first counted line; the ends of the written and the counted lines
 
     void write(std::size_t begin, std::size_t end, const DerivationFlow& flow) const {
         ImGui::SetWindowFontScale(flow.font_scale);

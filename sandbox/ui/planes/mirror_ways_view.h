@@ -16,7 +16,7 @@ struct MirrorWaysShown {
     std::shared_ptr<const MirrorWays> ways;
 };
 
-/// Draws the four pictures. A click on a picture makes the state use that picture's way.
+/// Draws the four pictures. A click on a picture switches the state to the way in which that picture is made.
 void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown);
 
 }  // namespace viewing

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int few_digits = 4;
 
-/// Joins the first `most` settings, put into words; only counts the rest.
+/// Joins the first `most` settings, in words; the rest are only counted.
 std::string joined_words(const std::vector<std::string>& settings, int digits, std::size_t most) {
     std::string words;
     for (std::size_t i = 0; i < std::min(settings.size(), most); ++i)

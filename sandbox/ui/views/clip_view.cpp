@@ -14,7 +14,7 @@
 namespace viewing {
 namespace {
 
-/// Draws lines across the frustum's lower and left faces that mark equal steps of the stored code.
+/// Draws lines across the frustum's lower and left faces to mark equal steps of the stored depth code.
 void draw_code_steps(Overlay& overlay, const Params& params, const Derived& derived) {
     constexpr int most_steps = 16;
     const DepthCoding coding = depth_coding(params, derived);

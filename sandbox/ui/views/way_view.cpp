@@ -22,14 +22,14 @@ int step_of(double way) {
     return std::clamp(static_cast<int>(std::ceil(way)), 0, way_steps);
 }
 
-/// A text in one color.
+/// A piece of text in one color.
 struct Run {
     std::string text;
     widgets::Role role;
 };
 using Row = std::vector<Run>;
 
-/// Returns the numbers as texts of equal length, for a column.
+/// Returns the numbers as strings of equal length, for a column.
 std::array<std::string, 4> column_text(const glm::dvec4& column, int decimals) {
     std::array<std::string, 4> texts;
     std::size_t longest = 0;

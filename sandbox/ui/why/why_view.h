@@ -1,5 +1,5 @@
 // "Why this pixel?": the lower view that explains the pinned pixel row by row, and its lines in the camera's and the
-// observer's view. Read frame/why/why.h for the explanation.
+// observer's views. See frame/why/why.h for the explanation.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace viewing {
 /// The explanation that the views draw; persists between frames.
 struct WhyState {
     std::shared_ptr<const Why> told;                  ///< null while no view explains a pixel
-    std::optional<std::size_t> hovered_row;           ///< only its lines are drawn
-    bool hides_shadow = false, hides_mirror = false;  ///< switched off by the view's buttons
+    std::optional<std::size_t> hovered_row;           ///< only this row's lines are drawn
+    bool hides_shadow = false, hides_mirror = false;  ///< what the view's buttons have switched off
 };
 
 /// Draws the explanation, with buttons that show the picture without its shadow or mirror image, or only up to a pass.

@@ -16,7 +16,7 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
 void copy(Session& session);
 
 /// Copies a link to the state (state/file/link.h) or, if the state is still that of the current lesson step, a link to
-/// that step. `address`: the part in front of the link's #.
+/// that step. `address`: the part of the link before its #.
 void copy_link(const Guide& guide, Session& session, const std::string& address);
 
 /// Returns the link for a QR code: to the current step of a lesson, even once its question has been answered, or, if

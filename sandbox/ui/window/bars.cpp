@@ -367,7 +367,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::TextUnformatted(status.renderer.c_str());
     ImGui::PopFont();
     ImGui::PushFont(widgets.fonts.note);
-    // Show as many texts as fit, the most important first; the hint keeps its position.
+    // Show as many pieces of text as fit, the most important first; the hint keeps its position.
     const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
     const auto append = [&](const std::string& text) {

@@ -10,7 +10,7 @@
 namespace viewing {
 
 /// Fills ImGui's font atlas for a scale (pixels per design pixel × the theme's type scale). Call between frames;
-/// afterward, upload the atlas again before `korean` changes. Characters that no font has appear as a box.
+/// afterward, upload the atlas again before `korean` changes. A character missing from every font appears as a box.
 widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, const TypeSizes& type = {});
 /// Loads the same fonts without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
@@ -20,7 +20,8 @@ struct GlyphFace {
     const char* file = "";  ///< as embedded_font() names it
     float em_px = 0.0F;
 };
-/// `font`: one of load_fonts(). If none of its merged fonts has the character, returns the first of them.
+/// `font`: one of the fonts from load_fonts(). If none of its merged fonts has the character, returns the first of
+/// them.
 GlyphFace face_of(const ImFont& font, ImWchar character);
 
 }  // namespace viewing

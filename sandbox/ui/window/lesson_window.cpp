@@ -116,7 +116,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     show_only_named(step);
     arrangement.stage.left = step.names_lower_left;
     arrangement.stage.right = step.names_lower_right;
-    // A point that is followed only once the answer is shown already has its own mark.
+    // If the revealed answer is what starts following a point, that point already has its own mark.
     const bool is_followed_now = !stage.asks && step.revealed.follow && !step.start.params.follow;
     if (step.target && !is_followed_now)
         stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};

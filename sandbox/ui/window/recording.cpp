@@ -164,7 +164,7 @@ public:
     std::optional<Shade> shade() const {
         if (places_.size() != 4) return std::nullopt;
         const DrawingBox box = this->box();
-        std::map<std::pair<bool, bool>, ImU32> corners;  // key: is at the right, is at the bottom
+        std::map<std::pair<bool, bool>, ImU32> corners;  // key: whether at the right, whether at the bottom
         for (const auto& [index, place] : places_) {
             if ((place.x != box.min.x && place.x != box.max.x) || (place.y != box.min.y && place.y != box.max.y))
                 return std::nullopt;

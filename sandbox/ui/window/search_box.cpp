@@ -109,7 +109,7 @@ std::optional<SearchChoice> SearchBox::draw(const std::function<std::vector<Sear
     }
     if (chosen || is_key_pressed(ImGuiKey_Escape)) {
         ImGui::CloseCurrentPopup();
-        is_open_ = false;  // the next frame's keys are no longer for the text
+        is_open_ = false;  // the next frame's keys no longer go to the text field
     }
     ImGui::EndPopup();
     return chosen ? std::optional(chosen->choice) : std::nullopt;

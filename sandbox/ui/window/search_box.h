@@ -18,7 +18,7 @@ public:
     /// Draws the box while it is open. `offered` returns the entries when it opens. Returns what the user chose.
     std::optional<SearchChoice> draw(const std::function<std::vector<SearchEntry>()>& offered);
 
-    /// Returns the typed text and all texts on offer, for the fonts.
+    /// Returns the typed text and all offered entries, for the fonts.
     const std::string& typed() const { return typed_; }
     const std::vector<SearchEntry>& entries() const { return entries_; }
 

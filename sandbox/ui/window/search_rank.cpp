@@ -148,7 +148,7 @@ std::optional<std::string> value_of(const Field& field, Words words) {
     return as_number(words.front());
 }
 
-/// Returns the entry of a field with the value that the last words give; nullopt if they give none. After "beside", the
+/// Returns a field's entry, with the value given by the last words; nullopt if they give no value. After "beside", the
 /// value is for the second picture.
 std::optional<std::pair<SearchEntry, int>> with_value(const SearchEntry& entry, Words words) {
     const auto* const choice = std::get_if<FieldChoice>(&entry.choice);

@@ -1,11 +1,11 @@
-// Collects Korean text that is not in the catalog, for the fonts. The catalog's own texts are collected when the
-// language changes.
+// Collects Korean text that is not in the catalog, for the fonts. The catalog's own text is collected when the language
+// changes.
 #include "ui/window/workbench.h"
 
 namespace viewing {
 namespace {
 
-/// Collects all texts of the lesson in the current language.
+/// Collects all of the lesson's text in the current language.
 void want_texts(const Lesson& lesson, Syllables& korean) {
     const auto want = [&korean](const LessonText& text) { korean.want(text.shown()); };
     want(lesson.title);

@@ -14,7 +14,7 @@ namespace {
 int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
     const bool is_step =
-        field.path == "view.call" || field.path == "view.triangle";  // its control is in the view that it steps
+        field.path == "view.call" || field.path == "view.triangle";  // its control is in the view whose step it sets
     const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     const bool has_long_name = field.path == "shadow.lift";  // in Korean, the name is above the number
     return field.path == "visibility.step" ? 3 : has_buttons || has_long_name ? 2 : has_control ? 1 : 0;

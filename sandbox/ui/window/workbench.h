@@ -65,13 +65,13 @@ public:
     StartPage start_page;
     ExerciseDesk exercises;  ///< the current student's exercises
     ExercisePage exercise_page;
-    FlightRecorder recorder;                 ///< the program's draw loop gives it each frame
+    FlightRecorder recorder;                 ///< receives each frame from the program's draw loop
     Replay replay;                           ///< the replay of a flight or a hand-in, while it plays
     bool is_checking = false;                ///< an answer is being judged in the background
     LessonsProgress progress;                ///< the user's progress in every lesson
     std::string last_lesson;                 ///< the id of the lesson that was open last; "" for none
     std::vector<std::string> recent;         ///< opened files, latest first
-    std::string link_address = link_base();  ///< the part of a link in front of its #
+    std::string link_address = link_base();  ///< the part of a link before its #
     Syllables korean;                        ///< Korean characters shown so far, for the next frame's fonts
     widgets::Context widgets;
 
@@ -101,8 +101,8 @@ public:
 
 private:
     void set_stage();
-    /// Commits typed text before a key or a dropped file moves the focus away: returns the input without the key or
-    /// file, and holds them back for one frame. Also commits the text when the window loses focus.
+    /// Commits typed text before a key or a dropped file moves the focus away: returns the input without that key or
+    /// file, which is held back for one frame. Also commits the text when the window loses focus.
     FrameInput after_typing(const FrameInput& input);
     /// When presenting, returns the switches to offer: `kinds`, the controls that the state's layout lists, and the
     /// step's highlighted parts. Otherwise returns nullopt, for all switches.
@@ -128,7 +128,7 @@ private:
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
     void draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture);
     const NamedFile* open_preset(const Session& session) const;
-    /// Returns the preset `places` after the open one in lecture order; null past the ends.
+    /// Returns the preset that is `places` positions after the open one in lecture order; null past either end.
     const NamedFile* preset_at(const Session& session, int places) const;
     void choose_scale(Session& session, double scale, Requests& requests);
     Place place() const;
@@ -171,7 +171,7 @@ private:
 
     std::vector<NamedFile> presets_, scenes_;
     std::vector<LessonFile> lectures_;
-    /// Collects texts that may be Korean whatever the window's language is: file and object names, lessons, typed text.
+    /// Collects text that may be Korean whatever the window's language is: file and object names, lessons, typed text.
     void want_korean(const Session& session);
 
     FrameInput waiting_;  ///< keys and files held back until typed text is committed

@@ -6,7 +6,7 @@
 namespace viewing::test {
 
 /// Restricts this process and its children to writing below `folder` and to devices. Returns false if the system does
-/// not support that (it needs Linux's Landlock, since 5.13).
+/// not support that (it needs Landlock, available since Linux 5.13).
 bool confine_to(const std::filesystem::path& folder);
 
 }  // namespace viewing::test

@@ -51,7 +51,7 @@ public:
     /// `things` is the folder with the files of make_things().
     Hands(std::uint32_t seed, std::filesystem::path things);
 
-    /// Returns the next action in a window of that size with these items.
+    /// Returns the next action in a window of this size with these items.
     Deed next(const std::vector<widgets::RecordedItem>& items, glm::ivec2 size_px);
     std::size_t pick(std::size_t count) { return random_() % count; }
 

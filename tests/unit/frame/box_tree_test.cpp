@@ -16,7 +16,7 @@ namespace {
 
 using testing::scene_of;
 
-/// Makes triangles at random places or near a ball, with coordinates that are often equal. Some vertices are unused.
+/// Makes triangles at random positions or near a ball, with coordinates that are often equal. Some vertices are unused.
 Mesh random_mesh(Random& random, int triangles) {
     Mesh mesh;
     const bool is_ball = random.number(0, 1) < 0.5, is_coarse = random.number(0, 1) < 0.3;

@@ -66,7 +66,7 @@ TEST(ClipView, BeginsWithEyeSpaceMovedAndScaled) {
     }
 }
 
-// Between the ends, w > 0 in front of the near plane, collinear points stay collinear, and four points keep their
+// Between the ends, w > 0 beyond the near plane, collinear points stay collinear, and four points keep their
 // orientation.
 TEST(ClipView, KeepsLinesAndOrientationOnTheWay) {
     Random random(seed);

@@ -63,7 +63,7 @@ TEST(ShadowDerivation, IsInThePlaneOnTheRayAndDividesItByT) {
         const glm::dvec3 s = *found.shadow_world;
         const double size = 1.0 + glm::length(s) + glm::length(found.light_world);
         EXPECT_NEAR(glm::dot(glm::dvec3(plane), s) + plane.w, 0.0, 1e-12 * size);
-        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p toward a point or parallel light
+        const glm::dvec3 towards = glm::dvec3(light) - light.w * p;  // from p toward the light, point or parallel
         EXPECT_NEAR(glm::length(glm::cross(s - p, glm::normalize(towards))), 0.0, 1e-11 * size);
         if (!found.parallel_light && found.ray == ShadowRay::regular) {
             EXPECT_NEAR(found.t, found.light_to_shadow / found.light_to_point, 1e-11 * size);

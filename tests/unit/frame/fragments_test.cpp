@@ -260,8 +260,8 @@ TEST(Fragments, MatchARayInTheWorld) {
 }
 
 TEST(Fragments, OfManyTrianglesAreFoundThroughTheBoxes) {
-    // A grid of separate squares at known places. The boxes around runs of triangles must lose none of them, whatever
-    // the order of the triangles.
+    // A grid of separate squares at known positions. The boxes around runs of triangles must lose none of them,
+    // whatever the order of the triangles.
     Random random(seed);
     constexpr int side = 60;
     Mesh grid;

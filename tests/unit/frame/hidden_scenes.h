@@ -36,7 +36,7 @@ inline Scene random_scene(Random& random) {
     return scene;
 }
 
-/// Returns a state whose camera looks at a point near the origin from a random place, in one case out of five from
+/// Returns a state whose camera looks at a point near the origin from a random position, in one case out of five from
 /// inside the scene.
 inline Params random_view(Random& random) {
     Params params;

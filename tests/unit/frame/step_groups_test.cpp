@@ -35,7 +35,7 @@ protected:
         params.visibility.step = step;
         return solver.solve(request_of(params, scene, view_px));
     }
-    /// Returns how often the followed pixel has been written.
+    /// Returns how many times the followed pixel has been written.
     unsigned written(const HiddenResult& result) const {
         const glm::ivec2 pixel = *params.visibility.pixel;
         return result.written_per_pixel[result.image.index(pixel.x, pixel.y)];

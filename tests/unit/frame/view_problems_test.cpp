@@ -1,4 +1,5 @@
-// A picture without any object explains why and offers a working fix; a picture with objects has no such problem.
+// If a picture shows no object, a problem says why and offers a working fix; a picture with objects has no such
+// problem.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Shapes are watertight and wound outward, with unit normals that agree with the winding; their sizes and volumes match
-// the contract.
+// Shapes are watertight and wound outward, with unit normals that agree with the winding; their sizes and volumes are
+// as specified.
 #include "geometry/shapes.h"
 
 #include <gtest/gtest.h>

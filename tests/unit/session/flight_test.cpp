@@ -1,5 +1,5 @@
-// Recording and replay: recorded changes come back at their times, and changes that the user makes meanwhile take
-// precedence.
+// Recording and replay: changes are replayed at the times when they were recorded, and changes that the user makes
+// meanwhile take precedence.
 #include <gtest/gtest.h>
 
 #include "session/flight_recorder.h"

@@ -154,7 +154,7 @@ TEST(Growth, CountsAreRepeatable) {
     }
 }
 
-/// Counts the pixel centers in the triangle's picture by testing each center.
+/// Counts the pixel centers that the triangle covers on the screen by testing each center.
 std::int64_t covered_pixels(const Polygon& triangle, const Viewpoint& viewpoint, int width, int height) {
     std::array<glm::dvec2, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -104,7 +104,7 @@ TEST(Split, NeighborsAreCutAtTheSamePoint) {
         const glm::dvec3 left = random.vec3(3), right = random.vec3(3);
         const glm::dvec4 plane(0, 0, 1, random.number(-0.5, 0.5));
         const auto cut_of_edge = [&](const Polygon& piece) {
-            // The only vertex of a piece on the edge a b that is neither a nor b.
+            // The piece's only vertex on the edge a b other than a and b themselves.
             for (const glm::dvec3& v : piece.vertices) {
                 if (v != a && v != b && glm::length(glm::cross(v - a, b - a)) < 1e-12) return v;
             }
