@@ -169,7 +169,7 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.ending == ".mp4" && (size_px.x % 2 != 0 || size_px.y % 2 != 0))
-        options.refuse("--size: an .mp4 needs even sides; .webp takes any");
+        options.refuse("--size: an .mp4 needs an even width and height; a .webp takes any");
     check_outputs(options, outputs_of(typed, wish));
     return wish;
 }
