@@ -180,7 +180,7 @@ constinit const Command measure_command{
     "if it stopped at a budget. painter_keys has the wrong pixels of each sort key. culling counts front and back "
     "faces by the eye's side of each plane and by the winding on the screen, as GL does, and the faces that culling "
     "leaves. growth runs the methods on more and more polygons; summary says which method needs the fewest operations "
-    "in which range of polygon counts, times says how long the methods took. time_ms excludes painting_ms (the time to "
+    "in which range of polygon counts; times says how long the methods took. time_ms excludes painting_ms (the time to "
     "paint in the order that a method has found) for visibility, and includes it for growth. fighting counts, for "
     "every pair of flat objects that are nearly coplanar (parallel within a degree, at most a tenth of their size "
     "apart), the pixels where GL shows the wrong one, beside the predictions of the formulas: step is the width of a "
