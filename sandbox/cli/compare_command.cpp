@@ -28,9 +28,9 @@ void declare_pictures(Options& options, TypedCompare& typed) {
 void declare_outputs(Options& options, TypedCompare& typed) {
     options.group("Output");
     options.text("-o,--output", "DIFF.png", typed.output,
-                 "Writes a picture of the differences: A in faint gray, small differences blue, edges sampled "
-                 "differently yellow, differences beyond the threshold orange-red, areas that only one picture has "
-                 "violet");
+                 "Writes a picture of the differences: A in faint gray, small differences in blue, edges sampled "
+                 "differently in yellow, differences beyond the threshold in orange-red, and areas that are in only "
+                 "one picture in violet");
     options.text("--json", "FILE|-", typed.json, ending_report_help);
 }
 
@@ -101,12 +101,12 @@ ExitStatus run_compare(const Command& self, const Arguments& arguments) {
 constinit const Command compare_command{
     "compare",
     "A.png B.png [--profile strict|portable] [--mask …] [-o DIFF.png] [--json FILE|-] [OPTIONS]",
-    "compares two PNG files: how much they differ, by how much at worst, and where",
+    "compares two PNG files: how many pixels differ, by how much at most, and where",
     "Says in one line whether two pictures are equal within thresholds. A pixel counts as different if a channel "
-    "differs by more than --worst levels; the pictures are equal if at most a share of --share of the pixels does. The "
-    "portable profile does not count edges that are sampled differently, and allows neither a block of five different "
-    "pixels nor a shift of the mean by more than 0.6 levels in any 16 × 16 pixels. Pictures of different sizes are "
-    "different. A picture has at most 16384 pixels per side and 64 million in total.",
+    "differs by more than --worst levels; the pictures are equal if the fraction of such pixels is at most --share. "
+    "The portable profile does not count edges that are sampled differently, and allows neither a block of five "
+    "different pixels nor a shift of the mean by more than 0.6 levels in any 16 × 16 pixels. Pictures of different "
+    "sizes are different. A picture has at most 16384 pixels per side and 64 million in total.",
     "compare mine.png reference.png\n"
     "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png\n"
     "compare mine.png reference.png --profile portable --mask 0,0,120,40 --json report.json\n"

@@ -104,7 +104,7 @@ void add_depth(Examination& examination, const char* name, DepthFormat format, c
          "stored as " + stored_as_text(stored.precision) + "; a unit of glPolygonOffset is " +
              (stored.unit_codes == 1.0 ? (stored.precision.is_float ? "one step of the float" : "one code")
                                        : unit + codes),
-         is_as_named ? "" : "predictions use the stored format, lists of codes use " + stored_as_text(wanted)});
+         is_as_named ? "" : "predictions use the stored format; lists of codes use " + stored_as_text(wanted)});
 }
 
 Json depth_as_json(const StoredDepth& stored) {
@@ -291,11 +291,11 @@ constinit const Command doctor_command{
     "doctor",
     "[--json]",
     "checks GL and EGL step by step, and says what to install if something is missing",
-    "Checks everything that the program needs to draw without a display, in the order of need, and names the Debian "
-    "package to install for what is missing. The context is the one that pictures are drawn in. Presets, scenes, "
-    "lessons and exercises come from the folder assets beside the program, else from ../share/viewing-sandbox; the "
-    "environment variable VIEWING_SANDBOX_ASSETS names another. Without them the exit status is 2. Finally it lists "
-    "the unfinished files that an interrupted program left in this folder.",
+    "Checks, one after the other, the things that the program needs to draw without a display, and names the Debian "
+    "package to install if one is missing. The context is the one that pictures are drawn in. Presets, scenes, lessons "
+    "and exercises come from the folder assets beside the program, else from ../share/viewing-sandbox; the environment "
+    "variable VIEWING_SANDBOX_ASSETS names another. Without them the exit status is 2. Finally it lists the unfinished "
+    "files that an interrupted program left in this folder.",
     "doctor\n"
     "doctor --json",
     "023489",

@@ -181,10 +181,10 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     options.group("Exercises");
     options.positionals("FILE|DIR", typed.files, "Your own exercises; default: the program's");
     options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or these");
+                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or the ones listed");
     options.group("A student's sheet");
     options.text("--student", "ID", typed.student, "Prints this student's questions, each with its own numbers");
-    options.text("--course", "C", typed.course, "The course; another course gives other numbers");
+    options.text("--course", "C", typed.course, "The course; a different course gives different numbers");
     options.flag("--solutions", typed.solutions, "Adds model answers, for the lecturer");
     options.text("--format", "text|json", typed.format, "Format of the sheet; default text");
     options.text("--language", "en|ko", typed.language,
@@ -195,7 +195,7 @@ ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
                  "distinguished, each fault is visible, no answer can be read beforehand; exits with 0, or 1 and a "
                  "line per failure");
     options.flag("--deploy", typed.deploy,
-                 "Prints the variants of FILE to keep in it, so that later versions give the same sheets");
+                 "Prints the variants to store in FILE, so that later versions give the same sheets");
     add_device_option(options, typed.device);
     if (!options.parse(arguments)) return ExitStatus::done;
 
@@ -225,7 +225,7 @@ constinit const Command exercises_command{
     "exercises",
     "[FILE|DIR…] [--set NAME] [--student ID [--course C] [--solutions]] [--test]",
     "lists self-checking exercises, prints a student's sheet, runs their tests",
-    "Each student has their own numbers, derived from only the student number, the course and the exercise: the same "
+    "Each student has their own numbers, derived only from the student number, the course and the exercise: the same "
     "command always gives the same sheet, and grade derives the same numbers again.",
     "exercises\n"
     "exercises --student 32201234 --course viewing-2026 --set shadow\n"

@@ -42,7 +42,8 @@ void declare(Options& options, TypedGrade& typed) {
                  "that names another gets a note");
     options.group("Exercises");
     options.text("--set", "NAME|ID,ID", typed.set,
-                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or these; others do not count");
+                 "Only the exercises of a set (camera, hidden, depth, shadow, mirror), or the ones listed; others do "
+                 "not count");
     options.texts("--exercises", "FILE|DIR", typed.exercises,
                   "Your own exercises instead of the program's; repeatable");
     options.group("Output");
@@ -143,7 +144,7 @@ ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     constexpr unsigned grace_s = 30;
     options.keep_what_is_done(grace_s,
                               "Stops judging after S seconds, writes the results so far, marks the rest as not judged, "
-                              "and exits with status 8 within 30 more seconds");
+                              "and exits with status 8 within another 30 seconds");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (typed.files.empty()) options.refuse("no hand-in given: " + std::string(self.synopsis));
@@ -189,9 +190,9 @@ constinit const Command grade_command{
     "FILE|DIR… [--format text|csv|json] [--set NAME] [--tags] [--html REPORT.html] [OPTIONS]",
     "judges hand-ins again: points, misconceptions, every attempt",
     "Trusts only the student number, answers and changes in a hand-in: derives the student's variants again, and "
-    "judges every answer again. A cell is the points of a right answer, p1 for a partly right one, w or w:M33 for a "
-    "wrong one and the misconception it shows, - for a missing one, v! for an answer to a variant that is not this "
-    "student's, ? for one that could not be judged. first try counts the exercises that were right at the first "
+    "judges every answer again. A cell shows the points for a right answer, p1 for a partly right one, w or w:M33 for "
+    "a wrong one and the misconception it shows, - for a missing one, v! for an answer to a variant that is not this "
+    "student's, ? for one that could not be judged. first try counts the exercises that were right on the first "
     "attempt, out of those tried. Notes point out answers that may deserve a look, without a judgment: the same times "
     "of attempts or the same changes in two files, everything right within seconds, another student's variant. A file "
     "that cannot be read costs only its own line. In a file with too many answers, the last, the first and the latest "

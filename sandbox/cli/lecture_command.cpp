@@ -99,8 +99,8 @@ ExitStatus run_lecture(const Command& self, const Arguments& arguments) {
                  "Writes the lecture for printing, a page per step; - for standard output");
     options.flag("--answers", typed.answers, "Adds the answers");
     options.flag("--check", typed.check,
-                 "Names every mistake in the file; without one, prints the parts with their times and the total of "
-                 "minutes");
+                 "Names every mistake in the file; if there is none, prints the parts with their times and the total "
+                 "of minutes");
     options.flag("--list", typed.list, "Prints the lectures that come with the program, one per line");
     add_device_option(options, typed.device);
     if (!options.parse(arguments)) return ExitStatus::done;

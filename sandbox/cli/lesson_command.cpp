@@ -159,8 +159,8 @@ ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     options.text("--step", "N", typed.step, "Step to begin with, counted from 1; default: where you left off");
     options.flag("--present", typed.presents, "For a lecture room: full screen, large type, a clicker's keys");
     options.text("--notes", "terminal|window|FILE", typed.notes,
-                 "Shows the lecturer's notes while the room sees the step: in this terminal, in a separate window, or "
-                 "in a file rewritten at each change");
+                 "Shows the lecturer's notes while the audience sees the step: in this terminal, in a separate window, "
+                 "or in a file rewritten at each change");
     options.text("--base", "ADDRESS", typed.base, base_help);
     options.text("--language", "en|ko", typed.language,
                  "Language of the window or the handout; default: the one last chosen, English for a handout");

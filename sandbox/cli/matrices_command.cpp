@@ -117,7 +117,7 @@ ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
                  "json");
     if (!options.parse(arguments)) return ExitStatus::done;
     if (pasted && (only || digits || wish.is_symbolic))
-        options.refuse("--explain goes with neither --only, --digits nor --symbolic");
+        options.refuse("--explain cannot be combined with --only, --digits or --symbolic");
     if (pasted && *pasted == "-" && state_arguments.as_typed() == "-")
         options.refuse("STATE and --explain cannot both be standard input");
 

@@ -47,9 +47,8 @@ ExitStatus run_state(const Command& self, const Arguments& arguments) {
                  "may be a link. It contains no files");
     options.text("--base", "ADDRESS", base, base_help);
     options.group("Lesson");
-    options.text(
-        "--lesson", "ID|FILE", lesson,
-        "A step of this lesson instead of STATE; with --link, a link that leads through the lesson from there");
+    options.text("--lesson", "ID|FILE", lesson,
+                 "A step of this lesson instead of STATE; with --link, a link that starts the lesson at this step");
     options.text("--step", "N", step_number, "Number of the step, counted from 1; default 1");
     if (!options.parse(arguments)) return ExitStatus::done;
     if (bundle && linking.is_wanted) options.refuse("--bundle and --link cannot be combined");

@@ -57,12 +57,12 @@ void declare(Options& options, TypedSuite& typed) {
                  "Fails an entry that takes longer than S seconds; default 60");
     options.flag(
         "--cache", typed.cache,
-        "Does not draw entries again that passed if state, scene, references, program and driver are unchanged");
+        "Does not redraw entries that passed if their state, scene, references, program and driver are unchanged");
     options.text("--shard", "I/N", typed.shard, "Runs the I-th of N parts, with its own report (merge joins them)");
     options.text(
         "--times", "REPORT", typed.times,
-        "Folder of an earlier report, whose times balance the shards; without it, they have equally many entries");
-    options.flag("--github", typed.github, "Also prints entries that did not pass as GitHub's annotations");
+        "Folder of an earlier report, whose times balance the shards; default: equally many entries in each shard");
+    options.flag("--github", typed.github, "Also prints entries that did not pass as GitHub annotations");
     add_device_option(options, typed.device);
     options.flag("--allow-outside", typed.allow_outside,
                  "Lets states name scenes and meshes outside their own folder and the program's");

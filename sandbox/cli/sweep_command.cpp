@@ -169,7 +169,7 @@ SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_fligh
     if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.ending == ".mp4" && (size_px.x % 2 != 0 || size_px.y % 2 != 0))
-        options.refuse("--size: an .mp4 needs even sides; .webp takes any");
+        options.refuse("--size: an .mp4 needs an even width and height; a .webp takes any");
     check_outputs(options, outputs_of(typed, wish));
     return wish;
 }
@@ -385,9 +385,9 @@ constinit const Command sweep_command{
     "[STATE] --vary PATH=FROM:TO:COUNT [--vary …] | FLIGHT.json -o OUT.mp4|gif|webp|png|DIR [OPTIONS]",
     "varies a field, or replays a flight: a film, a sheet of pictures, a table",
     "Every picture is the one that snapshot draws of the state with that value. Numbers and lists of numbers change "
-    "evenly from value to value, everything else (a format, a name) stays until the next value. With two fields a "
+    "evenly from value to value; everything else (a format, a name) stays until the next value. With two fields a "
     "sheet has a row for each value of the first and a column for each of the second. A flight (F9 in the window) "
-    "needs no --vary: a folder, a sheet or a table has a picture for its start and for each recorded change, a film "
+    "needs no --vary: a folder, a sheet or a table has a picture for its start and for each recorded change; a film "
     "shows the screen at each time. Films are encoded by ffmpeg, if it is installed.",
     "sweep --vary light.position[0]=-3:3:61 -o light.mp4 --ease smooth --back\n"
     "sweep depth-fighting --vary projection.near=0.01:1:9 --size 320x180 -o near.png\n"

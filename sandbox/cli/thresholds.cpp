@@ -15,9 +15,10 @@ ThresholdOptions::ThresholdOptions(Options& options) : options_(options) {
                  "be sampled differently, but no block of five pixels may differ otherwise, and no 16 × 16 mean by "
                  "more than 0.6 levels");
     options.text("--worst", "N", worst_,
-                 "Largest allowed difference of a channel, 0 to 255 levels; default 2, with portable 3");
+                 "Largest allowed difference of a channel, 0 to 255 levels; default 2, or 3 with portable");
     options.text("--share", "F", share_,
-                 "Share of the pixels that may differ by more, 0 to 1; default 0, with portable 0.002");
+                 "Fraction of the pixels that may differ by more than --worst, 0 to 1; default 0, or 0.002 with "
+                 "portable");
     options.texts("--mask", "X,Y,WIDTH,HEIGHT|MASK.png", masks_,
                   "Leaves out a rectangle, or the white pixels of a picture of the same size; repeatable");
 }

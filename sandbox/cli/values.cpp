@@ -113,7 +113,7 @@ std::optional<Language> language_option(const Options& options, const std::optio
 
 std::string address_option(const Options& options, const char* name, const std::optional<std::string>& text) {
     if (text && text->find_first_of("# \t\r\n") != std::string::npos)
-        options.refuse(std::string(name) + ": must be an address without # or blanks");
+        options.refuse(std::string(name) + ": must be an address without # or spaces");
     return text.value_or(link_base());
 }
 

@@ -312,7 +312,7 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
                          [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&
             std::find(also_known_.begin(), also_known_.end(), item.exercise) == also_known_.end())
             grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is not a known exercise");
-    if (is_hasty(grade)) grade.notes.emplace_back("all right on the first try, within seconds");
+    if (is_hasty(grade)) grade.notes.emplace_back("everything right on the first try, within seconds");
     return grade;
 }
 

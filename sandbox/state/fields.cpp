@@ -541,7 +541,7 @@ const Field all_fields[] = {
      .min = 0,
      .max = 10,
      .step = 0.001,
-     .help = "Height of the shadow above the plane, toward the eye's side, when the offset is \"lift\". At a grazing "
+     .help = "Height of the shadow above the plane, on the eye's side, when the offset is \"lift\". At a grazing "
              "angle, the shadow separates from its object."},
     {.path = "shadow.style",
      .place = IN(shadow.style),
@@ -771,7 +771,7 @@ const Field all_fields[] = {
     {.path = "visibility.numbers",
      .place = IN(visibility.numbers),
      .label = "numbers",
-     .help = "Writes on each polygon its number in the drawing order."},
+     .help = "Labels each polygon with its number in the drawing order."},
     {.path = "visibility.raster",
      .place = IN(visibility.raster),
      .label = "raster",

@@ -34,7 +34,7 @@ Result<LoadedState> lesson_state(const SuiteStep& step, PictureRequest& request)
     if (!lesson) return Error{lesson.error()};
     const auto count = static_cast<int>(lesson->steps.size());
     if (step.step > count)
-        return Error{step.lesson + " has " + counted(count, "step") + ", no step " + std::to_string(step.step)};
+        return Error{step.lesson + " has " + counted(count, "step") + ", but no step " + std::to_string(step.step)};
     const auto index = static_cast<std::size_t>(step.step - 1);
     return show_step({*std::move(lesson), index, step.revealed, step.presents, true}, request);
 }

@@ -156,8 +156,8 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
         Result<RunResult> shard = read_run(folder);
         if (!shard) return Error{shard.error()};
         if (of != 0 && shard->of != of)
-            return Error{folder.string() + " is a shard of " + std::to_string(shard->of) + ", the others of " +
-                         std::to_string(of)};
+            return Error{folder.string() + " is a shard of " + std::to_string(shard->of) +
+                         ", but the others are shards of " + std::to_string(of)};
         of = shard->of;
         whole.version = shard->version;
         whole.renderer = shard->renderer;
@@ -165,8 +165,8 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
         for (EntryResult& entry : shard->entries) {
             const auto [earlier, is_new] = from.emplace(entry.name, folder);
             if (!is_new)
-                return Error{folder.string() + ": " + one_line(entry.name) + " is in " + earlier->second.string() +
-                             " already"};
+                return Error{folder.string() + ": " + one_line(entry.name) + " is already in " +
+                             earlier->second.string()};
             found.emplace(entry.name, std::move(entry));
         }
     }

@@ -66,7 +66,8 @@ private:
             const SuiteEntry& entry = suite_.entries[wish_.chosen[place]];
             done_[place] = result_for(entry);
             done_[place].outcome = Outcome::not_drawn;
-            done_[place].reasons = {std::string("the run ended early, by ") + name_of_ending_signal(results_.ended_by)};
+            done_[place].reasons = {std::string("the run was ended early by ") +
+                                    name_of_ending_signal(results_.ended_by)};
             done_[place].key = known_key(entry);
         }
     }
@@ -103,7 +104,7 @@ private:
     /// Returns false if this worker has ended.
     bool serve(Worker& worker) {
         for (const std::string& line : worker.process.take_lines())
-            if (!hear(worker, line)) return lose(worker, "unreadable answer of the worker: " + excerpt(line));
+            if (!hear(worker, line)) return lose(worker, "unreadable answer from the worker: " + excerpt(line));
         if (!worker.process.is_running()) return lose(worker, "");
         if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s)
             return lose(worker, "not finished within " + figures(wish_.entry_timeout_s) + " s");

@@ -223,7 +223,8 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     const int each = read_choice(object["each"], where.key("each"), each_names);
     const std::string pattern = name_at(object, "name", where);
     const std::size_t place = pattern.find("{}");
-    if (place == std::string::npos) where.key("name").refuse("must contain {} as the place of each one's name");
+    if (place == std::string::npos)
+        where.key("name").refuse("must contain {}, which stands for the name of the preset or scene");
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
     like.about = about_at(object, where);

@@ -19,8 +19,8 @@ enum class MatrixFault {
     translation_in_row,  ///< V, C: the translation is in the last row instead of the last column
     scaled,              ///< V, C: the axes do not have length 1
     left_handed,         ///< V, C: det −1; P: clip w is z instead of −z
-    looks_back,          ///< V: x and z negated, as lookAtLH makes it
-    degrees,             ///< P: fovy in degrees where radians belong
+    looks_back,          ///< V: x and z negated, as with lookAtLH
+    degrees,             ///< P: fovy in degrees instead of radians
     inverse_aspect,      ///< P: height ÷ width instead of width ÷ height
     zero_to_one,         ///< P: for a clip range 0 … 1, but not reversed
     minus_one_to_one,    ///< P: for a clip range −1 … 1, but reversed

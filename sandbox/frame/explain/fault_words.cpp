@@ -12,7 +12,7 @@ FaultWords fault_words(const ExplainedMatrix& found) {
         case MatrixFault::inverse:
             return found.letter == 'V'
                        ? FaultWords{"inverse", marked("this is C, the camera's model matrix, where V belongs"),
-                                    marked("V = C⁻¹: transpose the 3×3 part, and use −Rᵀ eye as translation")}
+                                    marked("V = C⁻¹: transpose the 3×3 part, and use −Rᵀ eye as the translation")}
                        : FaultWords{"inverse", marked("this is V where C belongs"), marked("C = V⁻¹")};
         case MatrixFault::transposed:
             return {"transposed", marked("rows and columns are swapped"),
@@ -33,16 +33,16 @@ FaultWords fault_words(const ExplainedMatrix& found) {
                                     marked("negate the third column: in OpenGL, w = −z")};
         case MatrixFault::looks_back:
             return {"looks_back",
-                    marked("right and back are negated: the camera looks the opposite way, as lookAtLH makes it"),
+                    marked("right and back are negated: the camera looks the opposite way, as with lookAtLH"),
                     marked("negate the first and the third row (lookAtRH)")};
         case MatrixFault::degrees:
-            return {"degrees", marked("fovy is in degrees where radians belong"), marked("use glm::radians(fovy)")};
+            return {"degrees", marked("fovy is in degrees instead of radians"), marked("use glm::radians(fovy)")};
         case MatrixFault::inverse_aspect:
             return {"inverse_aspect", marked("the aspect ratio is height ÷ width"), marked("use width ÷ height")};
         case MatrixFault::zero_to_one:
             return {"zero_to_one",
                     marked("it maps near … far to 0 … 1, but unless depth is reversed, the clip range is −1 … 1"),
-                    marked("use perspectiveRH_NO, or leave GLM_FORCE_DEPTH_ZERO_TO_ONE out")};
+                    marked("use perspectiveRH_NO, or do not define GLM_FORCE_DEPTH_ZERO_TO_ONE")};
         case MatrixFault::minus_one_to_one:
             return {"minus_one_to_one", marked("it maps near … far to −1 … 1, but the state's clip range is 0 … 1"),
                     marked("use perspectiveRH_ZO with far and near swapped")};

@@ -47,7 +47,7 @@ std::string outcome(const WhyQuestion& question, const Touch& touch, const Touch
             say("{surface}, triangle {number} of {count} in the method's order", "surface"_a = name,
                 "number"_a = fragment.triangle + 1, "count"_a = question.plan.drawing_of(pass)->triangles.size() / 3);
     if (fragment.cut_off) return say("{surface} is cut off by a clip plane", "surface"_a = name);
-    if (!fragment.is_sent) return say("the method found another surface before {surface}", "surface"_a = name);
+    if (!fragment.is_sent) return say("the method found another surface in front of {surface}", "surface"_a = name);
     if (fragment.culled)
         return fragment.front_facing ? say("{surface} is culled: it shows its front face", "surface"_a = name)
                                      : say("{surface} is culled: it shows its back face", "surface"_a = name);

@@ -38,11 +38,11 @@ LookAt read_look_at(const Json& value, const Where& where) {
     read("up", look_at.up);
     switch (camera_looking_at(look_at).fault) {
         case LookAtFault::center_is_eye:
-            where.key("center").refuse("must differ from eye: the camera looks from eye towards center");
+            where.key("center").refuse("must differ from eye: the camera looks from eye toward center");
         case LookAtFault::up_along_view:
             where.key("up").refuse(
-                "must be neither zero nor parallel to center − eye, which leaves the roll open; straight down, [0, 0, "
-                "-1] puts −z at the top of the picture");
+                "must be neither zero nor parallel to center − eye, which would leave the roll undefined; if the "
+                "camera looks straight down, [0, 0, -1] puts −z at the top of the picture");
         case LookAtFault::none:
             break;
     }

@@ -342,7 +342,7 @@ void draw_cures(Session& session, const FightingReport& report) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(fonts.note);
-    draw_parts({{tr("each of these changes alone: wrong pixels in the pairs and elsewhere"), palette().quiet}});
+    draw_parts({{tr("with each change alone: wrong pixels in the pairs and elsewhere"), palette().quiet}});
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, between = px(5.0F);
     float end = right;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});

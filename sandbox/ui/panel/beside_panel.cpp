@@ -61,9 +61,9 @@ const char* why_no_other(OtherState which) {
         case OtherState::before_edit:
             return tr("There has been no edit yet, or it changed nothing that the second picture can show.");
         case OtherState::preset:
-            return tr("No preset is open, or nothing has changed since.");
+            return tr("No preset is open, or nothing has changed since it was opened.");
         case OtherState::fixed:
-            return tr("There is no problem with a fix.");
+            return tr("None of the reported problems has a fix.");
     }
     return "";
 }

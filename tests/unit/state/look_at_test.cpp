@@ -60,7 +60,7 @@ TEST(LookAtFile, RefusesWhatIsNotOneCamera) {
               "a.json: camera.look_at: is given together with camera.yaw: write the camera either as look_at or as "
               "position, yaw, pitch and roll");
     EXPECT_EQ(refused_file(R"({"look_at": {"eye": [1, 2, 3], "center": [1, 2, 3]}})"),
-              "a.json: camera.look_at.center: must differ from eye: the camera looks from eye towards center");
+              "a.json: camera.look_at.center: must differ from eye: the camera looks from eye toward center");
     EXPECT_EQ(refused_file(R"({"look_at": {"eye": [0, 5, 0], "center": [0, 0, 0]}})").substr(0, 50),
               "a.json: camera.look_at.up: must be neither zero no");
     EXPECT_EQ(refused_file(R"({"look_at": {"eye": [0, 5, 0]}})").substr(0, 43),
