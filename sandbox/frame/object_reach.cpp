@@ -128,15 +128,16 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch and is not cut off by near or far.
+/// Returns whether a point of the plane is in the patch and is not cut off by near. Where far cuts it off, it cuts off
+/// its image, too, which is farther.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
     const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
-    return !(clip.w > 0.0) || std::abs(clip.z) <= clip.w;
+    return !(clip.w > 0.0) || clip.z >= -clip.w;
 }
 
 /// Returns whether a vertex of an object lands inside the patch or, if `inside` is false, does not: it lands beside the
-/// patch, where near or far cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
+/// patch, where near cuts the patch off, or nowhere (w ≤ 0). With `in_picture`, it must also land in the
 /// picture.
 bool lands(const SceneObject& object, const Landing& landing, bool inside, bool in_picture) {
     const auto is_there = [&](const glm::dvec4& point) {

@@ -8,6 +8,7 @@
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/say.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {
@@ -210,34 +211,55 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
-/// not tested, and where depth is cleared for its image, nearer fragments pass.
+/// not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer fragments pass.
 void drop_unseen(std::vector<Problem>& problems, const Params& params) {
     const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
                                !params.shadow.clip_to_receiver;
     const bool shows_images = params.reflection.after_objects && wants_nearer(params.depth);
     std::erase_if(problems, [&](const Problem& problem) {
         if (problem.kind == ProblemKind::worth_knowing) return false;
+        if (params.reflection.enabled && params.reflection.after_objects && problem.group == "projection") return false;
+        const bool is_waiting = params.reflection.enabled && !rejects_all(params.depth);
+        if (is_waiting && (problem.id == "shadow.shared_stencil" || problem.id == "shadow.by_rows")) return false;
         if (problem.group == "reflection")
             return !shows_images && !(params.reflection.after_objects && problem.id == "reflection.covers_objects");
         return !shows_shadows;
     });
 }
 
+bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
+    return std::any_of(problems.begin(), problems.end(), [id](const Problem& problem) { return problem.id == id; });
+}
+
 /// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
-/// value are drawn over each other, and all others while what was drawn in the previous frame is rejected. The
-/// sentences about clearing and about GL_NOTEQUAL keep theirs.
+/// value are drawn over each other or the mirror's own depth of the previous frame hides them, clipping while the mirror
+/// covers whatever is in front, those of shadows while an offset pushes them behind their planes, and all others while
+/// what was drawn in the previous frame is rejected. The sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
-    const bool is_overdrawn = std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
-        return problem.id == "reflection.shared_stencil";
-    });
+    const DepthParams& depth = params.depth;
+    const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
+               is_overdrawn = has_problem(problems, "reflection.shared_stencil"),
+               is_pushed = has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),
+               is_hidden = lets_nearer_win(params) && depth.write && !clears_depth(depth) &&
+                           !params.reflection.after_objects,
+               is_painted = tests && count_of_last_wins(depth) > 0,
+               is_rejected = tests && (rejects_previous_frame(depth) || hides_next_frame(depth));
+    const std::string clip = default_setting("reflection.clip");
+    const auto waits = [&](const Problem& problem) {
+        const bool is_about_clearing =
+            problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
+        if (is_about_clearing) return tests && depth.func == CompareFunc::notequal;
+        if (is_rejected && problem.id != "depth.notequal") return true;
+        if (is_pushed && problem.id != "shadow.pushed_away" && problem.id != "shadow.beyond_edge" &&
+            (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
+            return true;
+        if (is_painted && problem.fixed_by == clip) return true;
+        if (is_pushed && problem.fixed_by.starts_with("depth.offset=")) return true;
+        return (is_overdrawn || is_hidden) && problem.group == "reflection" &&
+               problem.id != "reflection.shared_stencil";
+    };
     for (Problem& problem : problems)
-        if (is_overdrawn && problem.group == "reflection" && problem.id != "reflection.shared_stencil")
-            problem.fixed_by.clear();
-    if (params.visibility.method != VisibilityMethod::depth_buffer || !rejects_previous_frame(params.depth)) return;
-    for (Problem& problem : problems)
-        if (problem.id != "depth.not_cleared" && problem.id != "depth.cleared_with_mask_off" &&
-            problem.id != "depth.notequal")
-            problem.fixed_by.clear();
+        if (waits(problem)) problem.fixed_by.clear();
 }
 
 /// Takes away the fixes that have no effect while V or P is entered by hand: its own sentence has the fix.
@@ -266,7 +288,7 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
         find_projection_problems(problems, params, derived, scene, by_hand.clip_from_view.has_value());
     find_light_problems(problems, params, derived, scene);
     find_plane_problems(problems, params, derived);
-    find_shadow_problems(problems, params, derived, scene);
+    find_shadow_problems(problems, params, derived, scene, frame);
     find_mirror_problems(problems, params, derived, scene, frame, images);
     find_by_hand_problems(problems, params, derived);
     if (hides_objects(params, derived, scene))

@@ -55,7 +55,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
 void find_coarse_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                                 const Scene& scene, const std::vector<SeenImage>& images);
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene);
+                          const Scene& scene, const FramePlan& frame);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images);
 

@@ -1,9 +1,11 @@
 // No sentence is missing, and none is a false alarm: if a switch changes the picture, a sentence names it, and the fix
 // that a sentence offers changes a picture. The tests run over presets and over seeded states with several mistakes.
-// With VIEWING_LONG_TESTS=N, they cover all presets and N times as many seeds, which differ from the usual ones. A
-// value of 250 makes 20,000 pairs of a state and a change.
+// With VIEWING_LONG_TESTS=N, they cover all presets and N times as many seeds, which differ from the usual ones and
+// begin at VIEWING_FIRST_SEED. A value of 250 makes 20,000 pairs of a state and a change.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <set>
 #include <span>
@@ -39,6 +41,17 @@ constexpr Choice choices[] = {
     {"depth.mapping", "how precision is spread"},
     {"depth.decals", "three ways to draw decals"},
 };
+
+/// Fits the edges of the projection's window to its other settings. Otherwise, one object may fill the picture.
+void fit_window(ProjectionParams& projection) {
+    const bool is_parallel = projection.type == ProjectionType::orthographic_window;
+    const double top =
+        is_parallel ? 0.5 * projection.height : projection.near * std::tan(glm::radians(0.5 * projection.fovy));
+    projection.right = 1.6 * top;
+    projection.left = -projection.right;
+    projection.top = top;
+    projection.bottom = -top;
+}
 
 /// A switch of the technique, set to another value.
 struct Change {
@@ -78,12 +91,40 @@ std::vector<Change> changes_of(const Params& params) {
             for (int index = 0; index < static_cast<int>(choice->names.size()); ++index) {
                 if (index == now) continue;
                 EnumRef(*choice).set(index);
+                if (field.path == "projection.type") fit_window(copy.projection);
                 all.push_back(
                     {std::string(field.path), std::string(field.path) + "=" + std::string(choice->names[index]), copy});
             }
         }
     }
     return all;
+}
+
+/// Returns whether the program accepts the state, as a file or in the window.
+bool is_accepted(const Params& before, const Change& change) {
+    return static_cast<bool>(apply_settings(before, std::vector<std::string>{change.setting}));
+}
+
+/// Returns the state without the mistakes whose sentences say that codes decide which surface wins.
+Params without_chance(Params params) {
+    params.depth.format = DepthFormat::d24;
+    if (params.depth.func == CompareFunc::equal) params.depth.func = CompareFunc::less;
+    params.shadow.write_depth = false;
+    return params;
+}
+
+bool is_left_to_chance(const std::vector<Problem>& problems) {
+    return std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+        return problem.id == "depth.too_coarse" || problem.id == "depth.code_of_cleared" ||
+               problem.id == "depth.equal" ||
+               problem.id == "shadow.writes_depth";
+    });
+}
+
+unsigned first_seed() {
+    if (testing::trials(1) == 1) return 3700;
+    const char* const seed = std::getenv("VIEWING_FIRST_SEED");
+    return seed ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) : 510'000;
 }
 
 class Silence : public testing::GlTest {
@@ -110,7 +151,7 @@ protected:
     /// Returns whether the fix changes the camera's picture, its depth, its stencil or its facing.
     static bool fix_shows(const Params& params, const Scene& scene, const std::string& fix) {
         const Result<Params> fixed = apply_settings(params, std::vector<std::string>{fix});
-        EXPECT_TRUE(fixed) << fix << ": " << (fixed ? "" : fixed.error());
+        EXPECT_TRUE(fixed) << "refused: " << fix << ": " << (fixed ? "" : fixed.error());
         if (!fixed) return true;
         for (const Shows shows : {Shows::color, Shows::depth, Shows::stencil, Shows::facing})
             for (const glm::ivec2 size : {size_px, glm::ivec2(400, 240)}) {
@@ -121,25 +162,39 @@ protected:
         return false;
     }
 
-    /// Checks one change of a state, and returns whether the picture changed.
-    static bool check(const Shown& before, const Change& change, const Scene& scene, const std::string& what) {
+    static constexpr int few_pixels = 24;
+
+    static int changed_pixels(const Shown& before, const Shown& after) {
+        return testing::pixels_beyond(before.picture, after.picture, 8);
+    }
+
+    static bool is_named(const Shown& before, const Shown& after) {
+        return changed_pixels(before, after) <= few_pixels || before.sentences != after.sentences;
+    }
+
+    /// Returns whether the change is named if codes do not decide. In both states, a sentence says that they do.
+    static bool is_named_without_chance(const Params& state, const Shown& after, const Change& change,
+                                        const Scene& scene) {
+        return is_left_to_chance(after.problems) &&
+               is_named(shown(without_chance(state), scene), shown(without_chance(change.params), scene));
+    }
+
+    /// Checks one change of a state, and returns whether the picture changed. `before`: shown(state, scene).
+    static bool check(const Params& state, const Shown& before, const Change& change, const Scene& scene,
+                      const std::string& what) {
         ++pairs;
         const Shown after = shown(change.params, scene);
-        constexpr int few_pixels = 24;
-        const int changed = testing::pixels_beyond(before.picture, after.picture, 8);
-        const bool is_said =
-            std::any_of(after.sentences.begin(), after.sentences.end(),
-                        [&](const std::string& sentence) { return !before.sentences.contains(sentence); });
-        const bool was_said =
-            std::any_of(before.sentences.begin(), before.sentences.end(),
-                        [&](const std::string& sentence) { return !after.sentences.contains(sentence); });
-        EXPECT_TRUE(changed <= few_pixels || is_said || was_said || is_choice(change))
+        const int changed = changed_pixels(before, after);
+        EXPECT_TRUE(is_named(before, after) || is_choice(change) ||
+                    is_named_without_chance(state, after, change, scene))
             << "silent: " << what << " changes " << changed << " pixels";
         for (const Problem& problem : after.problems) {
             if (problem.kind != ProblemKind::wrong || problem.fixed_by.empty() ||
                 before.sentences.contains(problem.sentence) || is_by_chance(problem.sentence))
                 continue;
-            EXPECT_TRUE(fix_shows(change.params, scene, problem.fixed_by))
+            EXPECT_TRUE(
+                fix_shows(change.params, scene, problem.fixed_by) ||
+                (is_left_to_chance(after.problems) && fix_shows(without_chance(change.params), scene, problem.fixed_by)))
                 << "alarm: " << what << ": " << problem.sentence << " | " << problem.fixed_by;
         }
         return changed > few_pixels;
@@ -174,7 +229,8 @@ TEST_F(Silence, SwitchesOfPresetsAreNamed) {
         const Params base = one_sample(params);
         const Shown before = shown(base, scene);
         for (const Change& change : changes_of(base))
-            changed += check(before, change, scene, all[i].name + ": " + change.setting) ? 1 : 0;
+            if (is_accepted(base, change))
+                changed += check(base, before, change, scene, all[i].name + ": " + change.setting) ? 1 : 0;
     }
     EXPECT_GT(changed, is_sanitized ? 15 : 50) << "most switches change the picture somewhere";
 }
@@ -252,16 +308,15 @@ TEST_F(Silence, WhatLongRunsHaveFoundStaysRight) {
         const Result<Params> after = apply_settings(*before, settings.last(1));
         ASSERT_TRUE(after) << after.error();
         const std::string& last = settings.back();
-        check(shown(*before, scene), {last.substr(0, last.find('=')), last, *after}, scene, found.preset + ": " + last);
+        check(*before, shown(*before, scene), {last.substr(0, last.find('=')), last, *after}, scene, found.preset + ": " + last);
     }
 }
 
 /// When a state already has mistakes, a sentence names each further one, too.
 TEST_F(Silence, MistakesAreNamedBesideOthers) {
-    const unsigned first_seed = testing::trials(1) > 1 ? 370'000 : 3700;
     const std::vector<NamedFile> all = drawn_presets();
     for (int run = 0; run < testing::trials(is_sanitized ? 6 : 25); ++run) {
-        const unsigned seed = first_seed + static_cast<unsigned>(run);
+        const unsigned seed = first_seed() + static_cast<unsigned>(run);
         std::mt19937 random(seed);
         const NamedFile& preset = all[random() % all.size()];
         const auto [params, scene] = testing::preset_named(preset.name);
@@ -270,8 +325,9 @@ TEST_F(Silence, MistakesAreNamedBesideOthers) {
         for (int mistakes = 0; mistakes < 3; ++mistakes) {
             const std::vector<Change> changes = changes_of(state);
             const Change& change = changes[random() % changes.size()];
+            if (!is_accepted(state, change)) continue;
             what += " " + change.setting;
-            check(shown(state, scene), change, scene, what);
+            check(state, shown(state, scene), change, scene, what);
             state = change.params;
         }
     }

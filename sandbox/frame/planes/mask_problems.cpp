@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frame/cleared_code.h"
+#include "frame/depth/depth_switches.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/object_reach.h"
 #include "frame/planes/drawn_mirrors.h"
@@ -16,11 +17,38 @@ bool mask_hides(const Params& params, const Derived& derived, const Mirror& mirr
     const ReflectionParams& reflection = params.reflection;
     if (!lets_nearer_win(params) || !reflection.mask_writes_depth || !reflection.stencil || reflection.after_objects)
         return false;
-    if (!reflection.side_of_eye && mirror.is_seen_from_behind()) return false;
+    const bool is_wrong_side = !reflection.side_of_eye && reflection.clip != MirrorClip::none;
+    if (is_wrong_side && mirror.is_seen_from_behind()) return false;
     const auto before =
         std::span(derived.planes).first(static_cast<std::size_t>(&mirror.plane - derived.planes.data()));
     return std::all_of(before.begin(), before.end(), [](const DerivedPlane& plane) { return plane.eye_side == 0.0; }) &&
            !objects_at_most(scene, -mirror.towards_eye(), 0.0).empty();
+}
+
+namespace {
+
+/// Returns forms that are positive where the image lies in front of its mirror, as the picture shows it, by more than
+/// `standing`. Only without clipping, or with a wrong R or P, does part of an image lie there.
+std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& derived, const Mirror& mirror) {
+    Params in_patch = params;  // beside the patch, it is not this that lets the image show
+    in_patch.reflection.stencil = true;
+    std::vector<glm::dvec4> forms = forms_of_image(in_patch, derived, mirror, mirror.clip_from_scene);
+    forms.push_back(mirror.kept_side(params.reflection));
+    const glm::dmat4 clip = glm::transpose(mirror.clip_from_scene);
+    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
+    forms.push_back(mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene));
+    forms.back().w -= standing;
+    return forms;
+}
+
+}  // namespace
+
+bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    std::vector<glm::dvec4> forms = forms_in_front(params, derived, mirror);
+    const double z = -(derived.view_from_world * glm::dvec4(mirror.plane.patch.center, 1.0)).z;
+    forms.back().w -= visible_share / 2.0 * picture_height(params.lens(), std::max(z, params.projection.near));
+    return mask_hides(params, derived, mirror, scene) && params.reflection.clip != MirrorClip::oblique &&
+           !may_reach(scene, forms);
 }
 
 namespace {
@@ -41,11 +69,9 @@ double coarse_gap(const Params& params, const Derived& derived, const Mirror& mi
 /// is no stencil.
 void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                    const Scene& scene) {
-    if (!lets_nearer_win(params)) return;
+    if (!lets_nearer_win(params) || !params.depth.write) return;
     const bool is_oblique = params.reflection.clip == MirrorClip::oblique;
     const bool fits = params.reflection.same_projection && params.mirror_picture_scale() == 1.0;
-    Params in_patches = params;  // beside the patch, it is not this that lets the image show
-    in_patches.reflection.stencil = true;
     for (const Mirror& mirror : mirrors) {
         if (is_oblique && may_show_image(params, derived, mirror, scene))
             return tell.broken(
@@ -54,16 +80,14 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
                          "without the stencil, depth decides where the mirror covers its image, but the oblique near "
                          "plane gives the image other depths: it shows in front of the mirror"),
                 "reflection.stencil");
-        // Only without clipping, or with a wrong R or P, is an image in front of its mirror: where the picture shows
-        // it, its depth is that of a point in front.
-        const glm::dvec4 image_towards_eye =
-            mirror.towards_eye() * (glm::inverse(derived.clip_from_world) * mirror.clip_from_scene);
+        // Beyond the start of the cleared code, GL_LESS rejects the image.
+        glm::dvec4 before_cleared_code =
+            glm::transpose(derived.view_from_world * mirror.plane.mirrored_world_from_world)[2];
+        before_cleared_code.w += std::min(start_of_cleared_code(params), 2.0 * params.lens().shown_far());
         std::vector<std::string> in_front, touching;
         for (const SceneObject& object : scene.objects) {
-            std::vector<glm::dvec4> forms = forms_of_image(in_patches, derived, mirror, mirror.clip_from_scene);
-            forms.push_back(mirror.kept_side(params.reflection));
-            forms.push_back(image_towards_eye);
-            forms.back().w -= standing;
+            std::vector<glm::dvec4> forms = {before_cleared_code};
+            for (const glm::dvec4& form : forms_in_front(params, derived, mirror)) forms.push_back(form);
             const bool is_in_front = may_reach(object, forms);
             // An object hides where it touches its image, unless the image is drawn elsewhere.
             const double gap = std::max(coarse_gap(params, derived, mirror, object), fits ? 0.0 : standing);
@@ -88,6 +112,18 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     }
 }
 
+/// Returns forms that are positive in the picture, on one side of the mirror's plane, in front of the patch or behind it
+/// as the eye sees it.
+std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& mirror, const glm::dvec4& side) {
+    std::vector<glm::dvec4> forms = {side - glm::dvec4(0.0, 0.0, 0.0, standing)};
+    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
+    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
+    for (const glm::dvec4& edge : forms_of_sides(derived.clip_from_world)) forms.push_back(edge);
+    const glm::dmat4 seen = seen_on_plane(mirror.plane.unit_plane, derived.eye_world);
+    for (const glm::dvec4& edge : forms_of_edges(seen, mirror.plane.patch)) forms.push_back(edge);
+    return forms;
+}
+
 /// Reports images outside their mirrors, and mirrors that cover too much.
 void say_masks(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                const Scene& scene) {
@@ -97,11 +133,14 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                                     derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
     };
     const auto is_covered = [&](const Mirror& mirror) {
-        return lands_inside(scene, {seen_on_plane(mirror.plane.unit_plane, derived.eye_world), derived.clip_from_world,
-                                    mirror.towards_eye(), mirror.plane.patch});
+        return may_reach(scene, forms_over_patch(derived, mirror, mirror.towards_eye()));
     };
-    // Where depth hides the patch, it does not mark the stencil either.
-    const bool is_unmarked = std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+    const bool culls_all = params.cull.enabled && params.cull.face == CullFace::front_and_back,
+               is_blended_over = is_drawn_by_gl_alone(params.visibility.method) &&
+                                 (reflection.stencil || params.visibility.method == VisibilityMethod::none ||
+                                  count_of_last_wins(params.depth) > 0);
+    // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other depths.
+    const bool is_unmarked = reflection.clip == MirrorClip::oblique && std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
         return loses_part(mirror.plane.patch, params, derived);
     });
     tell.broken(
@@ -122,11 +161,31 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                 sentence("reflection.no_planes_inside",
                          "without the stencil, the mirror image shows no other plane and no other mirror"),
                 "reflection.stencil");
-    tell.broken(reflection.after_objects && reflection.stencil && is_drawn_by_gl_alone(params.visibility.method) &&
+    tell.broken(reflection.after_objects && is_blended_over && !culls_all &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 sentence("reflection.covers_objects",
                          "the mirror is drawn last and without a depth test: it covers the objects in front of it"),
                 "reflection.after_objects");
+}
+
+/// Reports objects behind a mirror that is blended over them, because it is drawn last and without the stencil, so its
+/// part of the picture is not cleared.
+void say_shown_through(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                       const Scene& scene) {
+    if (!params.reflection.after_objects || params.reflection.stencil) return;
+    for (const Mirror& mirror : mirrors) {
+        const std::vector<glm::dvec4> forms = forms_over_patch(derived, mirror, -mirror.towards_eye());
+        std::vector<std::string> behind;
+        for (const SceneObject& object : scene.objects)
+            if (may_reach(object, forms)) behind.push_back(object_text(object.description.name));
+        if (!behind.empty())
+            return tell.broken(true,
+                               sentence("reflection.shows_through",
+                                        "the mirror is drawn last and blended: without the stencil, {objects} behind "
+                                        "it shows through",
+                                        "objects"_a = joined(behind)),
+                               "reflection.after_objects");
+    }
 }
 
 /// Reports a mirror whose picture is cleared and drawn over the patches before it too, because they share its stencil
@@ -157,6 +216,7 @@ void find_mask_problems(std::vector<Problem>& problems, const Params& params, co
                         const std::vector<Mirror>& mirrors, const Scene& scene) {
     Sayer tell(problems, "reflection");
     say_masks(tell, params, derived, mirrors, scene);
+    say_shown_through(tell, params, derived, mirrors, scene);
     say_shared_value(tell, params, derived, mirrors);
 }
 
