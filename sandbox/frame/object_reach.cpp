@@ -13,6 +13,7 @@
 #include "frame/box_form.h"
 #include "frame/box_tree.h"
 #include "geometry/convex_part.h"
+#include "geometry/ray.h"
 
 namespace viewing {
 namespace {
@@ -128,10 +129,11 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch and is not cut off by near. Where far cuts it off, it cuts off
-/// its image, too, which is farther.
+/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Where far cuts it off,
+/// it cuts off its image, too, which is farther.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
+    if (!landing.is_image) return true;
     const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
     return !(clip.w > 0.0) || clip.z >= -clip.w;
 }
@@ -144,8 +146,10 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
         if (glm::dot(landing.side, point) < -standing) return false;
         const glm::dvec4 sent = landing.plane_from_world * point;
         if (holds(landing, sent) != inside) return false;
-        return !in_picture ||
-               (sent.w > 0.0 && is_in_picture(landing.clip_from_world * (sent / sent.w)) && !landing.hides(sent));
+        if (!in_picture) return true;
+        if (!(sent.w > 0.0)) return false;
+        const glm::dvec4 clip = landing.clip_from_world * (sent / sent.w);
+        return (landing.is_image ? is_in_picture(clip) : is_in_frustum(clip)) && !landing.hides(sent);
     };
     const BoxForm w(glm::transpose(landing.plane_from_world)[3], object.world_from_model);
     const BoxForm before(landing.side, object.world_from_model);
@@ -163,6 +167,38 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
                !std::all_of(ways.begin(), ways.end(), [&](const BoxForm& way) { return way.least(box) >= 0.0; });
     };
     return any_vertex(object, may_hold, is_there);
+}
+
+/// Returns one of many points spread over a triangle, in model space. Source: Roberts 2018, the sequence R2.
+glm::dvec4 point_of(const Mesh& mesh, std::size_t triangle, std::size_t index) {
+    glm::dvec2 at = glm::fract(0.5 + static_cast<double>(index) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+    if (at.x + at.y > 1.0) at = 1.0 - at;
+    const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[3 * triangle + k]]); };
+    return {corner(0) + at.x * (corner(1) - corner(0)) + at.y * (corner(2) - corner(0)), 1.0};
+}
+
+/// Returns whether an object is between near and a point of the picture.
+bool is_covered(const Params& params, const Derived& derived, const Scene& scene, const glm::dvec3& point_world) {
+    constexpr double least = 1e-4;  // surfaces that touch the point do not cover it
+    const glm::dvec3 way = -line_of_sight(derived.eye_world, point_world);
+    const glm::dvec4 distance = -glm::transpose(derived.view_from_world)[2];
+    const double limit = (glm::dot(distance, glm::dvec4(point_world, 1.0)) - params.projection.near) /
+                         -glm::dot(distance, glm::dvec4(way, 0.0));
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+        if (glm::determinant(object.world_from_model) == 0.0) return false;
+        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
+        const Ray ray{glm::dvec3(model_from_world * glm::dvec4(point_world, 1.0)), glm::dmat3(model_from_world) * way};
+        const Mesh& mesh = *object.mesh;
+        return triangle_tree(object.mesh)
+            ->any([&](const Bounds& box) { return meets_box(ray, box, limit); },
+                  [&](std::uint32_t triangle) {
+                      std::array<glm::dvec3, 3> corners;
+                      for (std::size_t k = 0; k < 3; ++k)
+                          corners[k] = mesh.positions[mesh.indices[3 * std::size_t{triangle} + k]];
+                      const std::optional<TriangleHit> hit = intersect_triangle(ray, corners);
+                      return hit && hit->t > least && hit->t < limit;
+                  });
+    });
 }
 
 /// A mesh's part in the picture. Lengths are shares of the picture's height.
@@ -244,8 +280,15 @@ bool lands_beyond(const Scene& scene, const Landing& landing) {
         std::vector<glm::dvec4> forms = {glm::transpose(landing.plane_from_world)[3], landing.side};
         forms.back().w += standing;
         for (const glm::dvec4& side : forms_of_sides(clip)) forms.push_back(side);
-        for (const glm::dvec4& edge : forms_of_edges(landing.plane_from_world, landing.patch)) {
-            forms.push_back(-edge);
+        const std::array<glm::dvec4, 4> edges = forms_of_edges(landing.plane_from_world, landing.patch);
+        std::vector<glm::dvec4> ends(edges.begin(), edges.end());
+        const glm::dmat4 rows = glm::transpose(clip);
+        if (landing.is_image)
+            ends.push_back(rows[3] + rows[2]);
+        else
+            forms.insert(forms.end(), {rows[3] + rows[2], rows[3] - rows[2]});
+        for (const glm::dvec4& end : ends) {
+            forms.push_back(-end);
             const auto is_seen = [&](const std::vector<glm::dvec4>& part) {
                 const glm::dvec4 middle = std::accumulate(part.begin(), part.end(), glm::dvec4(0.0));
                 return !landing.hides(landing.plane_from_world * (object.world_from_model * middle));
@@ -297,6 +340,29 @@ bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
     for (const glm::dvec4& form : forms)
         keep_part(part, kept, [&form](const glm::dvec4& point) { return glm::dot(form, point); });
     return part.size() >= 3;
+}
+
+bool may_see_any(const Params& params, const Derived& derived, const Scene& scene, const PlaceOf& place_of) {
+    constexpr std::size_t most_samples = 256;
+    const bool covers_nothing = params.cull.enabled || (params.reflection.enabled && params.reflection.after_objects);
+    std::size_t triangles = 0;
+    for (const SceneObject& object : scene.objects) triangles += object.mesh->triangle_count();
+    if (covers_nothing || triangles == 0) return true;
+    const std::size_t stride = triangles / most_samples + 1, each = std::max<std::size_t>(1, most_samples / triangles);
+    std::size_t next = 0, before = 0, placed = 0;
+    for (const SceneObject& object : scene.objects) {
+        const Mesh& mesh = *object.mesh;
+        for (; next < before + mesh.triangle_count(); next += stride)
+            for (std::size_t sample = 0; sample < each; ++sample) {
+                const glm::dvec4 point = object.world_from_model * point_of(mesh, next - before, sample + next);
+                const std::optional<glm::dvec3> place = place_of(point);
+                if (!place || !is_in_frustum(derived.clip_from_world * glm::dvec4(*place, 1.0))) continue;
+                if (!is_covered(params, derived, scene, *place)) return true;
+                ++placed;
+            }
+        before += mesh.triangle_count();
+    }
+    return placed == 0;
 }
 
 bool is_too_thin(const SceneObject& object, const Derived& derived) {

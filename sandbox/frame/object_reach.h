@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -41,6 +42,7 @@ struct Landing {
     const PlanePatch& patch;
     /// Points of the plane that something covers count as outside the picture; null: nothing covers any.
     std::function<bool(const glm::dvec3&)> is_covered = nullptr;
+    bool is_image = false;  ///< lies beyond the plane: where near cuts the patch off, it counts as outside
 
     /// Returns whether a homogeneous point of the plane, with w > 0, is covered.
     bool hides(const glm::dvec4& sent) const { return is_covered && is_covered(glm::dvec3(sent) / sent.w); }
@@ -76,6 +78,14 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
+
+/// Sends a point of an object's surface, in world space, to where the picture may show it; none if it is not there.
+using PlaceOf = std::function<std::optional<glm::dvec3>(const glm::dvec4& point_world)>;
+
+/// Returns whether the eye may see any of the points to which `place_of` sends the surfaces: false if samples of them
+/// are sent to places in the picture, but an object covers each. Objects that are drawn before the planes, or culled,
+/// cover nothing.
+bool may_see_any(const Params& params, const Derived& derived, const Scene& scene, const PlaceOf& place_of);
 
 /// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is
 /// less than 1/2000 of the picture's height. False for large meshes and behind the eye.

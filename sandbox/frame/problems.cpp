@@ -233,13 +233,15 @@ bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
 
 /// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
 /// value are drawn over each other or the mirror's own depth of the previous frame hides them, clipping while the mirror
-/// covers whatever is in front, those of shadows while an offset pushes them behind their planes, and all others while
+/// covers whatever is in front, those of shadows while an offset pushes them behind their planes or a wrong R misplaces them, and all others while
 /// what was drawn in the previous frame is rejected. The sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const DepthParams& depth = params.depth;
     const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
                is_overdrawn = has_problem(problems, "reflection.shared_stencil"),
                is_pushed = has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),
+               is_misplaced = has_problem(problems, "reflection.by_rows") || has_problem(problems, "reflection.plus_2ab") ||
+                              has_problem(problems, "reflection.normal_not_unit"),
                is_hidden = lets_nearer_win(params) && depth.write && !clears_depth(depth) &&
                            !params.reflection.after_objects,
                is_painted = tests && count_of_last_wins(depth) > 0,
@@ -254,6 +256,7 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
+        if (is_misplaced && problem.id == "reflection.no_shadows_inside") return true;
         if (is_pushed && problem.fixed_by.starts_with("depth.offset=")) return true;
         return (is_overdrawn || is_hidden) && problem.group == "reflection" &&
                problem.id != "reflection.shared_stencil";

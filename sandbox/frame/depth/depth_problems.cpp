@@ -88,9 +88,15 @@ void say_tests(Sayer& tell, const Params& params, const Derived& derived, const 
     const char* const as_usual = clears_to_nearest(depth) ? "" : has_codes ? "depth.func" : "depth.func=lequal";
     tell.broken(depth.func == CompareFunc::never, sentence("depth.never", "GL_NEVER: no fragment passes"), as_usual);
     tell.broken(
-        wants_farther && rejects_all(depth) && (has_codes || depth.func == CompareFunc::greater),
+        depth.func == CompareFunc::greater && rejects_all(depth),
         sentence("depth.only_farther",
                  "only farther fragments pass, and nothing is farther than the depth that the buffer is cleared to"),
+        as_usual);
+    tell.broken(
+        depth.func == CompareFunc::gequal && rejects_all(depth) && has_codes,
+        sentence("depth.only_farther",
+                 "only fragments at least as far as the stored depth pass, and nothing is farther than the depth that "
+                 "the buffer is cleared to: only what has its code is drawn"),
         as_usual);
     tell.broken(depth.func == CompareFunc::equal && (has_codes || !is_cleared_to_farthest(depth)),
                 sentence("depth.equal", "GL_EQUAL: only fragments at exactly the stored depth pass"), as_usual);
@@ -168,8 +174,9 @@ void say_clears(Sayer& tell, const Params& params, const Derived& derived, const
     if (!compares || rejects_all(depth) || !writes || is_covered_by_mirror(params, derived, scene) ||
         (depth.func == CompareFunc::less && has_only_cleared_code(params, derived, scene)))
         return;
-    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which their mirrors hide.
-    const bool shows = refuses_ties || params.reflection.enabled;
+    // GL_LEQUAL passes the same surfaces again: only what moves is hidden, and images, which mirrors hide unless they
+    // are drawn last.
+    const bool shows = refuses_ties || (params.reflection.enabled && !params.reflection.after_objects);
     const Sentence not_cleared =
         sentence("depth.not_cleared", "depth is not cleared: depths from the previous frame keep hiding new fragments");
     const char* const fix = depth.write_while_clearing ? "depth.clear" : "";
@@ -217,7 +224,7 @@ bool has_offset(const Params& params, const Scene& scene) {
 void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
     tell.broken(
-        has_bent_depth(depth) && depth.tests() && !rejects_all(depth),
+        has_bent_depth(depth) && depth.tests() && depth.write && !rejects_all(depth),
         sentence("depth.logarithm_per_vertex",
                  "the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
                  "so the wrong surface can win"),

@@ -129,8 +129,11 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(scene, {on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
-                                    derived.clip_from_world, mirror.kept_side(reflection), mirror.plane.patch});
+        return lands_beyond(scene, {.plane_from_world = on_mirror_from_scene(derived, mirror, mirror.clip_from_scene),
+                                    .clip_from_world = derived.clip_from_world,
+                                    .side = mirror.kept_side(reflection),
+                                    .patch = mirror.plane.patch,
+                                    .is_image = true});
     };
     const auto is_covered = [&](const Mirror& mirror) {
         return may_reach(scene, forms_over_patch(derived, mirror, mirror.towards_eye()));

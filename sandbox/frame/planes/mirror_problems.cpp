@@ -188,7 +188,8 @@ void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& deri
                           const Scene& scene, const FramePlan& frame, bool nothing_is_left) {
     const Mirror& mirror = mirrors.front();
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
-    const bool is_coarse = depth && is_visibly_coarse(*depth, params, derived),
+    const bool is_coarse = lets_nearer_win(params) && params.depth.write && depth &&
+                           is_visibly_coarse(*depth, params, derived),
                is_alone = drawn_planes(params, derived).size() == 1;
     if (is_alone && !is_coarse && !cuts_image(params, derived, mirror, scene, frame)) return;
     const glm::dvec4 world = mirror.towards_eye(), view = world * glm::inverse(derived.view_from_world);
@@ -234,6 +235,18 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
     }
 }
 
+/// Returns whether the eye may see part of an image on the way to the mirror's patch.
+bool may_see_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    const glm::dmat4 on_mirror =
+        seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirror_matrix(mirror.plane.unit_plane);
+    return may_see_any(params, derived, scene, [&](const glm::dvec4& point) -> std::optional<glm::dvec3> {
+        const glm::dvec4 seen = on_mirror * point;
+        if (!(seen.w > 0.0) || glm::dot(mirror.towards_eye(), point) < 0.0) return std::nullopt;
+        const glm::dvec3 at = glm::dvec3(seen) / seen.w;
+        return mirror.plane.patch.holds(at) ? std::optional(at) : std::nullopt;
+    });
+}
+
 /// Returns whether a mirror may show objects.
 bool shows_objects(const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors, const Scene& scene,
                    const std::vector<SeenImage>& images) {
@@ -252,9 +265,10 @@ bool shows_objects(const Params& params, const Derived& derived, const std::vect
     // An oblique near plane gives images other codes.
     const double start = reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
                                                                 : start_of_cleared_code(params);
-    return std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
+    const bool is_shown = std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
         return image.is_shown && image.nearest < start;
     });
+    return is_shown && (mirrors.size() > 1 || may_see_image(params, derived, mirrors.front(), scene));
 }
 
 /// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
@@ -281,12 +295,12 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                  "that of the light's image"),
         "reflection.reflect_light");
     tell.broken(
-        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
+        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0 && !is_hidden,
         sentence("reflection.other_projection",
                  "the mirrored camera uses the aspect ratio of a square picture: the image does not fit its mirror"),
         "reflection.same_projection");
     const double scale = params.mirror_picture_scale();
-    tell.broken(std::abs(scale - 1.0) > 1e-3,
+    tell.broken(std::abs(scale - 1.0) > 1e-3 && !is_hidden,
                 sentence("reflection.other_fovy",
                          "the picture in the mirror is drawn with fovy {wrong}° instead of the camera's {right}°: the "
                          "image is {scale} times as large as it should be and does not fit its mirror",
@@ -330,7 +344,9 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, scene, frame);
     say_slips(tell, params, derived, mirrors, scene);
-    say_images(tell, params, derived, mirrors, scene, shows_objects(params, derived, mirrors, scene, images));
+    const bool depends_on_images = !params.reflection.reflect_light || !params.reflection.flip_winding;
+    say_images(tell, params, derived, mirrors, scene,
+               depends_on_images && shows_objects(params, derived, mirrors, scene, images));
     find_bounce_problems(problems, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, scene, frame);
 }

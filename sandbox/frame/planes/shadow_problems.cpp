@@ -67,8 +67,18 @@ bool may_land(const ShadowParams& shadow, const Scene& scene, const DerivedPlane
 bool may_be_seen(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
                  const CastShadow& cast, Part part) {
     const bool on_patch = params.shadow.clip_to_receiver;
-    return (!on_patch || may_show(plane.patch, params, derived)) &&
-           may_land(params.shadow, scene, plane, cast, part, forms_of_sides(derived.clip_from_world), on_patch);
+    if ((on_patch && !may_show(plane.patch, params, derived)) ||
+        !may_land(params.shadow, scene, plane, cast, part, forms_of_sides(derived.clip_from_world), on_patch))
+        return false;
+    if (cast.by_hand || cast.has_slip || part != Part::shadow) return true;
+    const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0;
+    return may_see_any(params, derived, scene, [&](const glm::dvec4& point) -> std::optional<glm::dvec3> {
+        const glm::dvec4 landed = side * cast.shadowed_world_from_world * point;
+        if (!(landed.w > 0.0) || (params.shadow.clip_casters && side * glm::dot(plane.unit_plane, point) < 0.0))
+            return std::nullopt;
+        const glm::dvec3 at = glm::dvec3(landed) / landed.w;
+        return on_patch && !plane.patch.holds(at) ? std::nullopt : std::optional(at);
+    });
 }
 
 /// Returns whether part of a shadow may be seen in a mirror, which shows it only on its patch.
@@ -234,7 +244,10 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
     constexpr double least_shift = 2e-4;
     const auto is_seen_floating = [&](const Thrown& one) {
         const double z = -(derived.view_from_world * glm::dvec4(one.plane.patch.center, 1.0)).z;
-        return !one.cast.has_slip && shadow.lift > least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
+        const glm::dvec3 sight = line_of_sight(derived.eye_world, one.plane.patch.center);
+        const double sine =
+            derived.eye_world.w == 0.0 ? glm::length(glm::cross(glm::dvec3(one.plane.unit_plane), sight)) : 1.0;
+        return !one.cast.has_slip && sine * shadow.lift > least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
     };
     tell.broken(
         by_lift && std::any_of(thrown.begin(), thrown.end(), is_seen_floating),
@@ -394,16 +407,18 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     if (!say_casters(tell, shadow, thrown, derived, scene)) return;
     say_rows(tell, thrown);
     if (shadow.style == ShadowStyle::blend) {
-        const bool beyond_edge =
-            !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                return is_seen_beyond(params, derived, one, scene);
-            });
+        std::vector<Thrown> beyond;
+        if (!shadow.clip_to_receiver)
+            std::copy_if(thrown.begin(), thrown.end(), std::back_inserter(beyond),
+                         [&](const Thrown& one) { return is_seen_beyond(params, derived, one, scene); });
+        // An S filled by rows may hide the shadow there behind the plane or an object.
+        const bool is_sure = std::any_of(beyond.begin(), beyond.end(), [](const Thrown& one) { return !one.cast.has_slip; });
         tell.broken(
-            beyond_edge,
+            !beyond.empty(),
             sentence("shadow.beyond_edge",
                      "S projects onto the infinite plane, not its patch: without the stencil, the shadow continues "
                      "past the floor's edge into the air"),
-            "shadow.clip_to_receiver");
+            is_sure ? "shadow.clip_to_receiver" : "");
         say_paint(tell, shadow, derived, thrown, scene);
         say_offset(tell, params, derived, thrown);
     }
