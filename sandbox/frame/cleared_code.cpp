@@ -70,13 +70,10 @@ bool loses_part(const PlanePatch& patch, const Params& params, const Derived& de
 }
 
 bool shows_anything(const glm::dmat4& clip_from_world, const Derived& derived, const Scene& scene) {
-    const std::array<glm::dvec4, 4> around = forms_of_sides(clip_from_world);
-    std::vector<glm::dvec4> sides(around.begin(), around.end());
-    const glm::dmat4 rows = glm::transpose(clip_from_world);
-    sides.insert(sides.end(), {rows[3] + rows[2], rows[3] - rows[2]});
-    return may_reach(scene, sides) ||
+    const std::vector<glm::dvec4> frustum = forms_of_frustum(clip_from_world);
+    return may_reach(scene, frustum) ||
            std::any_of(derived.planes.begin(), derived.planes.end(),
-                       [&](const DerivedPlane& plane) { return may_reach(plane.patch, sides); });
+                       [&](const DerivedPlane& plane) { return may_reach(plane.patch, frustum); });
 }
 
 }  // namespace viewing

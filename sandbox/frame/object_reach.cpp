@@ -169,12 +169,19 @@ bool lands(const SceneObject& object, const Landing& landing, bool inside, bool 
     return any_vertex(object, may_hold, is_there);
 }
 
-/// Returns one of many points spread over a triangle, in model space. Source: Roberts 2018, the sequence R2.
-glm::dvec4 point_of(const Mesh& mesh, std::size_t triangle, std::size_t index) {
-    glm::dvec2 at = glm::fract(0.5 + static_cast<double>(index) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
-    if (at.x + at.y > 1.0) at = 1.0 - at;
-    const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[3 * triangle + k]]); };
-    return {corner(0) + at.x * (corner(1) - corner(0)) + at.y * (corner(2) - corner(0)), 1.0};
+/// Returns the area of a polygon in normalized device coordinates.
+double area_in_picture(const glm::dmat4& clip_from_world, const std::vector<glm::dvec3>& corners) {
+    std::vector<glm::dvec2> at;
+    for (const glm::dvec3& corner : corners) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(corner, 1.0);
+        at.push_back(glm::dvec2(clip) / clip.w);
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const glm::dvec2 &here = at[i], &next = at[(i + 1) % at.size()];
+        twice += here.x * next.y - next.x * here.y;
+    }
+    return 0.5 * std::abs(twice);
 }
 
 /// Returns whether an object is between near and a point of the picture.
@@ -318,6 +325,14 @@ std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world) {
     return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
 }
 
+std::vector<glm::dvec4> forms_of_frustum(const glm::dmat4& clip_from_world) {
+    const glm::dmat4 rows = glm::transpose(clip_from_world);
+    const std::array<glm::dvec4, 4> sides = forms_of_sides(clip_from_world);
+    std::vector<glm::dvec4> forms(sides.begin(), sides.end());
+    forms.insert(forms.end(), {rows[3] + rows[2], rows[3] - rows[2]});
+    return forms;
+}
+
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms) {
     return any_part(object, forms, [](const std::vector<glm::dvec4>&) { return true; });
 }
@@ -342,27 +357,31 @@ bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
     return part.size() >= 3;
 }
 
-bool may_see_any(const Params& params, const Derived& derived, const Scene& scene, const PlaceOf& place_of) {
-    constexpr std::size_t most_samples = 256;
+bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
+             const glm::dmat4& place_from_world) {
+    constexpr double least_area = 0.5 * 4.0 / (400.0 * 240.0);  // in normalized device coordinates
     const bool covers_nothing = params.cull.enabled || (params.reflection.enabled && params.reflection.after_objects);
-    std::size_t triangles = 0;
-    for (const SceneObject& object : scene.objects) triangles += object.mesh->triangle_count();
-    if (covers_nothing || triangles == 0) return true;
-    const std::size_t stride = triangles / most_samples + 1, each = std::max<std::size_t>(1, most_samples / triangles);
-    std::size_t next = 0, before = 0, placed = 0;
-    for (const SceneObject& object : scene.objects) {
-        const Mesh& mesh = *object.mesh;
-        for (; next < before + mesh.triangle_count(); next += stride)
-            for (std::size_t sample = 0; sample < each; ++sample) {
-                const glm::dvec4 point = object.world_from_model * point_of(mesh, next - before, sample + next);
-                const std::optional<glm::dvec3> place = place_of(point);
-                if (!place || !is_in_frustum(derived.clip_from_world * glm::dvec4(*place, 1.0))) continue;
-                if (!is_covered(params, derived, scene, *place)) return true;
-                ++placed;
-            }
-        before += mesh.triangle_count();
-    }
-    return placed == 0;
+    double area = 0.0;
+    const auto take = [&](const SceneObject& object, const std::vector<glm::dvec4>& part) {
+        std::vector<glm::dvec3> places;
+        for (const glm::dvec4& corner : part) {
+            const glm::dvec4 place = place_from_world * object.world_from_model * corner;
+            places.push_back(glm::dvec3(place) / place.w);
+        }
+        const glm::dvec3 middle =
+            std::accumulate(places.begin(), places.end(), glm::dvec3(0.0)) / static_cast<double>(places.size());
+        const bool is_seen = covers_nothing || std::any_of(places.begin(), places.end(), [&](const glm::dvec3& corner) {
+                                 return !is_covered(params, derived, scene, glm::mix(middle, corner, 0.9));
+                             });
+        if (is_seen) area += area_in_picture(derived.clip_from_world, places);
+        return area > least_area;
+    };
+    return !is_clear_of_any(scene, forms) &&
+           std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+               return any_part(object, forms, [&](const std::vector<glm::dvec4>& part) {
+                   return part.size() >= 3 && take(object, part);
+               });
+           });
 }
 
 bool is_too_thin(const SceneObject& object, const Derived& derived) {

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "frame/derive.h"
 #include "state/scene.h"
@@ -65,6 +65,9 @@ std::array<glm::dvec4, 4> forms_of_edges(const glm::dmat4& plane_from_world, con
 /// Returns four linear forms that are positive inside the picture's left, right, lower and upper side.
 std::array<glm::dvec4, 4> forms_of_sides(const glm::dmat4& clip_from_world);
 
+/// Returns the same and two more, which are positive between near and far.
+std::vector<glm::dvec4> forms_of_frustum(const glm::dmat4& clip_from_world);
+
 /// Returns whether part of a triangle of an object is where all forms, at most 32, are positive. For a mesh of more
 /// than 20,000 triangles, returns false only if one of the forms is positive at none of its vertices.
 bool may_reach(const SceneObject& object, std::span<const glm::dvec4> forms);
@@ -79,13 +82,11 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
-/// Sends a point of an object's surface, in world space, to where the picture may show it; none if it is not there.
-using PlaceOf = std::function<std::optional<glm::dvec3>(const glm::dvec4& point_world)>;
-
-/// Returns whether the eye may see any of the points to which `place_of` sends the surfaces: false if samples of them
-/// are sent to places in the picture, but an object covers each. Objects that are drawn before the planes, or culled,
-/// cover nothing.
-bool may_see_any(const Params& params, const Derived& derived, const Scene& scene, const PlaceOf& place_of);
+/// Returns whether the eye may see more than half a pixel of a shadow or an image: `place_from_world` sends the parts of
+/// the surfaces where all forms are positive to places in the picture (w > 0) that no object covers. Objects that are
+/// drawn before the planes, or culled, cover nothing.
+bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
+             const glm::dmat4& place_from_world);
 
 /// Returns whether a mesh from a file is thinner than a pixel: its area in the picture, divided by its length there, is
 /// less than 1/2000 of the picture's height. False for large meshes and behind the eye.

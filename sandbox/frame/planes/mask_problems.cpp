@@ -116,9 +116,7 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
 /// as the eye sees it.
 std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& mirror, const glm::dvec4& side) {
     std::vector<glm::dvec4> forms = {side - glm::dvec4(0.0, 0.0, 0.0, standing)};
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world);
-    forms.insert(forms.end(), {clip[3] + clip[2], clip[3] - clip[2]});
-    for (const glm::dvec4& edge : forms_of_sides(derived.clip_from_world)) forms.push_back(edge);
+    for (const glm::dvec4& side_of_view : forms_of_frustum(derived.clip_from_world)) forms.push_back(side_of_view);
     const glm::dmat4 seen = seen_on_plane(mirror.plane.unit_plane, derived.eye_world);
     for (const glm::dvec4& edge : forms_of_edges(seen, mirror.plane.patch)) forms.push_back(edge);
     return forms;

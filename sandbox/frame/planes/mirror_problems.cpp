@@ -237,14 +237,12 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
 
 /// Returns whether the eye may see part of an image on the way to the mirror's patch.
 bool may_see_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
-    const glm::dmat4 on_mirror =
-        seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirror_matrix(mirror.plane.unit_plane);
-    return may_see_any(params, derived, scene, [&](const glm::dvec4& point) -> std::optional<glm::dvec3> {
-        const glm::dvec4 seen = on_mirror * point;
-        if (!(seen.w > 0.0) || glm::dot(mirror.towards_eye(), point) < 0.0) return std::nullopt;
-        const glm::dvec3 at = glm::dvec3(seen) / seen.w;
-        return mirror.plane.patch.holds(at) ? std::optional(at) : std::nullopt;
-    });
+    const glm::dmat4 mirrored = mirror_matrix(mirror.plane.unit_plane),
+                     on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
+    std::vector<glm::dvec4> forms = forms_of_frustum(derived.clip_from_world * mirrored);
+    forms.insert(forms.end(), {glm::transpose(on_mirror)[3], mirror.towards_eye()});
+    for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
+    return may_see(params, derived, scene, forms, on_mirror);
 }
 
 /// Returns whether a mirror may show objects.

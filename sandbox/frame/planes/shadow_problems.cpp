@@ -19,11 +19,18 @@ glm::dmat4 right_shadow(const DerivedPlane& plane, const CastShadow& cast) {
     return cast.has_slip ? shadow_matrix(plane.unit_plane, cast.light_world) : cast.shadowed_world_from_world;
 }
 
-/// Returns S with this sign of w. An S filled by rows does not send points to the plane: it is followed by their
-/// projection from the eye, which sends them to where the eye sees them on the plane.
-glm::dmat4 seen_on_patch(const DerivedPlane& plane, const CastShadow& cast, double sign, const glm::dvec4& eye_world) {
+/// Returns S with this sign of w. An S filled by rows, or a lift, does not send points to the plane: it is followed by
+/// their projection from the eye, which sends them to where the eye sees them on the plane.
+glm::dmat4 seen_on_patch(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast, double sign,
+                         const glm::dvec4& eye_world) {
     const glm::dmat4 landed = sign * cast.shadowed_world_from_world;
-    return cast.has_slip ? seen_on_plane(plane.unit_plane, eye_world) * landed : landed;
+    const bool is_lifted = shadow.style == ShadowStyle::blend && shadow.offset == ShadowOffset::lift;
+    if (!cast.has_slip && !is_lifted) return landed;
+    glm::dmat4 lifted_from_plane(1.0);
+    if (is_lifted)
+        lifted_from_plane[3] =
+            glm::dvec4(shadow.lift * glm::dvec3(plane_facing(plane.unit_plane, eye_world)), 1.0);
+    return seen_on_plane(plane.unit_plane, eye_world) * lifted_from_plane * landed;
 }
 
 /// A shadow that the frame draws.
@@ -46,47 +53,50 @@ struct Thrown {
 /// throw an anti-shadow, too.
 enum class Part { shadow, anti_shadow };
 
-/// Returns whether that part of a shadow may be where all the forms, which take a point of the plane, are positive.
-/// `on_patch`: only on its own patch.
-bool may_land(const ShadowParams& shadow, const Scene& scene, const DerivedPlane& plane, const CastShadow& cast,
-              Part part, std::span<const glm::dvec4> seen, bool on_patch) {
-    constexpr std::size_t most_forms = 32;
-    if (cast.by_hand) return true;
+/// Where a part of a shadow lies, and forms that are positive at the points of the casters that throw it.
+struct Landed {
+    glm::dmat4 world_from_world;
+    std::vector<glm::dvec4> forms;
+};
+
+/// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an S
+/// entered by hand. `on_patch`: only on its own patch.
+std::optional<Landed> landed_part(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
+                                  Part part, std::span<const glm::dvec4> seen, bool on_patch) {
+    if (cast.by_hand) return std::nullopt;
     const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0, sign = part == Part::shadow ? 1.0 : -1.0;
     // If S is filled by rows, the right shadow may be seen instead.
-    const glm::dmat4 landed = sign * side * right_shadow(plane, cast);
-    std::vector<glm::dvec4> forms = {glm::transpose(landed)[3]};
-    for (const glm::dvec4& form : seen) forms.push_back(form * landed);
-    if (shadow.clip_casters) forms.push_back(side * plane.unit_plane);
+    Landed landed{sign * side * right_shadow(plane, cast), {}};
+    landed.forms.push_back(glm::transpose(landed.world_from_world)[3]);
+    for (const glm::dvec4& form : seen) landed.forms.push_back(form * landed.world_from_world);
+    if (shadow.clip_casters) landed.forms.push_back(side * plane.unit_plane);
     if (on_patch)
-        for (const glm::dvec4& edge : forms_of_edges(landed, plane.patch)) forms.push_back(edge);
-    return forms.size() <= most_forms && may_reach(scene, forms);  // through more mirrors, hardly a pixel shows it
+        for (const glm::dvec4& edge : forms_of_edges(landed.world_from_world, plane.patch))
+            landed.forms.push_back(edge);
+    return landed;
 }
 
 /// Returns whether part of a shadow may be in the picture, on a patch that is drawn.
 bool may_be_seen(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
                  const CastShadow& cast, Part part) {
     const bool on_patch = params.shadow.clip_to_receiver;
-    if ((on_patch && !may_show(plane.patch, params, derived)) ||
-        !may_land(params.shadow, scene, plane, cast, part, forms_of_sides(derived.clip_from_world), on_patch))
-        return false;
-    if (cast.by_hand || cast.has_slip || part != Part::shadow) return true;
-    const double side = cast.plane_dot_light < 0.0 ? -1.0 : 1.0;
-    return may_see_any(params, derived, scene, [&](const glm::dvec4& point) -> std::optional<glm::dvec3> {
-        const glm::dvec4 landed = side * cast.shadowed_world_from_world * point;
-        if (!(landed.w > 0.0) || (params.shadow.clip_casters && side * glm::dot(plane.unit_plane, point) < 0.0))
-            return std::nullopt;
-        const glm::dvec3 at = glm::dvec3(landed) / landed.w;
-        return on_patch && !plane.patch.holds(at) ? std::nullopt : std::optional(at);
-    });
+    if (on_patch && !may_show(plane.patch, params, derived)) return false;
+    const std::vector<glm::dvec4> frustum = forms_of_frustum(derived.clip_from_world);
+    const std::optional<Landed> landed = landed_part(params.shadow, plane, cast, part, frustum, on_patch);
+    return !landed || may_see(params, derived, scene, landed->forms, landed->world_from_world);
 }
 
 /// Returns whether part of a shadow may be seen in a mirror, which shows it only on its patch.
 bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
                      const CastShadow& cast, Part part, std::span<const WayThroughMirrors> ways) {
+    constexpr std::size_t most_forms = 32;
     const auto index = static_cast<std::size_t>(&plane - derived.planes.data());
     return params.reflection.stencil && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
-               return way.mirrors.back() != index && may_land(params.shadow, scene, plane, cast, part, way.inside, true);
+               if (way.mirrors.back() == index) return false;
+               const std::optional<Landed> landed =
+                   landed_part(params.shadow, plane, cast, part, way.inside, true);
+               // Through more mirrors, hardly a pixel shows it.
+               return !landed || (landed->forms.size() <= most_forms && may_reach(scene, landed->forms));
            });
 }
 
@@ -94,10 +104,8 @@ bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& 
 bool is_drawn_in_picture(const Params& params, const Derived& derived, const Scene& scene, const DerivedPlane& plane,
                          const CastShadow& cast) {
     const glm::dmat4 drawn = cast.sign * cast.shadowed_world_from_world,
-                     seen = seen_on_patch(plane, cast, cast.sign, derived.eye_world);
-    const glm::dmat4 clip = glm::transpose(derived.clip_from_world * drawn);
-    std::vector<glm::dvec4> forms = {clip[3] + clip[2], clip[3] - clip[2]};
-    for (const glm::dvec4& form : forms_of_sides(derived.clip_from_world * drawn)) forms.push_back(form);
+                     seen = seen_on_patch(params.shadow, plane, cast, cast.sign, derived.eye_world);
+    std::vector<glm::dvec4> forms = forms_of_frustum(derived.clip_from_world * drawn);
     if (params.shadow.clip_casters) forms.push_back(plane_facing(plane.unit_plane, cast.light_world));
     if (params.shadow.clip_to_receiver)
         for (const glm::dvec4& edge : forms_of_edges(seen, plane.patch)) forms.push_back(edge);
@@ -176,7 +184,7 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     std::vector<std::string> vanishing;
     for (const Thrown& one : thrown)
         if (shadow.sign == ShadowSign::none && one.side() < 0.0 &&
-            lands_inside(scene, {seen_on_patch(one.plane, one.cast, one.side(), derived.eye_world), derived.clip_from_world,
+            lands_inside(scene, {seen_on_patch(shadow, one.plane, one.cast, one.side(), derived.eye_world), derived.clip_from_world,
                                  one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
@@ -336,7 +344,7 @@ bool is_seen_beyond(const Params& params, const Derived& derived, const Thrown& 
     const ReflectionParams& reflection = params.reflection;
     const bool is_untested = reflection.enabled && reflection.after_objects && reflection.stencil && one.plane.mirrors;
     if (previous_frame_hides(params) && !is_untested) return true;
-    const glm::dmat4 landed = seen_on_patch(one.plane, one.cast, one.cast.sign, derived.eye_world);
+    const glm::dmat4 landed = seen_on_patch(params.shadow, one.plane, one.cast, one.cast.sign, derived.eye_world);
     Landing landing{landed, derived.clip_from_world, one.towards_light(), one.plane.patch};
     landing.is_covered = [&](const glm::dvec3& point) { return is_under_patch(params, derived, one.plane, point); };
     return lands_beyond(scene, landing);
