@@ -7,6 +7,7 @@
 #include "frame/depth/depth_switches.h"
 #include "frame/effect.h"
 #include "frame/hidden/hidden_drawing.h"
+#include "frame/planes/drawn_mirrors.h"
 #include "frame/say.h"
 #include "state/file/json.h"
 
@@ -212,17 +213,22 @@ bool hides_objects(const Params& params, const Derived& derived, const Scene& sc
 /// Drops what is broken but cannot be seen while the depth test rejects the objects. Without the receiver's mask, a
 /// shadow beyond its patch is still drawn nearer than the depths of the previous frame. A mirror that is drawn last is
 /// not tested, so it shows the mistakes of V and P, and where depth is cleared for its image, nearer fragments pass.
-void drop_unseen(std::vector<Problem>& problems, const Params& params) {
-    const bool shows_shadows = hides_next_frame(params.depth) && !rejects_all(params.depth) && params.shadow.enabled &&
-                               !params.shadow.clip_to_receiver;
-    const bool shows_images = params.reflection.after_objects && wants_nearer(params.depth);
+void drop_unseen(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    const DepthParams& depth = params.depth;
+    const ReflectionParams& reflection = params.reflection;
+    const bool rejects = rejects_all(depth),
+               shows_last = reflection.enabled && reflection.after_objects && !drawn_mirrors(params, derived).empty(),
+               is_untested = params.shadow.offset == ShadowOffset::no_depth_test,
+               shows_shadows = params.shadow.enabled && !params.shadow.clip_to_receiver &&
+                               (is_untested || (hides_next_frame(depth) && !rejects)),
+               shows_images = reflection.after_objects && wants_nearer(depth);
     std::erase_if(problems, [&](const Problem& problem) {
         if (problem.kind == ProblemKind::worth_knowing) return false;
-        if (params.reflection.enabled && params.reflection.after_objects && problem.group == "projection") return false;
-        const bool is_waiting = params.reflection.enabled && !rejects_all(params.depth);
-        if (is_waiting && (problem.id == "shadow.shared_stencil" || problem.id == "shadow.by_rows")) return false;
+        if (shows_last && (problem.group == "projection" || problem.id == "shadow.by_rows")) return false;
         if (problem.group == "reflection")
-            return !shows_images && !(params.reflection.after_objects && problem.id == "reflection.covers_objects");
+            return !shows_images && !(reflection.after_objects && problem.id == "reflection.covers_objects");
+        if (reflection.enabled && !rejects && (problem.id == "shadow.shared_stencil" || problem.id == "shadow.by_rows"))
+            return false;
         return !shows_shadows;
     });
 }
@@ -252,11 +258,13 @@ void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
             problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
         if (is_about_clearing) return tests && depth.func == CompareFunc::notequal;
         if (is_rejected && problem.id != "depth.notequal") return true;
+        if (tests && rejects_all(depth) && problem.id == "shadow.by_rows") return true;
         if (is_pushed && problem.id != "shadow.pushed_away" && problem.id != "shadow.beyond_edge" &&
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
-        if (is_misplaced && problem.id == "reflection.no_shadows_inside") return true;
+        if ((is_misplaced || has_problem(problems, "shadow.fights")) && problem.id == "reflection.no_shadows_inside")
+            return true;
         if (is_pushed && problem.fixed_by.starts_with("depth.offset=")) return true;
         return (is_overdrawn || is_hidden) && problem.group == "reflection" &&
                problem.id != "reflection.shared_stencil";
@@ -295,10 +303,10 @@ std::vector<Problem> find_problems(const Params& entered, const Derived& derived
     find_mirror_problems(problems, params, derived, scene, frame, images);
     find_by_hand_problems(problems, params, derived);
     if (hides_objects(params, derived, scene))
-        drop_unseen(problems, params);
+        drop_unseen(problems, params, derived);
     else if (derived.has_distances)
         find_cull_problems(problems, params, derived, scene, images);
-    find_depth_problems(problems, params, derived, scene, images);
+    find_depth_problems(problems, params, derived, scene, frame, images);
     drop_idle_fixes(problems, by_hand);
     drop_waiting_fixes(problems, params);
     Sayer(problems, "follow")(params.follow && !derived.followed,

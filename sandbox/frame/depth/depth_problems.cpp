@@ -211,17 +211,19 @@ void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived,
         "depth.format");
 }
 
-/// Returns whether a polygon offset moves decals or shadows.
-bool has_offset(const Params& params, const Scene& scene) {
+/// Returns whether a polygon offset moves decals, or shadows that may be seen.
+bool has_offset(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
     const DepthParams& depth = params.depth;
     const ShadowParams& shadow = params.shadow;
     const bool moves_decals = depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene);
     const bool moves_shadows = shadow.enabled && shadow.offset == ShadowOffset::polygon_offset &&
-                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0);
+                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0) &&
+                               may_show_shadows(params, derived, scene, frame);
     return moves_decals || moves_shadows;
 }
 
-void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                  const FramePlan& frame) {
     const DepthParams& depth = params.depth;
     tell.broken(
         has_bent_depth(depth) && depth.tests() && depth.write && !rejects_all(depth),
@@ -229,7 +231,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                  "the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
                  "so the wrong surface can win"),
         "depth.logarithm_per_vertex");
-    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, scene),
+    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, derived, scene, frame),
          sentence(
              "depth.offset_in_shader",
              "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
@@ -245,7 +247,7 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
     tell.broken(
-        !depth.reversed_offset && has_offset(params, scene) && compares_nearness(depth) && !rejects_all(depth),
+        !depth.reversed_offset && has_offset(params, derived, scene, frame) && compares_nearness(depth) && !rejects_all(depth),
         sentence("depth.reversed_offset",
                  "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
                  "instead of pulling them nearer"),
@@ -307,7 +309,7 @@ void say_omissions(Sayer& tell, const Params& params) {
 }  // namespace
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene, const std::vector<SeenImage>& images) {
+                         const Scene& scene, const FramePlan& frame, const std::vector<SeenImage>& images) {
     Sayer tell(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer ||
@@ -320,7 +322,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     say_cleared_code(tell, params, derived, scene);
     find_coarse_depth_problems(problems, params, derived, scene, images);
     say_driver(tell, params.depth, derived.stored_depth.precision);
-    say_mappings(tell, params, derived, scene);
+    say_mappings(tell, params, derived, scene, frame);
     say_decals(tell, params, derived, scene);
 }
 

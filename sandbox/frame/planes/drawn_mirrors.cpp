@@ -48,7 +48,8 @@ bool may_draw_image(const Params& params, const Derived& derived, const Mirror& 
                     const glm::dmat4& clip_from_scene) {
     std::vector<glm::dvec4> forms = forms_of_image(params, derived, mirror, clip_from_scene);
     forms.push_back(mirror.kept_side(params.reflection));
-    return may_reach(scene, forms);
+    if (!params.reflection.stencil) return may_reach(scene, forms);
+    return may_see(params, derived, scene, forms, on_mirror_from_scene(derived, mirror, clip_from_scene));
 }
 
 bool may_show_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {

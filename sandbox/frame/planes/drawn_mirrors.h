@@ -37,7 +37,7 @@ glm::dmat4 on_mirror_from_scene(const Derived& derived, const Mirror& mirror, co
 std::vector<glm::dvec4> forms_of_image(const Params& params, const Derived& derived, const Mirror& mirror,
                                        const glm::dmat4& clip_from_scene);
 
-/// Returns whether part of an object may be drawn with this matrix, inside the picture and the mirror.
+/// Returns whether part of an object may be drawn with this matrix, inside the picture and the mirror, and not covered.
 bool may_draw_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene,
                     const glm::dmat4& clip_from_scene);
 

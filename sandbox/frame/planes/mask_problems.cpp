@@ -44,11 +44,11 @@ std::vector<glm::dvec4> forms_in_front(const Params& params, const Derived& deri
 }  // namespace
 
 bool mask_hides_all(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
+    if (!mask_hides(params, derived, mirror, scene) || params.reflection.clip == MirrorClip::oblique) return false;
+    const glm::dmat4 drawn_at = glm::inverse(derived.clip_from_world) * mirror.clip_from_scene;
     std::vector<glm::dvec4> forms = forms_in_front(params, derived, mirror);
-    const double z = -(derived.view_from_world * glm::dvec4(mirror.plane.patch.center, 1.0)).z;
-    forms.back().w -= visible_share / 2.0 * picture_height(params.lens(), std::max(z, params.projection.near));
-    return mask_hides(params, derived, mirror, scene) && params.reflection.clip != MirrorClip::oblique &&
-           !may_reach(scene, forms);
+    forms.push_back(glm::transpose(drawn_at)[3]);
+    return !may_see(params, derived, scene, forms, drawn_at);
 }
 
 namespace {

@@ -235,16 +235,6 @@ void say_slips(Sayer& tell, const Params& params, const Derived& derived, const 
     }
 }
 
-/// Returns whether the eye may see part of an image on the way to the mirror's patch.
-bool may_see_image(const Params& params, const Derived& derived, const Mirror& mirror, const Scene& scene) {
-    const glm::dmat4 mirrored = mirror_matrix(mirror.plane.unit_plane),
-                     on_mirror = seen_on_plane(mirror.plane.unit_plane, derived.eye_world) * mirrored;
-    std::vector<glm::dvec4> forms = forms_of_frustum(derived.clip_from_world * mirrored);
-    forms.insert(forms.end(), {glm::transpose(on_mirror)[3], mirror.towards_eye()});
-    for (const glm::dvec4& edge : forms_of_edges(on_mirror, mirror.plane.patch)) forms.push_back(edge);
-    return may_see(params, derived, scene, forms, on_mirror);
-}
-
 /// Returns whether a mirror may show objects.
 bool shows_objects(const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors, const Scene& scene,
                    const std::vector<SeenImage>& images) {
@@ -266,16 +256,14 @@ bool shows_objects(const Params& params, const Derived& derived, const std::vect
     const bool is_shown = std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
         return image.is_shown && image.nearest < start;
     });
-    return is_shown && (mirrors.size() > 1 || may_see_image(params, derived, mirrors.front(), scene));
+    return is_shown && (mirrors.size() > 1 || may_draw_image(params, derived, mirrors.front(), scene,
+                                                              mirrors.front().clip_from_scene));
 }
 
 /// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
 void say_images(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
-                const Scene& scene, bool shows_images) {
+                const Scene& scene, bool shows_images, bool is_hidden) {
     const ReflectionParams& reflection = params.reflection;
-    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return mask_hides_all(params, derived, mirror, scene);
-    });
     const bool culls = params.cull.enabled && params.cull.face != CullFace::front_and_back;
     tell.broken(!reflection.flip_winding && !is_hidden && shows_images && (culls || params.view.shows == Shows::facing),
                 culls
@@ -342,11 +330,14 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, scene, frame);
     say_slips(tell, params, derived, mirrors, scene);
+    const bool is_hidden = std::all_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+        return !mirror.is_in_view || mask_hides_all(params, derived, mirror, scene);
+    });
     const bool depends_on_images = !params.reflection.reflect_light || !params.reflection.flip_winding;
     say_images(tell, params, derived, mirrors, scene,
-               depends_on_images && shows_objects(params, derived, mirrors, scene, images));
+               depends_on_images && shows_objects(params, derived, mirrors, scene, images), is_hidden);
     find_bounce_problems(problems, params, derived, mirrors, frame.reflection_depth);
-    say_shadows_inside(tell, params, derived, scene, frame);
+    if (!is_hidden) say_shadows_inside(tell, params, derived, scene, frame);
 }
 
 }  // namespace viewing

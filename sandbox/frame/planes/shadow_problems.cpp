@@ -395,6 +395,10 @@ void say_rows(Sayer& tell, const std::vector<Thrown>& thrown) {
 
 }  // namespace
 
+bool may_show_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
+    return !thrown_shadows(params, derived, scene, frame).empty();
+}
+
 bool may_mirror_shadows(const Params& params, const Derived& derived, const Scene& scene, const FramePlan& frame) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     const std::vector<WayThroughMirrors> ways = ways_through_mirrors(params, derived, frame);
