@@ -129,8 +129,8 @@ bool is_in_picture(const glm::dvec4& clip) {
     return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
 }
 
-/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Where far cuts it off,
-/// it cuts off its image, too, which is farther.
+/// Returns whether a point of the plane is in the patch and, for an image, is not cut off by near. Where far cuts it
+/// off, it cuts off its image, too, which is farther.
 bool holds(const Landing& landing, const glm::dvec4& sent) {
     if (!(sent.w > 0.0) || !landing.patch.holds(glm::dvec3(sent) / sent.w)) return false;
     if (!landing.is_image) return true;
@@ -360,9 +360,8 @@ bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms) {
 bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
              const glm::dmat4& place_from_world) {
     constexpr double least_area = 0.5 * 4.0 / (400.0 * 240.0);  // in normalized device coordinates
-    const bool culls_fronts =
-        params.cull.enabled && (params.cull.face != CullFace::back || params.cull.front_face != FrontFace::ccw);
-    const bool covers_nothing = culls_fronts || (params.reflection.enabled && params.reflection.after_objects);
+    const bool covers_nothing = (params.cull.enabled && params.cull.face == CullFace::front_and_back) ||
+                                (params.reflection.enabled && params.reflection.after_objects);
     double area = 0.0;
     const auto take = [&](const SceneObject& object, const std::vector<glm::dvec4>& part) {
         std::vector<glm::dvec3> places;

@@ -82,9 +82,9 @@ bool may_reach_each(const Scene& scene, std::span<const glm::dvec4> forms);
 /// Returns whether part of a patch is where all forms are positive.
 bool may_reach(const PlanePatch& patch, std::span<const glm::dvec4> forms);
 
-/// Returns whether the eye may see more than half a pixel of a shadow or an image: `place_from_world` sends the parts of
-/// the surfaces where all forms are positive to places in the picture (w > 0) that no object covers. Objects that are
-/// drawn before the planes, or culled, cover nothing.
+/// Returns whether the eye may see more than half a pixel of a shadow or an image: `place_from_world` sends the parts
+/// of the surfaces where all forms are positive to places in the picture (w > 0) that no object covers. Objects that
+/// are drawn before the planes, or culled, cover nothing.
 bool may_see(const Params& params, const Derived& derived, const Scene& scene, std::span<const glm::dvec4> forms,
              const glm::dmat4& place_from_world);
 

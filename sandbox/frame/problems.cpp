@@ -238,31 +238,38 @@ bool has_problem(const std::vector<Problem>& problems, std::string_view id) {
 }
 
 /// Takes away the fixes that may change nothing before another one: those of images while planes that share a stencil
-/// value are drawn over each other or the mirror's own depth of the previous frame hides them, clipping while the mirror
-/// covers whatever is in front, those of shadows while an offset pushes them behind their planes or a wrong R misplaces them, and all others while
-/// what was drawn in the previous frame is rejected. The sentences about clearing and about GL_NOTEQUAL keep theirs.
+/// value are drawn over each other, the mirror's own depth of this or the previous frame hides them, or far cuts them
+/// off, clipping while the mirror covers whatever is in front, those of shadows while an offset pushes them behind
+/// their planes or a wrong R misplaces them, and all others while what was drawn in the previous frame is rejected. The
+/// sentences about clearing and about GL_NOTEQUAL keep theirs.
 void drop_waiting_fixes(std::vector<Problem>& problems, const Params& params) {
     const DepthParams& depth = params.depth;
     const bool tests = params.visibility.method == VisibilityMethod::depth_buffer,
                is_overdrawn = has_problem(problems, "reflection.shared_stencil"),
-               is_pushed = has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),
-               is_misplaced = has_problem(problems, "reflection.by_rows") || has_problem(problems, "reflection.plus_2ab") ||
+               is_pushed =
+                   has_problem(problems, "shadow.pushed_away") || has_problem(problems, "depth.reversed_offset"),
+               is_misplaced = has_problem(problems, "reflection.by_rows") ||
+                              has_problem(problems, "reflection.plus_2ab") ||
                               has_problem(problems, "reflection.normal_not_unit"),
-               is_hidden = lets_nearer_win(params) && depth.write && !clears_depth(depth) &&
-                           !params.reflection.after_objects,
+               is_masked = has_problem(problems, "reflection.hides_image"),
+               is_beyond_far = has_problem(problems, "view.image_beyond_far"),
+               is_hidden =
+                   lets_nearer_win(params) && depth.write && !clears_depth(depth) && !params.reflection.after_objects,
                is_painted = tests && count_of_last_wins(depth) > 0,
                is_rejected = tests && (rejects_previous_frame(depth) || hides_next_frame(depth));
     const std::string clip = default_setting("reflection.clip");
     const auto waits = [&](const Problem& problem) {
-        const bool is_about_clearing =
-            problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
+        const bool is_about_clearing = problem.id == "depth.not_cleared" || problem.id == "depth.cleared_with_mask_off";
         if (is_about_clearing) return tests && depth.func == CompareFunc::notequal;
         if (is_rejected && problem.id != "depth.notequal") return true;
-        if (tests && rejects_all(depth) && problem.id == "shadow.by_rows") return true;
+        if (tests && rejects_all(depth) && (problem.id == "shadow.by_rows" || problem.id == "shadow.shared_stencil"))
+            return true;
         if (is_pushed && problem.id != "shadow.pushed_away" && problem.id != "shadow.beyond_edge" &&
             (problem.group == "shadow" || problem.id == "reflection.no_shadows_inside"))
             return true;
         if (is_painted && problem.fixed_by == clip) return true;
+        if (is_beyond_far && problem.group == "reflection") return true;
+        if (is_masked && problem.group == "reflection" && problem.id != "reflection.hides_image") return true;
         if ((is_misplaced || has_problem(problems, "shadow.fights")) && problem.id == "reflection.no_shadows_inside")
             return true;
         if (is_pushed && problem.fixed_by.starts_with("depth.offset=")) return true;

@@ -231,7 +231,8 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                  "the logarithm is taken only at the vertices: inside large triangles the interpolated depth is off, "
                  "so the wrong surface can win"),
         "depth.logarithm_per_vertex");
-    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) && has_offset(params, derived, scene, frame),
+    tell(depth.mapping == DepthMapping::logarithmic && !has_bent_depth(depth) &&
+             has_offset(params, derived, scene, frame),
          sentence(
              "depth.offset_in_shader",
              "the shader writes the logarithm to gl_FragDepth, which glPolygonOffset does not change: the shader adds "
@@ -247,7 +248,8 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                        "reversed depth in a clip range of −1 to 1: halving the depth and adding a half rounds away a "
                        "float's fine steps near 0, so little is gained"));
     tell.broken(
-        !depth.reversed_offset && has_offset(params, derived, scene, frame) && compares_nearness(depth) && !rejects_all(depth),
+        !depth.reversed_offset && has_offset(params, derived, scene, frame) && compares_nearness(depth) &&
+            !rejects_all(depth),
         sentence("depth.reversed_offset",
                  "with reversed depth, nearer means greater, but the offset keeps its sign: it pushes surfaces away "
                  "instead of pulling them nearer"),

@@ -63,8 +63,7 @@ inline bool hides_next_frame(const DepthParams& depth) {
 
 /// Returns whether GL_NOTEQUAL compares with the depths of the previous frame, so that what was drawn then is rejected.
 inline bool rejects_previous_frame(const DepthParams& depth) {
-    return depth.tests() && depth.func == CompareFunc::notequal && depth.write &&
-           !clears_depth(depth);
+    return depth.tests() && depth.func == CompareFunc::notequal && depth.write && !clears_depth(depth);
 }
 
 /// Returns whether the depth test compares which of two depths is nearer.

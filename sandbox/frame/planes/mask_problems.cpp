@@ -112,8 +112,8 @@ void say_uncovered(Sayer& tell, const Params& params, const Derived& derived, co
     }
 }
 
-/// Returns forms that are positive in the picture, on one side of the mirror's plane, in front of the patch or behind it
-/// as the eye sees it.
+/// Returns forms that are positive in the picture, on one side of the mirror's plane, in front of the patch or behind
+/// it as the eye sees it.
 std::vector<glm::dvec4> forms_over_patch(const Derived& derived, const Mirror& mirror, const glm::dvec4& side) {
     std::vector<glm::dvec4> forms = {side - glm::dvec4(0.0, 0.0, 0.0, standing)};
     for (const glm::dvec4& side_of_view : forms_of_frustum(derived.clip_from_world)) forms.push_back(side_of_view);
@@ -140,10 +140,12 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                is_blended_over = is_drawn_by_gl_alone(params.visibility.method) &&
                                  (reflection.stencil || params.visibility.method == VisibilityMethod::none ||
                                   count_of_last_wins(params.depth) > 0);
-    // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other depths.
-    const bool is_unmarked = reflection.clip == MirrorClip::oblique && std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-        return loses_part(mirror.plane.patch, params, derived);
-    });
+    // Where depth hides the patch, it does not mark the stencil either; an oblique near plane gives images other
+    // depths.
+    const bool is_unmarked = reflection.clip == MirrorClip::oblique &&
+                             std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+                                 return loses_part(mirror.plane.patch, params, derived);
+                             });
     tell.broken(
         !reflection.stencil && (is_unmarked || std::any_of(mirrors.begin(), mirrors.end(), image_is_wider)),
         sentence("reflection.beyond_edge",

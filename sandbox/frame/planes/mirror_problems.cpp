@@ -52,8 +52,8 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
 }
 
 /// Returns whether the last mirror on the way shows part of another plane's patch that is behind it. If that patch is
-/// perpendicular to the mirror, its image lies in its own plane: it covers the image between its edges, unless it is the
-/// mirror before the last one, which is not drawn in its own image.
+/// perpendicular to the mirror, its image lies in its own plane: it covers the image between its edges, unless it is
+/// the mirror before the last one, which is not drawn in its own image.
 bool shows_part_behind(const WayThroughMirrors& way, std::span<const DerivedPlane> planes, std::size_t other) {
     const DerivedPlane &patch = planes[other], &mirror = planes[way.mirrors.back()];
     std::vector<glm::dvec4> forms = way.forms_behind(standing);
@@ -73,11 +73,14 @@ bool shows_part_behind(const WayThroughMirrors& way, std::span<const DerivedPlan
 void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::span<const WayThroughMirrors> ways,
                 const Scene& scene) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    // If the wrong side is mirrored, clipping would keep what is behind.
+    const auto fix = [&](const WayThroughMirrors& way) {
+        return !params.reflection.side_of_eye && way.is_from_behind ? "" : "reflection.clip";
+    };
     for (const WayThroughMirrors& way : ways) {
         std::vector<std::size_t> behind;
         for (std::size_t other = 0; other < planes.size(); ++other)
-            if (params.reflection.stencil && other != way.mirrors.back() &&
-                shows_part_behind(way, planes, other))
+            if (params.reflection.stencil && other != way.mirrors.back() && shows_part_behind(way, planes, other))
                 behind.push_back(other);
         if (!behind.empty())
             return tell.broken(
@@ -86,7 +89,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                          "part of {planes} is behind the mirror of plane {mirror}: without clipping, its "
                          "image appears in front of the mirror",
                          "planes"_a = planes_name(behind, planes.size()), "mirror"_a = way.mirrors.back() + 1),
-                "reflection.clip");
+                fix(way));
     }
     for (const WayThroughMirrors& way : ways) {
         std::vector<std::string> across, behind;
@@ -101,7 +104,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                                         "the mirror's plane cuts {objects}: the part behind it is mirrored too, and "
                                         "its image sticks out of the mirror",
                                         "objects"_a = joined(across)),
-                               "reflection.clip");
+                               fix(way));
         if (!behind.empty())
             return tell.broken(
                 true,
@@ -109,7 +112,7 @@ void say_behind(Sayer& tell, const Params& params, const Derived& derived, std::
                     "reflection.object_behind",
                     "{objects} behind the mirror: without clipping, the mirror image appears in front of the mirror",
                     "objects"_a = joined(behind)),
-                "reflection.clip");
+                fix(way));
     }
 }
 
@@ -182,14 +185,14 @@ bool cuts_image(const Params& params, const Derived& derived, const Mirror& mirr
     return false;
 }
 
-/// Reports an oblique near plane that was not transformed to view space. `nothing_is_left`: the right one leaves nothing
-/// of the image either, so it is no fix.
+/// Reports an oblique near plane that was not transformed to view space. `nothing_is_left`: the right one leaves
+/// nothing of the image either, so it is no fix.
 void say_oblique_in_world(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                           const Scene& scene, const FramePlan& frame, bool nothing_is_left) {
     const Mirror& mirror = mirrors.front();
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
-    const bool is_coarse = lets_nearer_win(params) && params.depth.write && depth &&
-                           is_visibly_coarse(*depth, params, derived),
+    const bool is_coarse =
+                   lets_nearer_win(params) && params.depth.write && depth && is_visibly_coarse(*depth, params, derived),
                is_alone = drawn_planes(params, derived).size() == 1;
     if (is_alone && !is_coarse && !cuts_image(params, derived, mirror, scene, frame)) return;
     const glm::dvec4 world = mirror.towards_eye(), view = world * glm::inverse(derived.view_from_world);
@@ -240,24 +243,28 @@ bool shows_objects(const Params& params, const Derived& derived, const std::vect
                    const std::vector<SeenImage>& images) {
     const ReflectionParams& reflection = params.reflection;
     const SlipParams& slips = params.slips;
-    if (params.cull.enabled && params.cull.face == CullFace::front_and_back) return false;
     const bool fits = reflection.same_projection && params.mirror_picture_scale() == 1.0,
                has_right_images = reflection.side_of_eye && fits && !reflection.printed_by_rows && !slips.plus_2ab &&
                                   !slips.normal_not_unit && !slips.oblique_in_world;
-    const bool is_by_hand = std::any_of(mirrors.begin(), mirrors.end(),
-                                        [](const Mirror& mirror) { return mirror.plane.mirror_by_hand; });
+    const bool is_by_hand =
+        std::any_of(mirrors.begin(), mirrors.end(), [](const Mirror& mirror) { return mirror.plane.mirror_by_hand; });
     if (!has_right_images || is_by_hand)
-        return (mirrors.size() > 1 && reflection.bounces > 1) || std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
-            return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
-        });
+        return (mirrors.size() > 1 && reflection.bounces > 1) ||
+               std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+                   return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
+               });
     // An oblique near plane gives images other codes.
     const double start = reflection.clip == MirrorClip::oblique ? std::numeric_limits<double>::infinity()
                                                                 : start_of_cleared_code(params);
-    const bool is_shown = std::any_of(images.begin(), images.end(), [start](const SeenImage& image) {
-        return image.is_shown && image.nearest < start;
-    });
-    return is_shown && (mirrors.size() > 1 || may_draw_image(params, derived, mirrors.front(), scene,
-                                                              mirrors.front().clip_from_scene));
+    const auto is_shown = [](const SeenImage& image) { return image.is_shown; };
+    const bool has_samples = std::any_of(images.begin(), images.end(), is_shown);
+    if (has_samples && std::none_of(images.begin(), images.end(),
+                                    [&](const SeenImage& image) { return image.is_shown && image.nearest < start; }))
+        return false;
+    return (has_samples && mirrors.size() > 1) ||
+           std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) {
+               return may_draw_image(params, derived, mirror, scene, mirror.clip_from_scene);
+           });
 }
 
 /// Reports errors in the image: its winding, its light, the mirrored camera's projection, and an R filled by rows.
@@ -281,7 +288,8 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                  "that of the light's image"),
         "reflection.reflect_light");
     tell.broken(
-        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0 && !is_hidden,
+        reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0 &&
+            !is_hidden,
         sentence("reflection.other_projection",
                  "the mirrored camera uses the aspect ratio of a square picture: the image does not fit its mirror"),
         "reflection.same_projection");
@@ -326,7 +334,8 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     Sayer tell(problems, "reflection");
     find_mask_problems(problems, params, derived, mirrors, scene);
     const bool is_in_world = params.slips.oblique_in_world && params.reflection.clip == MirrorClip::oblique;
-    if (is_in_world) say_oblique_in_world(tell, params, derived, mirrors, scene, frame, shows_wrong_side(params, derived, frame));
+    if (is_in_world)
+        say_oblique_in_world(tell, params, derived, mirrors, scene, frame, shows_wrong_side(params, derived, frame));
     if (params.reflection.clip == MirrorClip::oblique && !is_in_world) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, derived, scene, frame);
     say_slips(tell, params, derived, mirrors, scene);

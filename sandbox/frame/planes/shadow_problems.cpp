@@ -28,8 +28,7 @@ glm::dmat4 seen_on_patch(const ShadowParams& shadow, const DerivedPlane& plane, 
     if (!cast.has_slip && !is_lifted) return landed;
     glm::dmat4 lifted_from_plane(1.0);
     if (is_lifted)
-        lifted_from_plane[3] =
-            glm::dvec4(shadow.lift * glm::dvec3(plane_facing(plane.unit_plane, eye_world)), 1.0);
+        lifted_from_plane[3] = glm::dvec4(shadow.lift * glm::dvec3(plane_facing(plane.unit_plane, eye_world)), 1.0);
     return seen_on_plane(plane.unit_plane, eye_world) * lifted_from_plane * landed;
 }
 
@@ -59,8 +58,8 @@ struct Landed {
     std::vector<glm::dvec4> forms;
 };
 
-/// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an S
-/// entered by hand. `on_patch`: only on its own patch.
+/// Returns the part of a shadow where all the forms `seen`, which take a point of the plane, are positive; none for an
+/// S entered by hand. `on_patch`: only on its own patch.
 std::optional<Landed> landed_part(const ShadowParams& shadow, const DerivedPlane& plane, const CastShadow& cast,
                                   Part part, std::span<const glm::dvec4> seen, bool on_patch) {
     if (cast.by_hand) return std::nullopt;
@@ -93,8 +92,7 @@ bool may_be_mirrored(const Params& params, const Derived& derived, const Scene& 
     const auto index = static_cast<std::size_t>(&plane - derived.planes.data());
     return params.reflection.stencil && std::any_of(ways.begin(), ways.end(), [&](const WayThroughMirrors& way) {
                if (way.mirrors.back() == index) return false;
-               const std::optional<Landed> landed =
-                   landed_part(params.shadow, plane, cast, part, way.inside, true);
+               const std::optional<Landed> landed = landed_part(params.shadow, plane, cast, part, way.inside, true);
                // Through more mirrors, hardly a pixel shows it.
                return !landed || (landed->forms.size() <= most_forms && may_reach(scene, landed->forms));
            });
@@ -135,7 +133,8 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived,
             if (shadows[light].has_slip)
                 one.is_drawn = is_drawn_in_picture(params, derived, scene, planes[plane], shadows[light]);
             // Triangles that cross w = 0 stretch to infinity, through the picture.
-            one.has_anti_shadow = is_forced && (is_seen(Part::anti_shadow) || !objects_across(scene, one.right_w(), 0.0).empty());
+            one.has_anti_shadow =
+                is_forced && (is_seen(Part::anti_shadow) || !objects_across(scene, one.right_w(), 0.0).empty());
             if (one.has_anti_shadow || is_seen(Part::shadow)) thrown.push_back(one);
         }
     }
@@ -184,8 +183,8 @@ bool say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     std::vector<std::string> vanishing;
     for (const Thrown& one : thrown)
         if (shadow.sign == ShadowSign::none && one.side() < 0.0 &&
-            lands_inside(scene, {seen_on_patch(shadow, one.plane, one.cast, one.side(), derived.eye_world), derived.clip_from_world,
-                                 one.towards_light(), one.plane.patch}))
+            lands_inside(scene, {seen_on_patch(shadow, one.plane, one.cast, one.side(), derived.eye_world),
+                                 derived.clip_from_world, one.towards_light(), one.plane.patch}))
             vanishing.push_back(say("{light} on {plane}", "light"_a = one.light_name, "plane"_a = one.plane_name));
     const bool vanishes = !vanishing.empty(), all_vanish = vanishing.size() == thrown.size();
     tell.broken(
@@ -255,7 +254,9 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived, const
         const glm::dvec3 sight = line_of_sight(derived.eye_world, one.plane.patch.center);
         const double sine =
             derived.eye_world.w == 0.0 ? glm::length(glm::cross(glm::dvec3(one.plane.unit_plane), sight)) : 1.0;
-        return !one.cast.has_slip && sine * shadow.lift > least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
+        return !one.cast.has_slip &&
+               sine * shadow.lift >
+                   least_shift * std::abs(picture_height(params.lens(), std::max(z, params.projection.near)));
     };
     tell.broken(
         by_lift && std::any_of(thrown.begin(), thrown.end(), is_seen_floating),
@@ -405,7 +406,8 @@ bool may_mirror_shadows(const Params& params, const Derived& derived, const Scen
     return std::any_of(planes.begin(), planes.end(), [&](const DerivedPlane& plane) {
         return plane.receives_shadow &&
                std::any_of(plane.shadows.begin(), plane.shadows.end(), [&](const CastShadow& cast) {
-                   return !cast.light_in_plane && may_be_mirrored(params, derived, scene, plane, cast, Part::shadow, ways);
+                   return !cast.light_in_plane &&
+                          may_be_mirrored(params, derived, scene, plane, cast, Part::shadow, ways);
                });
     });
 }
@@ -424,7 +426,8 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
             std::copy_if(thrown.begin(), thrown.end(), std::back_inserter(beyond),
                          [&](const Thrown& one) { return is_seen_beyond(params, derived, one, scene); });
         // An S filled by rows may hide the shadow there behind the plane or an object.
-        const bool is_sure = std::any_of(beyond.begin(), beyond.end(), [](const Thrown& one) { return !one.cast.has_slip; });
+        const bool is_sure =
+            std::any_of(beyond.begin(), beyond.end(), [](const Thrown& one) { return !one.cast.has_slip; });
         tell.broken(
             !beyond.empty(),
             sentence("shadow.beyond_edge",
